@@ -178,9 +178,9 @@ def _best_step(
         found: np.ndarray = cuts[(hits * len(invisible) - vain * len(visible)).argmax(axis=1)]
         return found
 
-    drawn = [random.multinomial(one.sum(), one / one.sum(), BEST_STEP_RESAMPLES) for one in counts]
+    drawn = [random.multinomial(count.sum(), count / count.sum(), BEST_STEP_RESAMPLES) for count in counts]
     low, high = np.percentile(best(drawn), (2.5, 97.5))
-    return float(best([one[np.newaxis] for one in counts])[0]), float(low), float(high)
+    return float(best([count[np.newaxis] for count in counts])[0]), float(low), float(high)
 
 
 def _rows(cases: list[tuple[Population, Layout]], counts: tuple[int, int], runs: int) -> Iterator[list[str]]:

@@ -16,9 +16,9 @@ MISSING = "missing source"
 def print_causes(title: str, outcomes: Sequence[Outcome]) -> None:
     """What is said for each true main cause, side by side with how often it is right."""
     rows = []
-    for true in dict.fromkeys(one.true_causes[0] for one in outcomes):
+    for true in dict.fromkeys(outcome.true_causes[0] for outcome in outcomes):
         for side in sides_of(outcomes):
-            own = [one for one in outcomes if one.true_causes[0] == true and one.window.side == side]
+            own = [outcome for outcome in outcomes if outcome.true_causes[0] == true and outcome.window.side == side]
             wrong = Counter(one.reading.cause for one in own if not one.is_main_right)
             if own:
                 rows.append([f"{true}, {side} px", *_right_cells(own),
@@ -27,7 +27,7 @@ def print_causes(title: str, outcomes: Sequence[Outcome]) -> None:
         rows.append([f"all, {side} px", *_right_cells([one for one in outcomes if one.window.side == side]), ""])
     for ground in grounds_of(outcomes) if len(grounds_of(outcomes)) > 1 else ():
         for side in sides_of(outcomes):
-            own = [one for one in outcomes if one.window.imagery == ground and one.window.side == side]
+            own = [outcome for outcome in outcomes if outcome.window.imagery == ground and outcome.window.side == side]
             if own:
                 rows.append([f"{ground}, {side} px", *_right_cells(own), ""])
     head = ["what was done", "windows", "right %", "true %", "all named %", "wrong"]
@@ -46,8 +46,8 @@ def _right_cells(own: Sequence[Outcome]) -> list[str]:
 def print_operations(title: str, outcomes: Sequence[Outcome]) -> None:
     """Verdicts, causes and kept_1, operation by operation."""
     rows = []
-    for name in dict.fromkeys(one.operation.name for one in outcomes):
-        own = [one for one in outcomes if one.operation.name == name]
+    for name in dict.fromkeys(outcome.operation.name for outcome in outcomes):
+        own = [outcome for outcome in outcomes if outcome.operation.name == name]
         verdicts = Counter(one.reading.verdict for one in own)
         causes = Counter(one.reading.cause for one in own)
         rows.append([
@@ -66,7 +66,7 @@ def print_operations(title: str, outcomes: Sequence[Outcome]) -> None:
 
 def print_missing(title: str, outcomes: Sequence[Outcome]) -> None:
     """Whether a source that is missing is named, by its share of the pixels and by ground."""
-    shares = sorted({one.operation.making.missing for one in outcomes} - {0.0})
+    shares = sorted({outcome.operation.making.missing for outcome in outcomes} - {0.0})
     rows = []
     for ground in (*grounds_of(outcomes), "all"):
         for side in sides_of(outcomes):
@@ -86,8 +86,8 @@ def _named(own: Sequence[Outcome], part: float) -> str:
 def print_tones(title: str, outcomes: Sequence[Outcome]) -> None:
     """Grey values and places of the sources against what was done to them."""
     found: dict[str, list[float]] = defaultdict(list)
-    for one in outcomes:
-        for what, error in one.tone_errors():
+    for outcome in outcomes:
+        for what, error in outcome.tone_errors():
             found[what].append(error)
     rows = []
     for what, errors in found.items():

@@ -141,8 +141,8 @@ class Case:
     def stored(self, window: KnownWindow) -> tuple[np.ndarray, ...]:
         """A window's orthoimages as they are given."""
         return tuple(
-            self.orthoimages.stored(one) if "one" not in self.way or k == window.main[1] else one
-            for k, one in enumerate(window.sources)
+            self.orthoimages.stored(source) if "one" not in self.way or k == window.main[1] else source
+            for k, source in enumerate(window.sources)
         )
 
 
@@ -200,9 +200,9 @@ def run(task: tuple[Case, KnownWindow]) -> dict[str, object] | None:
 
 def table(title: str, rows: Sequence[dict]) -> None:
     """Print one line: windows without a missing orthoimage, with one, and with one that is faint."""
-    whole = [one for one in rows if not one["missing"]]
-    faint = [one for one in rows if one["faint"]]
-    parts = [one for one in rows if one["missing"] and not one["faint"]]
+    whole = [row for row in rows if not row["missing"]]
+    faint = [row for row in rows if row["faint"]]
+    parts = [row for row in rows if row["missing"] and not row["faint"]]
     measured = [one for one in whole if np.isfinite(one["kept"]) and np.isfinite(one["truth"])]
     errors = np.array([one["kept"] - one["truth"] for one in measured])
     hard = [one for one in measured if one["making"] == "hard"]
@@ -213,7 +213,7 @@ def table(title: str, rows: Sequence[dict]) -> None:
     said = "missing source"
 
     def named(windows: Sequence[dict]) -> float:
-        return 100 * mean([said in one["causes"] or one["verdict"] == "not_comparable" for one in windows])
+        return 100 * mean([said in window["causes"] or window["verdict"] == "not_comparable" for window in windows])
 
     print(f"{title:34s} {len(whole):4d} {len(parts):4d} {len(faint):4d} | "
           f"false {100 * mean([said in o['causes'] for o in whole]):5.1f} "
@@ -234,12 +234,12 @@ def report(rows: Sequence[dict]) -> None:
     """Print all tables."""
     table("all", rows)
     for key in ("side", "ground", "making", "way", "mosaic"):
-        for value in sorted({one[key] for one in rows}, key=str):
-            table(f"{key} {value}", [one for one in rows if one[key] == value])
+        for value in sorted({row[key] for row in rows}, key=str):
+            table(f"{key} {value}", [row for row in rows if row[key] == value])
     for mosaic, way, orthoimages in sorted(
-        {(one["mosaic"], one["way"], one["orthoimages"]) for one in rows}):
+        {(row["mosaic"], row["way"], row["orthoimages"]) for row in rows}):
         table(f"{mosaic} / {way} {orthoimages if way != 'lossless' else ''}", [
-            one for one in rows if (one["mosaic"], one["way"], one["orthoimages"]) == (mosaic, way, orthoimages)])
+            row for row in rows if (row["mosaic"], row["way"], row["orthoimages"]) == (mosaic, way, orthoimages)])
 
 
 def tasks(half: str, side: int, imagery: str, count: int) -> Iterator[tuple[Case, KnownWindow]]:
@@ -249,7 +249,7 @@ def tasks(half: str, side: int, imagery: str, count: int) -> Iterator[tuple[Case
     every: list[KnownWindow] = []
     for ground in grounds(Path(data) if data else None, imagery.lower()):
         windows = ground.imagery.windows(side, 24, half != "used")
-        every += [one for one in windows if WindowFacts.of(one).has_texture][: 24 if ground.share == 1 else 8]
+        every += [window for window in windows if WindowFacts.of(window).has_texture][: 24 if ground.share == 1 else 8]
     order = np.random.default_rng(1).permutation(len(cases) * count)
     for turn, place in enumerate(order.tolist() if every else ()):
         yield cases[place % len(cases)], every[turn % len(every)]
@@ -276,7 +276,7 @@ def main() -> int:
     with ProcessPoolExecutor(arguments.jobs) as pool:
         rows = [one for one in pool.map(run, every, chunksize=8) if one is not None]
     if arguments.out:
-        Path(arguments.out).write_text("".join(json.dumps(one) + "\n" for one in rows))
+        Path(arguments.out).write_text("".join(json.dumps(row) + "\n" for row in rows))
     report(rows)
     print(f"{time.perf_counter() - started:.0f} s")
     return 0

@@ -163,9 +163,9 @@ def planted(imagery: Imagery, widths_px: Sequence[float], held_back: bool, codec
     first = imagery.columns - columns if held_back else 0
     side = max(rows, columns)
     sources = [one.over(0, first, side)[:, :rows, :columns] for one in imagery.placed]
-    valid = [(one != placed.nodata).any(axis=0) for one, placed in zip(sources, imagery.placed)]
-    stored = [np.where(mask, codec.stored(np.where(mask, one, 1)), 0).astype(np.uint8)
-              for one, mask in zip(sources, valid) if mask.mean() > 0.05]
+    valid = [(source != placed.nodata).any(axis=0) for source, placed in zip(sources, imagery.placed)]
+    stored = [np.where(mask, codec.stored(np.where(mask, source, 1)), 0).astype(np.uint8)
+              for source, mask in zip(sources, valid) if mask.mean() > 0.05]
     return PlantedBlock.of(imagery, stored, widths_px, len(widths_px))
 
 
@@ -216,13 +216,13 @@ class ScanOutcome:
 
     def cells(self) -> list[str]:
         """For a row of the table."""
-        states = np.array([one.state for one in self.pieces] + [None], dtype=object)
+        states = np.array([piece.state for piece in self.pieces] + [None], dtype=object)
         state = states[self.piece]
         textured = self.length_m * self.is_textured
         is_near = self.piece >= 0
         is_measured = is_near & (state != PieceState.NOT_MEASURED) & (state != PieceState.NO_DETAIL)
-        judged = [place for place, one in enumerate(self.pieces)
-                  if one.kept and np.isfinite(self.piece_truth[place])]
+        judged = [place for place, piece in enumerate(self.pieces)
+                  if piece.kept and np.isfinite(self.piece_truth[place])]
         lengths = np.array([self.pieces[place].piece.length_m for place in judged])
         kept, low, high = np.array([
             (self.pieces[place].least_kept, self.pieces[place].low, self.pieces[place].high) for place in judged

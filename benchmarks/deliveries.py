@@ -142,7 +142,7 @@ def planted(case: Case, imagery: Imagery) -> PlantedBlock:
     block = PlantedBlock.of(imagery, sources, case.widths_px, len(CASES), round(LEAST_PART * rows * columns))
     whole = hard_cut(sources, np.maximum(block.labels, 0))
     # What the followed orthoimages have, without the edge that a cut makes itself.
-    own = [detail_energy(luminance_of(np.where(one.any(axis=0), one, whole)), 1, WAVELET) for one in sources]
+    own = [detail_energy(luminance_of(np.where(source.any(axis=0), source, whole)), 1, WAVELET) for source in sources]
     return replace(block, hard_energy=np.choose(np.maximum(block.labels, 0), own))
 
 
@@ -152,7 +152,7 @@ def scanned(case: Case, block: PlantedBlock, folder: Path) -> tuple[ScanResult, 
     sheets = _sheets(folder, mosaic, sources) if case.lacks == "sheets" else []
     if sheets:
         mosaic = folder / "sheets.vrt"
-        gdal.BuildVRT(str(mosaic), [one.path for one in sheets]).FlushCache()
+        gdal.BuildVRT(str(mosaic), [sheet.path for sheet in sheets]).FlushCache()
     if case.lacks == "orthoimage":
         sources.pop(int(np.bincount(block.labels[block.labels >= 0]).argmin()))
     if case.seamlines == "partly":
@@ -176,7 +176,7 @@ def _sheets(folder: Path, mosaic: Path, sources: Sequence[Path]) -> list[Ordered
         path = folder / f"{name}.tif"
         gdal.Translate(str(path), whole, srcWin=[first, 0, width, rows])
         found.append(OrderedSheet(name, str(path), None))
-    other = max((gdal.Open(str(one)).ReadAsArray()[:, :, half:half + OVERLAP_PX] for one in sources), key=np.mean)
+    other = max((gdal.Open(str(source)).ReadAsArray()[:, :, half:half + OVERLAP_PX] for source in sources), key=np.mean)
     west = gdal.Open(found[0].path, gdal.GA_Update)
     kept = west.ReadAsArray()[:, :, half:]
     west.WriteArray(np.where(other.any(axis=0), other, kept), half, 0)

@@ -48,6 +48,6 @@ def _delays(level: int, wavelet: str) -> tuple[tuple[int, int], ...]:
     energies = np.square(_details(point, level, wavelet))
     at = np.arange(side) - side // 2
     return tuple(
-        (round(float(one.sum(axis=1) @ at / one.sum())), round(float(one.sum(axis=0) @ at / one.sum())))
-        for one in energies
+        (round(float(energy.sum(axis=1) @ at / energy.sum())), round(float(energy.sum(axis=0) @ at / energy.sum())))
+        for energy in energies
     )

@@ -44,9 +44,9 @@ def share(held: Iterable[bool]) -> str:
 
 def sides_of(outcomes: Sequence[Outcome]) -> list[int]:
     """Largest first, px."""
-    return sorted({one.window.side for one in outcomes}, reverse=True)
+    return sorted({outcome.window.side for outcome in outcomes}, reverse=True)
 
 
 def grounds_of(outcomes: Sequence[Outcome]) -> list[str]:
     """In the order in which they came."""
-    return list(dict.fromkeys(one.window.imagery for one in outcomes))
+    return list(dict.fromkeys(outcome.window.imagery for outcome in outcomes))

@@ -66,7 +66,7 @@ def print_areas(title: str, outcomes: Sequence[Outcome]) -> None:
     rows += [[f"all of {group}", *_areas(outcomes, of_group(group))] for group in GROUPS]
     rows += [[f"all of {group}, lost", *_areas(outcomes, lost_of_group(group))] for group in GROUPS]
     for ground in grounds_of(outcomes) if len(grounds_of(outcomes)) > 1 else ():
-        own = [one for one in outcomes if one.window.imagery == ground]
+        own = [outcome for outcome in outcomes if outcome.window.imagery == ground]
         rows += [[f"all of {group}, lost, {ground}", *_areas(own, lost_of_group(group), sides)] for group in GROUPS]
     print_table(f"Area under the ROC curve of kept_1, all hard cuts against feathers, {title}",
                 ["seam", *(f"{side} px" for side in sides)], rows,
@@ -114,14 +114,14 @@ def _areas(outcomes: Sequence[Outcome], belongs: Belongs, sides: Sequence[int] =
 def _area(
     outcomes: Sequence[Outcome], belongs: Belongs, measure: Measure = MEASURES["kept_1"]
 ) -> str:
-    sound = known(measure(one) for one in outcomes if of_group("hard")(one))
-    spoilt = known(measure(one) for one in outcomes if belongs(one))
+    sound = known(measure(outcome) for outcome in outcomes if of_group("hard")(outcome))
+    spoilt = known(measure(outcome) for outcome in outcomes if belongs(outcome))
     return f"{figure(area(sound, spoilt))} ({len(sound)}, {len(spoilt)})"
 
 
 def print_hard_cuts(title: str, outcomes: Sequence[Outcome]) -> None:
     """What is said of seams that took nothing, by ground and side."""
-    hard = [one for one in outcomes if one.operation.making.group == "hard"]
+    hard = [outcome for outcome in outcomes if outcome.operation.making.group == "hard"]
     rows = []
     for ground in grounds_of(hard):
         for side in sides_of(hard):
@@ -180,4 +180,4 @@ def _usable_cells(own: Sequence[Outcome], with_texture: Sequence[Outcome]) -> li
 
 
 def _on(outcomes: Sequence[Outcome], side: int) -> list[Outcome]:
-    return [one for one in outcomes if one.window.side == side]
+    return [outcome for outcome in outcomes if outcome.window.side == side]

@@ -209,7 +209,7 @@ class Imagery:
         if numbers.min() == 0 or np.sort(shares)[-2] < MIN_SECOND_SHARE:
             return None
         bands = [one.over(row, column, frame) for one in self.placed]
-        masks = [(one != placed.nodata).any(axis=0) for one, placed in zip(bands, self.placed)]
+        masks = [(band != placed.nodata).any(axis=0) for band, placed in zip(bands, self.placed)]
         used = [int(number) - 1 for number in np.unique(numbers)]
         others = sorted((i for i in range(len(bands)) if i not in used), key=lambda i: -masks[i].mean())
         chosen = used + [i for i in others[: max(MOST_SOURCES - len(used), 0)] if masks[i].mean() > 0.5]
@@ -229,7 +229,7 @@ def _half(corners: Sequence[tuple[int, int]], frame: int, held_back: bool) -> li
     if min(columns) == max(columns):  # a single frame: nothing to set limits by
         return list(corners) * 64 if held_back else []
     border = np.median(columns) + frame / 2
-    half = [one for one in corners if (one[1] >= border if held_back else one[1] + frame <= border)]
+    half = [corner for corner in corners if (corner[1] >= border if held_back else corner[1] + frame <= border)]
     order = sorted(range(len(half)), key=lambda number: number * 0.6180339887498949 % 1)
     return [half[number] for number in order]
 
@@ -273,12 +273,12 @@ def packo(folder: Path) -> Imagery:
 def imagery(name: str, paths: Sequence[Path], own_labels: np.ndarray | None = None) -> Imagery:
     """Orthoimages of one pixel size, each put on the nearest pixel of the common grid."""
     files = [gdal.Open(str(path)) for path in paths]
-    grids = [one.GetGeoTransform() for one in files]
+    grids = [file.GetGeoTransform() for file in files]
     pixel, left, top = grids[0][1], min(grid[0] for grid in grids), max(grid[3] for grid in grids)
     placed = tuple(
-        PlacedImage(one.ReadAsArray()[:3], round((top - grid[3]) / pixel), round((grid[0] - left) / pixel),
-                int(one.GetRasterBand(1).GetNoDataValue() or 0))
-        for one, grid in zip(files, grids)
+        PlacedImage(file.ReadAsArray()[:3], round((top - grid[3]) / pixel), round((grid[0] - left) / pixel),
+                int(file.GetRasterBand(1).GetNoDataValue() or 0))
+        for file, grid in zip(files, grids)
     )
     rows = max(one.row + one.bands.shape[1] for one in placed)
     columns = max(one.column + one.bands.shape[2] for one in placed)

@@ -65,7 +65,7 @@ class LargeMosaic:
     @property
     def seam_px(self) -> float:
         """Length of all seams."""
-        return sum(float(np.hypot(*np.diff(one.vertices, axis=0).T).sum()) for one in self.seams) / PIXEL
+        return sum(float(np.hypot(*np.diff(seam.vertices, axis=0).T).sum()) for seam in self.seams) / PIXEL
 
 
 class Layout:
@@ -168,8 +168,8 @@ def make_large_mosaic(folder: Path, side: int, formats: tuple[str, ...] = FORMAT
             files[tile_format].append(path)
     corner, step = np.array([EASTING, NORTHING]), np.array([PIXEL, -PIXEL])
     seams = tuple(
-        KnownSeam(corner + step * one, *(1 + layout.source_beside(one, side) for side in (-1, 1)))
-        for one in layout.lines()
+        KnownSeam(corner + step * line, *(1 + layout.source_beside(line, side) for side in (-1, 1)))
+        for line in layout.lines()
     )
     return LargeMosaic(side, {one: tuple(paths) for one, paths in files.items()}, seams)
 

@@ -42,7 +42,7 @@ def dates() -> Imagery:
         scene = first if number == 0 else _later(first, number)
         width, depth = DATES_EXTENT
         images.append(take(scene, exposure, Box(0.0, 0.0, width, depth), np.random.default_rng(10 + number)))
-    left, top = min(one.left for one in images), min(one.top for one in images)
+    left, top = min(image.left for image in images), min(image.top for image in images)
     placed = tuple(
         PlacedImage(one.pixels, round((one.top - top) / PIXEL), round((one.left - left) / PIXEL), 0) for one in images
     )

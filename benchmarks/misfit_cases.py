@@ -132,7 +132,7 @@ def print_misfits(title: str, outcomes: Sequence[Outcome]) -> None:
                        and one.operation.making.kind == case.name]
                 if own:
                     rows.append([f"{side} px: {case.name}, {seam}", *_cells(case, seam, own)])
-        every = [is_right_case(one) for one in outcomes if one.window.side == side]
+        every = [is_right_case(outcome) for outcome in outcomes if outcome.window.side == side]
         rows.append([f"{side} px: all", str(len(every)), percent(every), "", "", "", "", ""])
     head = ["case", "windows", "right %", "named %", "main %", "misfit, px", "true", "main causes"]
     print_table(f"Images that fit or do not fit, {title}", head, rows,

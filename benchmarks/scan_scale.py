@@ -92,7 +92,7 @@ class ScanCosts:
     @property
     def worked(self) -> float:
         """Seconds that workers work, a block."""
-        return sum(sum(one.seconds) for one in self.kinds.values()) / self.blocks
+        return sum(sum(kind.seconds) for kind in self.kinds.values()) / self.blocks
 
     @property
     def gathered(self) -> float:
@@ -184,10 +184,10 @@ def simulated(service: Sequence[float], handed: float, workers: int, count: int)
 def whole_seconds(cost: ScanCosts, through_dask: dict[str, float], workers: int) -> float:
     """Seconds of a scan of ``BLOCKS`` blocks."""
     by_kind = {}
-    for name, one in cost.kinds.items():
-        count = round(BLOCKS * len(one.seconds) / cost.blocks)
+    for name, kind in cost.kinds.items():
+        count = round(BLOCKS * len(kind.seconds) / cost.blocks)
         by_kind[name] = simulated(
-            one.seconds, cost.handed[name] / len(one.seconds) + through_dask.get(name, 0.0), workers, count
+            kind.seconds, cost.handed[name] / len(kind.seconds) + through_dask.get(name, 0.0), workers, count
         )
     share = BLOCKS / cost.blocks
     beside = by_kind["block_outputs"] + cost.cut * share + by_kind["measure_pieces"]
@@ -216,7 +216,7 @@ def main() -> int:
             threads.append([kind, f"{alone.wall:.1f} s", f"{both.wall:.1f} s", f"{alone.wall / both.wall:.2f}",
                             f"{both.cpu / alone.cpu:.2f}"])
         say("results through Dask")
-        through_dask = {kind: through(one) for kind, one in costs.items()}
+        through_dask = {kind: through(cost) for kind, cost in costs.items()}
         read = sum(path.stat().st_size for path in made.files[chosen.format])
     print_table("What workers do, of the processor, per block of 2048 px",
                 ["", "task", "time", "slowest task", "to a worker", "back", "handing out", "through Dask"],
@@ -229,15 +229,15 @@ def main() -> int:
                 f"rasters together; {made.seam_px / made.megapixels:.0f} px of seam per megapixel.")
     print_table("What one process does, of the processor, per block",
                 ["", "handing out", "joining and cutting", "the end", "picture, aside", "in all"],
-                [[kind, *(f"{1e3 * part / one.blocks:.2f} ms" for part in (
-                    sum(one.handed.values()), one.cut, one.end, one.aside, one.gathered * one.blocks))]
-                 for kind, one in costs.items()])
+                [[kind, *(f"{1e3 * part / cost.blocks:.2f} ms" for part in (
+                    sum(cost.handed.values()), cost.cut, cost.end, cost.aside, cost.gathered * cost.blocks))]
+                 for kind, cost in costs.items()])
     print_table("Threads", ["", "one", "two", "times faster", "CPU"], threads)
     rows = []
     for kind, cost in costs.items():
         times = [whole_seconds(cost, through_dask[kind], count) for count in WORKERS]
-        rows.append([kind, *(f"{times[0] / one:.1f}" for one in times), f"{BLOCKS / times[-1]:.0f}/s"])
-        rows.append(["of each", *(f"{100 * times[0] / one / count:.0f} %" for one, count in zip(times, WORKERS)), ""])
+        rows.append([kind, *(f"{times[0] / time:.1f}" for time in times), f"{BLOCKS / times[-1]:.0f}/s"])
+        rows.append(["of each", *(f"{100 * times[0] / time / count:.0f} %" for time, count in zip(times, WORKERS)), ""])
     print_table(f"Simulated workers of a cluster, {BLOCKS:,} blocks: times the throughput of one",
                 ["", *map(str, WORKERS), "most blocks"], rows,
                 f"Most blocks: with {WORKERS[-1]} workers, when the one process is what all wait for.")
@@ -247,9 +247,9 @@ def main() -> int:
 def through(cost: ScanCosts) -> dict[str, float]:
     """Seconds of the one process for each result of a cluster, as several come together; none without Dask."""
     found = {}
-    for name, one in cost.kinds.items():
+    for name, kind in cost.kinds.items():
         together = len(next(several(iter(range(1000)), 1000)))
-        seconds = dask_seconds(together * one.back / len(one.seconds))
+        seconds = dask_seconds(together * kind.back / len(kind.seconds))
         if seconds is not None:
             found[name] = seconds / together
     return found

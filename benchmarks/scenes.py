@@ -249,4 +249,4 @@ def explained(scene: Scene, bands: np.ndarray) -> tuple[Explanation, Mapping[str
         for clip in (Clip(scene.mosaic, bands, 0.0), *scene.sources)
     )
     found = explain(mosaic, sources, DEFAULT_WAVELET, DEFAULT_LEVELS)
-    return found, mosaic.curves, [one.curves for one in sources]
+    return found, mosaic.curves, [source.curves for source in sources]

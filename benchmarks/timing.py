@@ -196,8 +196,8 @@ def loaded_blas() -> list[str]:
     if not maps.exists():
         return []
     files = {line.split()[-1] for line in maps.read_text().splitlines() if "/" in line}
-    found = sorted(one for one in files if re.search(r"/lib[^/]*(openblas|blis|mkl_rt|atlas)[^/]*$", one))
-    return found or sorted(one for one in files if re.search(r"/libc?blas\.so[^/]*$", one))
+    found = sorted(file for file in files if re.search(r"/lib[^/]*(openblas|blis|mkl_rt|atlas)[^/]*$", file))
+    return found or sorted(file for file in files if re.search(r"/libc?blas\.so[^/]*$", file))
 
 
 def is_system_blas() -> bool:

@@ -40,7 +40,7 @@ def truth_kept(
     energies = [detail_energy(plane, level, wavelet)[where] for plane in (hard, made)]
     bins = (distance_px[where] / BIN_PX).astype(np.intp).clip(max=FARTHEST_PX // BIN_PX).ravel()
     count = FARTHEST_PX // BIN_PX + 1
-    of_hard, of_made = (np.bincount(bins, one.ravel(), count) for one in energies)
+    of_hard, of_made = (np.bincount(bins, energy.ravel(), count) for energy in energies)
     enough = (np.bincount(bins, minlength=count) >= MIN_PIXELS) & (of_hard > 0)
     kept = np.divide(of_made, of_hard, out=np.full(count, np.nan), where=enough)
     return TrueProfile(tuple(kept[:-1].tolist()))
@@ -72,7 +72,7 @@ def truth_of(mixed: Mixed, distance_px: np.ndarray, where: tuple[slice, slice], 
         (labels == number) * details(plane[around], 1, wavelet) for number, plane in enumerate(mixed.planes)
     )
     energies = [np.square(one).sum(axis=0) for one in (made, followed)]
-    kept = [_ratio(*(one[pixels].sum() for one in energies)) for pixels in (near, inside)]
+    kept = [_ratio(*(energy[pixels].sum() for energy in energies)) for pixels in (near, inside)]
     return Truth(kept[0] if near.sum() >= MIN_PIXELS else np.nan, 1 - kept[1])
 
 

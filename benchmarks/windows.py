@@ -96,7 +96,7 @@ def check(requests: Sequence[WindowRequest]) -> None:
 
 def joined(timings: Sequence[Timing]) -> Timing:
     """The repetitions of several calls as those of one."""
-    return Timing(tuple(x for one in timings for x in one.wall), tuple(x for one in timings for x in one.cpu))
+    return Timing(tuple(x for timing in timings for x in timing.wall), tuple(x for one in timings for x in one.cpu))
 
 
 def run_against_read(ground: Ground, quick: bool) -> list[Goal]:

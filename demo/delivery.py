@@ -250,7 +250,7 @@ def main() -> None:
     parser.add_argument("--sound", action="store_true", help="leave all seams as they were cut")
     arguments = parser.parse_args()
     made = make_delivery(arguments.folder, arguments.seed, () if arguments.sound else SPOILT, print)
-    print(f"{made.seam_metres:.0f} m of seam, spoilt: " + ", ".join(f"{one:.0f} m" for one in made.spoilt_metres))
+    print(f"{made.seam_metres:.0f} m of seam, spoilt: " + ", ".join(f"{metre:.0f} m" for metre in made.spoilt_metres))
 
 
 if __name__ == "__main__":

@@ -233,7 +233,7 @@ class Desk:
     def sort_by_loss(self) -> None:
         """By a click on its heading: the worst first."""
         table = self.dock.windows.table
-        header, section = table.horizontalHeader(), [one.name for one in table.model().columns].index("loss")
+        header, section = table.horizontalHeader(), [column.name for column in table.model().columns].index("loss")
         place = QPoint(header.sectionViewportPosition(section) + header.sectionSize(section) // 2, header.height() // 2)
         QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, _NO_KEY, place)
 

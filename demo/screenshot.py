@@ -73,7 +73,7 @@ def draw(block: Path, output: Path, mosaic: str, side_m: float, small_side_m: fl
             failed = 1
             print(f"Not all pictures of the desk: {run.status.strip().splitlines()[-1]}")
         else:
-            print(f"Pictures of the desk are in {output}: {', '.join(one.name for one in pictures)}")
+            print(f"Pictures of the desk are in {output}: {', '.join(picture.name for picture in pictures)}")
     return failed
 
 

@@ -58,7 +58,7 @@ def _kinds(call: Call) -> Iterator[tuple[str, str, str, str]]:
         files = _files(value)
         if files:
             yield call.algorithm, call.name, name, NO_FILE
-            endings = set().union(*(FOLDERS.get(one.name, {one.suffix.lower()}) for one in files))
+            endings = set().union(*(FOLDERS.get(file.name, {file.suffix.lower()}) for file in files))
             for registered in BREAKAGES.values():
                 if endings & set(registered.endings):
                     yield call.algorithm, call.name, name, registered.name

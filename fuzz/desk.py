@@ -126,5 +126,5 @@ def _inspected(folder: Path) -> WindowResult:
 
 def _scanned(folder: Path) -> BlockScan:
     mosaic, *sources = (describe_mosaic(RasterRef(str(folder / f"{name}.tif"))) for name in ("mosaic", "west", "east"))
-    request, _ = scan_request(mosaic, [Source(one.ref, one.extent) for one in sources], ScanSettings())
+    request, _ = scan_request(mosaic, [Source(source.ref, source.extent) for source in sources], ScanSettings())
     return scan_block(request.block((0, 0)))

@@ -43,7 +43,7 @@ def main() -> int:
         return _again(first, arguments.case)
     for name, chosen in (("algorithm", arguments.algorithm), ("breakage", arguments.breakage)):
         if chosen:
-            kinds = [one for one in kinds if getattr(one, name) in chosen.split(",")]
+            kinds = [kind for kind in kinds if getattr(kind, name) in chosen.split(",")]
     if not kinds:
         print("No such algorithm or breakage.")
         return 2
@@ -153,7 +153,7 @@ def print_tables(reports: list[Report]) -> None:
 
 def told(report: Report) -> str:
     """All that was found and said."""
-    parts = [report.case, *(f"    {one}" for one in report.findings)]
+    parts = [report.case, *(f"    {finding}" for finding in report.findings)]
     parts += [f"    said: {one[:2000]}" for one in report.said]
     return "\n".join([*parts, report.stderr[:5000], ""])
 

@@ -55,7 +55,7 @@ class Outline(HTMLParser):
     def pictures(self, media: str) -> list[bytes]:
         """The files of all pictures of a kind, in their order."""
         start = f"data:image/{media};base64,"
-        return [base64.b64decode(one[len(start) :]) for one in self.addresses if one.startswith(start)]
+        return [base64.b64decode(address[len(start) :]) for address in self.addresses if address.startswith(start)]
 
 
 def outline(page: str) -> Outline:

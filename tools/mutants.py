@@ -143,7 +143,7 @@ def killer(one: Mutant, limit_s: float) -> str:
 
 def limit(mutants: list[Mutant]) -> float:
     """How long the tests of a change may take. Ends the program when they fail without one."""
-    tests = sorted({suites(one.path)[-1][0] for one in mutants})
+    tests = sorted({suites(mutant.path)[-1][0] for mutant in mutants})
     started = time.monotonic()
     with tempfile.TemporaryDirectory() as folder:
         copy_checkout(Path(folder))

@@ -103,7 +103,7 @@ def attributes(broken: Broken) -> str:
     table, geometry = _table(path)
     with closing(connect(path)) as database:
         columns = [row[1] for row in database.execute(f'PRAGMA table_info("{table}")')][1:]
-    columns = [one for one in columns if one != geometry]
+    columns = [column for column in columns if column != geometry]
     if not columns:
         return path
     every = broken.random.random() < 0.5
@@ -122,7 +122,7 @@ def fields(broken: Broken) -> str:
     table, geometry = _table(path)
     with closing(connect(path)) as database:
         columns = [row[1] for row in database.execute(f'PRAGMA table_info("{table}")')][1:]
-    columns = [one for one in columns if one != geometry]
+    columns = [column for column in columns if column != geometry]
     if columns:
         name = broken.random.choice(("x y", "<b>", '""', "select", "a" * 300, "\u202ex"))
         old = broken.random.choice(columns)
@@ -184,7 +184,7 @@ def database_tricks(broken: Broken) -> str:
         ["PRAGMA application_id = 0", "PRAGMA user_version = 99999999"],
     ))  # fmt: skip
     with suppress(DatabaseError):
-        _said(path, *((one, ()) for one in statements))
+        _said(path, *((statement, ()) for statement in statements))
     return path
 
 

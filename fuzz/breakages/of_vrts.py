@@ -32,8 +32,8 @@ def _vrt(
     like = gdal.Open(str(broken.path))
     columns, rows = shape or (like.RasterXSize, like.RasterYSize)
     inside = "".join(
-        f"<SimpleSource><SourceFilename>{one}</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
-        for one in sources
+        f"<SimpleSource><SourceFilename>{source}</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+        for source in sources
     )
     path = broken.renamed(name)
     srs = like.GetProjection().replace("&", "&amp;").replace("<", "&lt;")

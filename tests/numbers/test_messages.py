@@ -223,4 +223,4 @@ def test_a_message_is_told_as_a_warning_where_the_work_goes_on() -> None:
 
 @pytest.mark.parametrize("words", [PlaneModel, MarkStatus, OrientationEvidence])
 def test_every_word_of_a_photo_has_its_message(words: type[Enum]) -> None:
-    assert {one.value for one in words} <= set(photos_messages.WORDS)
+    assert {word.value for word in words} <= set(photos_messages.WORDS)

@@ -62,9 +62,9 @@ def texts_and_paths() -> Iterator[str]:
 
 
 def taken(name: str, function: Callable[..., Any]) -> Iterator[str]:
-    for one in inspect.signature(function).parameters.values():
-        if re.search(r"Path|\bstr\b|\bIO\b", str(one.annotation)):
-            yield f"{name} {one.name}"
+    for parameter in inspect.signature(function).parameters.values():
+        if re.search(r"Path|\bstr\b|\bIO\b", str(parameter.annotation)):
+            yield f"{name} {parameter.name}"
 
 
 # --- what writes ---------------------------------------------------------------------------------------------------

@@ -104,7 +104,7 @@ def test_importing_costs_nothing_and_no_name_brings_qgis() -> None:
     public = [name for name in names if not name.startswith("_")]
     assert public == sorted(seam_inspector.__all__)
     assert public == [name for name in dir(seam_inspector) if not name.startswith("_")]
-    assert {one.name for one in python_pages.entries()} == {*public}
+    assert {entry.name for entry in python_pages.entries()} == {*public}
 
 
 def test_an_unknown_name_is_no_attribute() -> None:
@@ -125,7 +125,7 @@ def test_a_name_is_typed_and_documented(entry: python_pages.Entry) -> None:
     if isinstance(entry.node, ast.FunctionDef):
         found = inspect.signature(getattr(seam_inspector, entry.name))
         assert found.return_annotation is not inspect.Signature.empty
-        assert all(one.annotation is not inspect.Parameter.empty for one in found.parameters.values())
+        assert all(parameter.annotation is not inspect.Parameter.empty for parameter in found.parameters.values())
         named = {*re.findall(r"\w+", ast.unparse(entry.node.args) + ast.unparse(entry.node.returns or ast.Tuple([])))}
         assert named & our_types() <= {*seam_inspector.__all__}
     else:
@@ -135,7 +135,7 @@ def test_a_name_is_typed_and_documented(entry: python_pages.Entry) -> None:
             if isinstance(one, ast.AnnAssign) and not isinstance(after, ast.Expr)
         ]
         methods = [one for one in body if isinstance(one, ast.FunctionDef) and not one.name.startswith("_")]
-        assert [*bare, *(one.name for one in methods if not ast.get_docstring(one))] == []
+        assert [*bare, *(method.name for method in methods if not ast.get_docstring(method))] == []
 
 
 def test_the_reference_and_the_notebook_are_made_anew() -> None:
@@ -162,7 +162,7 @@ def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
     requests = [block.window_at(xmin + 80, ymin + 75, side_m=50), block.window((xmax, ymin, xmax + 50, ymax))]
     assert requests[0].window is not None
     assert requests[0].window.width == 512
-    single = [inspect_window(one) for one in requests]
+    single = [inspect_window(request) for request in requests]
     assert [one.judgement for one in inspect_windows(requests)] == [one.judgement for one in single]
     inside, outside = window_rows(single)
     assert inside["verdict"] == "significant"
@@ -328,7 +328,7 @@ def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
         found = open_block(folder / "mosaic.tif", [folder / "strip1_0141.tif", tmp_path / "none.tif"])
     assert len(told) == 1
     assert told[0].filename == __file__
-    assert [one.ref.name for one in found.sources] == ["strip1_0141.tif"]
+    assert [source.ref.name for source in found.sources] == ["strip1_0141.tif"]
     with pytest.raises(SeamInspectorError, match="does not exist"):
         open_block(tmp_path / "none.tif")
 
@@ -340,11 +340,11 @@ def test_a_copy_of_the_mosaic_takes_part_only_if_it_is_asked_for(folder: Path, t
     with pytest.warns(SeamInspectorWarning, match=r"copy\.tif goes with the mosaic") as told:
         found = open_block(folder / "mosaic.tif", [*sources, copy])
     assert len(told) == 1
-    assert [one.ref.name for one in found.sources] == [path.name for path in sources]
+    assert [source.ref.name for source in found.sources] == [path.name for path in sources]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         kept = open_block(folder / "mosaic.tif", [*sources, copy], keep_copies=True)
-    assert [one.ref.name for one in kept.sources] == [*(path.name for path in sources), "copy.tif"]
+    assert [source.ref.name for source in kept.sources] == [*(path.name for path in sources), "copy.tif"]
 
 
 def test_cells_say_which_source_is_where(folder: Path) -> None:
@@ -384,7 +384,7 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
     assert list(tmp_path.glob("*.scan"))
     found = scan(block, loss=tmp_path / "loss.tif")
     assert "goes on where it stopped" in str(found.notices[0])
-    assert any(one.kept for one in found.pieces)
+    assert any(piece.kept for piece in found.pieces)
     assert not list(tmp_path.glob("*.scan"))
 
 
@@ -404,7 +404,7 @@ def test_seams_that_cannot_be_mended_are_left_with_a_reason(
     del feature, layer, elsewhere
     for sources, seams, words in (
         ([], scanned, "no two of the given"), ([block.sources[0].ref.path], scanned, "no two of the given"),
-        ([one.ref.path for one in block.sources], moved, "not lie on this mosaic"),
+        ([source.ref.path for source in block.sources], moved, "not lie on this mosaic"),
     ):  # fmt: skip
         caplog.clear()
         made = mend(open_block(folder / "mosaic.tif", sources), seams, tmp_path / "mended.vrt")
@@ -452,7 +452,7 @@ def test_seamlines_may_lie_in_another_system_and_have_dates(folder: Path, tmp_pa
     del feature, layer, dataset
     found = scan(open_block(folder / "mosaic.tif"), seamlines=moved)
     assert 250 < found.seam_metres < 320
-    assert {one.left_date for one in found.pieces} == {"2019-07-04"}
+    assert {piece.left_date for piece in found.pieces} == {"2019-07-04"}
 
 
 def piece(kept: object, number: int, **others: object) -> dict[str, object]:
@@ -467,8 +467,8 @@ def test_a_delivery_is_decided_by_rows() -> None:
     with_heights = [{**row, "geometry": str(row["geometry"]).replace(",", " 7,").replace(")", " 7)")} for row in rows]
     for one, plain in zip(make_delivery({"one": with_heights}, METRES).pieces, delivery.pieces):
         np.testing.assert_array_equal(one.vertices, plain.vertices)
-    assert [one.kept_1 for one in delivery.pieces] == [0.9, 0.5, None, 0.8]
-    assert {one.seam_id for one in delivery.pieces} == {"1"}
+    assert [piece.kept_1 for piece in delivery.pieces] == [0.9, 0.5, None, 0.8]
+    assert {piece.seam_id for piece in delivery.pieces} == {"1"}
     assert delivery.pieces[3].length_m == 25
     decision = decide(delivery, limit_rules(max_share=0.7, min_measured=0.7))
     assert decision.accepted

@@ -29,7 +29,7 @@ def contexts(repository: Path) -> dict[str, list[ElementTree.Element]]:
 
 @pytest.fixture(scope="module")
 def entries(contexts: dict[str, list[ElementTree.Element]]) -> list[ElementTree.Element]:
-    return [entry for found in contexts.values() for entry in found]
+    return [entry for context in contexts.values() for entry in context]
 
 
 def source(entry: ElementTree.Element) -> str:

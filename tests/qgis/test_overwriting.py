@@ -82,7 +82,7 @@ def test_what_is_refused_holds_nothing_that_qgis_deletes(tmp_path: Path) -> None
         assert_sentence(run_unchecked(name, **values, **{output: path}).complaint, REFUSED)
         gc.collect()
         frames = [one for one in gc.get_objects() if isinstance(one, FrameType)]
-        assert not [one for one in frames if one.f_code is file_identity.check_outputs.__code__]
+        assert not [frame for frame in frames if frame.f_code is file_identity.check_outputs.__code__]
 
 
 # --- the names of a file -----------------------------------------------------------------------------------------

@@ -65,7 +65,7 @@ def seam() -> QgsVectorLayer:
 
 
 def test_what_the_provider_offers(provider: QgsProcessingProvider) -> None:
-    assert {one.id() for one in provider.algorithms()} == IDS
+    assert {algorithm.id() for algorithm in provider.algorithms()} == IDS
     assert provider.name() == "Seam Inspector"
     assert not provider.icon().isNull()
     assert os.path.isfile(provider.svgIconPath())
@@ -164,7 +164,7 @@ print(loaded, before)
 """
     ours = sorted(IDS)
     said = in_a_new_qgis(repository, tmp_path, "", after)
-    assert all(repr(one) in said.split("([]")[0] for one in ours)
+    assert all(repr(our) in said.split("([]")[0] for our in ours)
     assert said.endswith("([], [])")
 
 
@@ -255,8 +255,8 @@ def test_the_ready_model_is_valid_and_runs(scene: Scene, repository: Path) -> No
     tables = {"windows": "OUTPUT", "curves": "CURVES", "pairs": "PAIRS", "profiles": "PROFILES"}
     for name, table in tables.items():
         assert outcome.rows(f"inspect:{name}") == expected.rows(table)
-    assert [pixel_box(one.geometry()) for one in outcome.features("inspect:windows")] == [
-        pixel_box(one.geometry()) for one in expected.features()
+    assert [pixel_box(feature.geometry()) for feature in outcome.features("inspect:windows")] == [
+        pixel_box(feature.geometry()) for feature in expected.features()
     ]
     assert "significant" in outcome.column("verdict", "inspect:windows")
 
@@ -303,7 +303,7 @@ def test_outputs_come_into_the_project_once_and_in_their_styles(
         loaded = project.mapLayer(inspected["OUTPUT"])
         assert loaded.renderer().type() == "categorizedSymbol"
         assert loaded.renderer().classAttribute() == "verdict"
-        assert [one.value() for one in loaded.renderer().categories()][:4] == VERDICTS
+        assert [category.value() for category in loaded.renderer().categories()][:4] == VERDICTS
         assert loaded.labelsEnabled()
         plain = QgsVectorLayer("Polygon", "plain", "memory")
         assert plain.loadNamedStyle(str(repository / "resources" / "styles" / "placed_windows.qml"))[1]
@@ -331,10 +331,10 @@ def test_the_style_of_verdicts_loads_on_the_output(scene: Scene, repository: Pat
     message, worked = loaded.loadNamedStyle(str(repository / "resources" / "styles" / "windows.qml"))
     assert worked, message
     renderer = loaded.renderer()
-    categories = {one.value(): one for one in renderer.categories()}
+    categories = {category.value(): category for category in renderer.categories()}
     assert list(categories)[:4] == VERDICTS
-    assert all(one.label() and one.symbol() for one in categories.values())
-    drawn = [one.symbol().asImage(QSize(32, 32)) for one in categories.values()]
+    assert all(category.label() and category.symbol() for category in categories.values())
+    drawn = [category.symbol().asImage(QSize(32, 32)) for category in categories.values()]
     assert all(one != other for index, one in enumerate(drawn) for other in drawn[:index])
     for row in outcome.rows():
         assert renderer.categoryIndexForValue(row["verdict"]) == VERDICTS.index(row["verdict"])

@@ -49,7 +49,7 @@ def files(name: str) -> list[str]:
 
 
 def test_no_algorithm_is_forgotten(provider: QgsProcessingProvider, given: dict[str, Any]) -> None:
-    with_files = {one.name() for one in provider.algorithms() if files(one.name())}
+    with_files = {algorithm.name() for algorithm in provider.algorithms() if files(algorithm.name())}
     assert with_files == {*measurements(given), *ALL_THERE_IS, *MODELS - {"inspect_mosaic"}}
 
 

@@ -248,8 +248,8 @@ class Checked(ast.NodeVisitor):
 
     def visit_Compare(self, node: ast.Compare) -> None:
         sides = [node.left, *node.comparators]
-        for one, other in zip(sides, sides[1:]):
-            for value, against in ((self._enum(one), other), (self._enum(other), one)):
+        for side, other in zip(sides, sides[1:]):
+            for value, against in ((self._enum(side), other), (self._enum(other), side)):
                 is_number = isinstance(against, ast.Constant) and type(against.value) is int
                 if value is not None and not isinstance(value, int) and is_number:
                     self._tell(node, f"{ast.unparse(node)}: an enum of PyQt6 is never equal to a number")

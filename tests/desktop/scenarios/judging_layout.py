@@ -122,7 +122,7 @@ def begin_and_leave_by_a_new_project(desk: Desk, widths: dict[str, int]) -> None
 def looks(desk: Desk) -> dict:
     """Docks in sight with their widths, and layers on the map."""
     docks = [one for one in desk.window.findChildren(QDockWidget) if one.isVisible()]
-    widths = {one.objectName(): one.width() for one in docks}
+    widths = {dock.objectName(): dock.width() for dock in docks}
     shown = [layer.name() for layer in desk.canvas.layers() if not layer.name().startswith("strip")]
     return {"widths": widths, "shown": shown}
 

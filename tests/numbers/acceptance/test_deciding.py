@@ -40,9 +40,9 @@ def test_metres_add_up_and_the_rules_decide(
         number += len(kept)
     found = decide(delivery(*made), rules(most, longest, kept=least))
     pieces = [piece for pieces in made for piece in pieces]
-    measured = [one for one in pieces if is_measured(one, least)]
+    measured = [piece for piece in pieces if is_measured(piece, least)]
     assert found.whole.measured_m == pytest.approx(math.fsum(one.length_m for one in measured))
-    assert found.whole.total_m == pytest.approx(math.fsum(one.length_m for one in pieces))
+    assert found.whole.total_m == pytest.approx(math.fsum(piece.length_m for piece in pieces))
     lost = [one for one in measured if one.kept_1 is not None and one.kept_1 < least]
     assert found.whole.failed_m == pytest.approx(math.fsum(one.length_m for one in lost))
     assert sum(sheet.failed_m for sheet in found.sheets) == pytest.approx(found.whole.failed_m)
@@ -73,7 +73,7 @@ def is_measured(piece: DeliveredPiece, least: float) -> bool:
 
 def sure(pieces: list[DeliveredPiece]) -> list[DeliveredPiece]:
     """With intervals that hold no limit."""
-    return [replace(one, kept_low=one.kept_1, kept_high=one.kept_1) for one in pieces]
+    return [replace(piece, kept_low=piece.kept_1, kept_high=piece.kept_1) for piece in pieces]
 
 
 def test_exactly_the_limit_passes() -> None:
@@ -207,7 +207,7 @@ def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, lim
 
 def test_what_the_interval_can_not_tell_is_said() -> None:
     found = decide(delivery(seam([0.68, 0.72, 0.4, 0.9, 0.75])), rules())
-    assert [one.is_unclear for one in found.pieces] == [True, True, False, False, False]
+    assert [piece.is_unclear for piece in found.pieces] == [True, True, False, False, False]
     assert found.whole.unclear_m == 20
 
 
@@ -271,7 +271,7 @@ def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | N
     pieces = [replace(piece, sample_number=place + 1) for place, piece in enumerate(seam([0.4] + [0.9] * 79))]
     part = replace(delivery(pieces), lot_size=1000)
     found = decide(part, rules(share=0.02, run=50.0, sampling=sampling))
-    outcome = next(one for one in found.outcomes if one.check == "longest_failure")
+    outcome = next(outcome for outcome in found.outcomes if outcome.check == "longest_failure")
     assert (outcome.passed, outcome.value, found.outcome) == (None, None, UNDECIDED)
     assert found.longest_failure_m is None
     assert {one.longest_failure_m for one in (found.whole, *found.sheets)} == {None}
@@ -281,7 +281,7 @@ def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | N
     assert "without a break: " not in told(found)
     assert ("decide by the plan" in told(found)) == (sampling is None)
     assert decide(part, rules(share=0.02, run=None, sampling=sampling)).accepted  # the share can be estimated
-    too_long = next(one for one in decide(part, rules(run=5.0)).outcomes if one.check == "longest_failure")
+    too_long = next(outcome for outcome in decide(part, rules(run=5.0)).outcomes if outcome.check == "longest_failure")
     assert too_long.passed is False  # what the sample shows is at least as long in the delivery
     whole = decide(replace(part, lot_size=80), rules(share=0.02, run=50.0))
     assert whole.accepted
@@ -308,7 +308,7 @@ def test_an_observer_decides_where_he_is_asked_to() -> None:
     made = replace(delivery(seam([None, 0.9, 0.1, 0.9, 0.9])), windows=windows)
     found = decide(made, rules(), by_observer=True)
     failed, passed, lacking = PieceState.FAILED, PieceState.PASSED, PieceState.NOT_MEASURED
-    assert [one.state for one in found.pieces] == [failed, failed, passed, lacking, lacking]
+    assert [piece.state for piece in found.pieces] == [failed, failed, passed, lacking, lacking]
     assert found.longest_failure_m == 20
     assert "the operator saw a loss" in told(found)
     assert str(found.sentences[0]).startswith("Rejected by the observers' verdicts and 'contract'")
@@ -338,7 +338,7 @@ def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
     assert found.whole.longest_unknown_m == longest
     assert [run.length_m for run in found.unknown_runs] == ([] if longest <= 50 else [longest])
     if outcome is UNDECIDED:
-        (rule,) = (one for one in found.outcomes if one.check == LONGEST_FAILURE)
+        (rule,) = (outcome for outcome in found.outcomes if outcome.check == LONGEST_FAILURE)
         assert (rule.passed, rule.high) == (None, longest)
         assert found.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
         assert "figures of the rows of pieces longer than 50 m" in told(found)

@@ -27,7 +27,7 @@ def test_the_figures_are_those_of_the_piece_that_kept_least() -> None:
     assert one.worst.piece.kept_1 == 0.2
     assert (one.worst.piece.kept_low, one.worst.piece.kept_high) == (pytest.approx(0.15), pytest.approx(0.25))
     assert one.run.length_m == 30  # of whole pieces
-    assert np.ptp(np.concatenate([own.piece.vertices for own in one.pieces])[:, 0]) == pytest.approx(30)
+    assert np.ptp(np.concatenate([piece.piece.vertices for piece in one.pieces])[:, 0]) == pytest.approx(30)
 
 
 def test_cause_and_remarks_come_from_the_windows_on_it() -> None:

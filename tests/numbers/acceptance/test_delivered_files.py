@@ -88,7 +88,7 @@ def test_each_planted_fault_is_found_at_its_sheet(tmp_path: Path, sound: list[Or
         "holed": "8.33% of its outline has no data", "short": "43.75% of its outline has no data",
         "extra": "it was not ordered",
     }  # fmt: skip
-    assert {name: found[name] for name in words} == {name: [one] for name, one in words.items()}
+    assert {name: found[name] for name in words} == {name: [word] for name, word in words.items()}
     assert found["elsewhere"][0].startswith("its reference system is EPSG:32634")
     assert "instead of EPSG:32633" in found["elsewhere"][0]
     assert len(found["broken"]) == 1
@@ -158,7 +158,7 @@ def test_what_was_not_ordered_is_no_part_of_the_mosaic(tmp_path: Path, sound: li
     assert {str(one.findings[0]) for one in found[: len(others)]} == {"it was not ordered"}
     assert not any(one.findings for one in found[len(others) :])
     assert states([*others, *sound]) == {
-        **{one.name: "not_ordered" for one in others}, **{one.name: "shown" for one in sound}
+        **{other.name: "not_ordered" for other in others}, **{one.name: "shown" for one in sound}
     }
 
 

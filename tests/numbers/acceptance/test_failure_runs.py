@@ -95,7 +95,7 @@ def test_a_ring_is_one_run() -> None:
 
 def test_degrees_are_no_metres() -> None:
     pieces = seam([F, F, F])
-    small = [DeliveredPiece(**{**vars(one), "vertices": one.vertices / 111_000}) for one in pieces]
+    small = [DeliveredPiece(**{**vars(piece), "vertices": piece.vertices / 111_000}) for piece in pieces]
     for place, piece in enumerate(small):
         vars(piece)["station_m"] = None if place else 0.0
     assert [run.length_m for run in whole_runs(small, unit_m=111_000.0)] == [30]

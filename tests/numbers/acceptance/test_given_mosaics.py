@@ -60,7 +60,7 @@ def test_a_layer_of_another_mosaic_than_the_given_decides_nothing(
     words = f"layers of seams are of mosaics that are not given: 1 ({named})"
     assert found.outcome is (AcceptanceOutcome.UNDECIDED if named else AcceptanceOutcome.ACCEPTED)
     assert (words in str(found.sentences[0])) is bool(named)
-    assert any("leave the layers of others out" in str(one) for one in found.sentences) is bool(named)
+    assert any("leave the layers of others out" in str(sentence) for sentence in found.sentences) is bool(named)
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])
@@ -70,4 +70,4 @@ def test_of_how_many_mosaics_layers_are_is_said_where_none_is_given(sheets: list
     found = decide(replace(made, files=file_doubts(layers, [], [], [])), rules())
     assert found.accepted
     words = f"The layers of seams are of {count} mosaics"
-    assert any(str(one).startswith(words) for one in found.sentences) is (count > 1)
+    assert any(str(sentence).startswith(words) for sentence in found.sentences) is (count > 1)

@@ -71,12 +71,12 @@ def test_an_isolated_lot_as_bad_as_its_limiting_quality_is_hardly_ever_accepted(
     lots = [*range(16, 400, 3), 500, 1200, 3200, 10_000, 35_000, 150_000, 500_000, 2_000_000]
     plans = [plan for lot in lots if not (plan := isolated_lot_plan(lot, lq)).is_whole_lot]
     risks = [
-        stats.hypergeom.cdf(one.acceptance_number, one.lot_size, math.ceil(one.lot_size * float(lq) / 100),
-                            one.sample_size) for one in plans
+        stats.hypergeom.cdf(plan.acceptance_number, plan.lot_size, math.ceil(plan.lot_size * float(lq) / 100),
+                            plan.sample_size) for plan in plans
     ]  # fmt: skip
-    assert [operating_characteristic(one).consumers_risk for one in plans] == pytest.approx(risks)
+    assert [operating_characteristic(plan).consumers_risk for plan in plans] == pytest.approx(risks)
     # the standard: usually below 10 %, always below 13 %; its plan for the smallest lots at 2 % is not
-    assert max(risk for risk, one in zip(risks, plans) if lq != "2.00" or one.lot_size > 90) < 0.13
+    assert max(risk for risk, plan in zip(risks, plans) if lq != "2.00" or plan.lot_size > 90) < 0.13
     assert np.mean(np.array(risks) < 0.10) > 0.7
     for one in plans:
         found = operating_characteristic(one)

@@ -81,7 +81,7 @@ def test_an_orthoimage_that_may_be_a_copy_leaves_it_open() -> None:
 
 def test_sheets_that_were_scanned_apart_are_told() -> None:
     def sentences(*mosaics: str) -> str:
-        return " ".join(map(str, decided(*(said(**{MOSAIC_FILES: one}) for one in mosaics)).sentences))
+        return " ".join(map(str, decided(*(said(**{MOSAIC_FILES: mosaic}) for mosaic in mosaics)).sentences))
 
     assert "2 mosaics were scanned one by one" in sentences('[["a.tif", 1, 2, "3"]]', '[["b.tif", 1, 2, "3"]]')
     assert "one by one" not in sentences('[["a.tif", 1, 2, "3"]]', '[["a.tif", 1, 2, "3"]]')

@@ -57,7 +57,7 @@ def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
 
 def vrt(*sources: str, times: int = 0) -> str:
     """A VRT of sources; inside so many others, each of them in the name of the next one's source."""
-    text = VRT.format("".join(SOURCE.format(escape(one)) for one in sources))
+    text = VRT.format("".join(SOURCE.format(escape(source)) for source in sources))
     return vrt(text, times=times - 1) if times else text
 
 

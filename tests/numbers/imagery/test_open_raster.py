@@ -124,8 +124,8 @@ def test_a_huge_tile_is_worked_on_row_by_row(make_raster: MakeRaster, monkeypatc
     monkeypatch.setattr(open_raster, "_MOST_OF_A_TILE", 210 * 40)
     path = make_raster("whole.tif", orthoimage((300, 210)), options=["TILED=YES", "BLOCKXSIZE=224", "BLOCKYSIZE=304"])
     blocks = list(OpenRaster(RasterRef(path)).blocks(PixelWindow(5, 10, 200, 200), 100))
-    assert [(one.row, one.height) for one in blocks] == [(10, 40), (50, 40), (90, 40), (130, 40), (170, 40)]
-    assert {(one.column, one.width) for one in blocks} == {(5, 200)}
+    assert [(block.row, block.height) for block in blocks] == [(10, 40), (50, 40), (90, 40), (130, 40), (170, 40)]
+    assert {(block.column, block.width) for block in blocks} == {(5, 200)}
 
 
 def test_a_thinned_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> None:

@@ -51,7 +51,7 @@ def checked(
 def checked_figure(result: Assessment, check: str, band: str = "") -> CheckedFigure:
     """Figure of a band, else of what the default rules hold against limits in an image with one band."""
     band = band or (LUMINOSITY if check in FROM_HISTOGRAM else "band_1")
-    (found,) = [one for one in result.checked_figures if (one.rule.check, one.band) == (check, band)]
+    (found,) = [figure for figure in result.checked_figures if (figure.rule.check, figure.band) == (check, band)]
     return found
 
 
@@ -62,4 +62,4 @@ def figure(result: Assessment, check: str, band: str = "") -> float:
 
 
 def reasons(result: Assessment) -> dict[str, str]:
-    return {one.rule.check: str(one.reason) for one in result.checked_figures if one.value is None}
+    return {figure.rule.check: str(figure.reason) for figure in result.checked_figures if figure.value is None}

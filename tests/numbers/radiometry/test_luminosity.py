@@ -97,10 +97,10 @@ def naip(make_raster: MakeRaster) -> str:
 def test_a_sheet_with_water_that_is_dark_in_infrared_passes(naip: str) -> None:
     result = checked(naip)
     assert result.image.band_names == ("red", "green", "blue", "nir")
-    judged = {one.rule.check: one.passed for one in result.checked_figures if one.band == "luminosity"}
+    judged = {figure.rule.check: figure.passed for figure in result.checked_figures if figure.band == "luminosity"}
     assert judged == {"clipped_low": True, "clipped_high": True, "peak": True, "contrast": True}
     assert figure(result, "clipped_low", "luminosity") < 0.001
-    assert not [one for one in result.checked_figures if one.passed is False]
+    assert not [figure for figure in result.checked_figures if figure.passed is False]
 
 
 def test_the_stricter_rules_see_the_infrared(naip: str) -> None:
@@ -115,7 +115,7 @@ def test_a_rule_for_one_band_is_for_that_band(make_raster: MakeRaster) -> None:
     bands = orthoimage((200, 200), bands=3)
     rules = RuleSet("own", tuple(Rule("contrast", None, 1.0, "s", band=band) for band in ("red", "luminosity", "nir")))
     result = checked(make_raster("a.tif", bands), rules=rules)
-    assert [one.band for one in result.checked_figures] == ["red", "luminosity", "nir"]
+    assert [figure.band for figure in result.checked_figures] == ["red", "luminosity", "nir"]
     assert figure(result, "contrast", "red") == pytest.approx(bands[0].std() / 255)
     assert figure(result, "contrast", "luminosity") == pytest.approx(mixed(bands).std() / 255, rel=1e-4)
     assert reasons(result) == {"contrast": "not measurable: it has no band nir."}

@@ -269,8 +269,8 @@ def test_the_worst_seam_counts_and_invalid_sides_do_not(make_raster: MakeRaster)
     pixels[:, 450:] = 0
     seams = [seam((x, 0), (x, 300), number=i) for i, x in enumerate((150, 300, 450, 5000), 1)]
     result = checked(make_raster("a.tif", pixels, nodata=0), seams=seams)
-    assert {one.contrasts for one in result.seams} == {(0.0,)}
-    assert [(one.seam_id, one.steps) for one in result.seams] == [(1, (10.0,)), (2, (40.0,))]  # seams run down: left
+    assert {seam.contrasts for seam in result.seams} == {(0.0,)}
+    assert [(seam.seam_id, seam.steps) for seam in result.seams] == [(1, (10.0,)), (2, (40.0,))]  # seams run down: left
     assert figure(result, "seam_step") == pytest.approx(40 / 150)
 
 
@@ -294,7 +294,7 @@ def test_no_seam_on_the_raster(make_raster: MakeRaster) -> None:
     for seams in ([], [seam((900, 0), (900, 300))], [seam((10, 10), (50, 10))]):
         said = reasons(checked(path, seams=seams))
         assert said["seam_step"] == "not measurable: no seam runs across valid pixels of it for 64 px or more."
-    assert "seam_step" not in {one.rule.check for one in checked(path).checked_figures}
+    assert "seam_step" not in {figure.rule.check for figure in checked(path).checked_figures}
 
 
 def test_seams_on_a_rotated_raster_are_refused(make_raster: MakeRaster) -> None:

@@ -48,8 +48,8 @@ def test_the_default_is_the_jrc_specification() -> None:
 def test_the_stricter_ready_file_holds_each_band_to_the_same_limits() -> None:
     assert list(ready_rule_files()) == ["jrc_lpis", "jrc_lpis_each_band"]
     text, strict = default_rules(), load_rules(ready_rule_files()["jrc_lpis_each_band"])
-    assert [(one.check, one.least, one.most, one.source) for one in text.rules] == [
-        (one.check, one.least, one.most, one.source) for one in strict.rules
+    assert [(rule.check, rule.least, rule.most, rule.source) for rule in text.rules] == [
+        (rule.check, rule.least, rule.most, rule.source) for rule in strict.rules
     ]
     assert {rule.band for rule in strict.rules} == {"each", "all"}
     assert all(rule.required for rule in strict.rules)

@@ -115,7 +115,7 @@ def test_the_two_pixel_limit_stays_on_bar_and_gap_together(make_raster: MakeRast
         target = Target(reference_group=0, reference_grd_cm=10 * share * scene.cycles[0], grd_of=grd_of)
         found = resolution(path, scene.lines, target)
         assert found.scale_notice is None
-        words.append([(one.resolved, str(one.reason)) for one in found.results])
+        words.append([(result.resolved, str(result.reason)) for result in found.results])
     assert words[0] == words[1]
     assert words[0][0] == (True, "None")
     assert any("fewer than two" in reason for _, reason in words[0])

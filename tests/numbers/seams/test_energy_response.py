@@ -70,7 +70,7 @@ def test_scatter_does_not_pull_it_down(energies: np.ndarray) -> None:
     """A fit of logarithms would lie a twentieth too low here; what is summed over many cells must be right."""
     rng = np.random.default_rng(7)
     values = energies * rng.gamma(10, 1 / 10, (40, len(energies)))
-    sums = [(fit_response(energies, own)(energies) * energies).sum() / own.sum() for own in values]
+    sums = [(fit_response(energies, value)(energies) * energies).sum() / value.sum() for value in values]
     assert np.mean(sums) == pytest.approx(1, abs=0.01)
     assert np.max(np.abs(np.array(sums) - 1)) < 0.05
 

@@ -83,7 +83,7 @@ def test_every_pair_stands_for_its_two_images_whatever_the_others() -> None:
 def test_pixels_of_any_type(dtype: type) -> None:
     images = [np.rint(one).astype(dtype) for one in related(4, 0.7)]
     (found,) = feathers(images, "coif3", 3)
-    np.testing.assert_allclose(found.ratios, left_of(*(one.astype(float) for one in images)), rtol=1e-5)
+    np.testing.assert_allclose(found.ratios, left_of(*(image.astype(float) for image in images)), rtol=1e-5)
 
 
 def test_fewer_than_two_images_have_no_feather() -> None:

@@ -91,7 +91,7 @@ def straight(side: int, rng: np.random.Generator) -> np.ndarray:
 def foretold(
     a: np.ndarray, b: np.ndarray, distances: list[np.ndarray], width: float, ramp: str, levels: int = LEVELS
 ) -> KeptDetail:
-    return kept_detail(a, b, [place_feather(one, ramp, width, PIXEL) for one in distances], "coif3", levels)
+    return kept_detail(a, b, [place_feather(distance, ramp, width, PIXEL) for distance in distances], "coif3", levels)
 
 
 def signed(seconds: np.ndarray) -> np.ndarray:
@@ -274,7 +274,7 @@ def line(mosaic: Raster, *places: tuple[float, float]) -> str:
 
 
 def drawn(mosaic: Raster, *lines: str) -> np.ndarray | None:
-    return drawn_seam([wkb(one) for one in lines], mosaic.wkt, mosaic, WINDOW, (0.1, 0.1))
+    return drawn_seam([wkb(line) for line in lines], mosaic.wkt, mosaic, WINDOW, (0.1, 0.1))
 
 
 def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:

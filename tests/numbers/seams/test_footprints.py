@@ -52,4 +52,4 @@ def test_addresses_are_gathered_as_they_are_read_in_parts_and_once() -> None:
     ))]
     kept, notices = gather_sources((), named, "", RasterRef("/vsicurl/https://a.example/mosaic.tif"))
     assert [one.ref.path for one in kept] == ["0.tif", "/vsicurl/https://a.example/b.tif"]
-    assert [one.template for one in notices] == [messages.MOSAIC_AMONG_SOURCES.template]
+    assert [notice.template for notice in notices] == [messages.MOSAIC_AMONG_SOURCES.template]

@@ -34,13 +34,13 @@ def imagery() -> Imagery:
 @pytest.fixture(scope="module")
 def window(imagery: Imagery) -> KnownWindow:
     """One with three sources."""
-    return next(one for one in imagery.windows(SIDE, 6, held_back=False) if len(one.sources) == 3)
+    return next(window for window in imagery.windows(SIDE, 6, held_back=False) if len(window.sources) == 3)
 
 
 def test_the_halves_have_no_ground_in_common(imagery: Imagery) -> None:
     where = np.broadcast_to(1 + np.arange(imagery.columns) // 8, (3, imagery.rows, imagery.columns)).astype(np.uint8)
     tape = Imagery("measuring tape", 0.1, (PlacedImage(where, 0, 0, 0),) * 2, imagery.rows, imagery.columns)
-    used, held = (np.stack([one.sources[0] for one in tape.windows(SIDE, 30, half)]) for half in (False, True))
+    used, held = (np.stack([window.sources[0] for window in tape.windows(SIDE, 30, half)]) for half in (False, True))
     assert len(used) == len(held) == 30
     assert used.max() < held.min()
 
@@ -115,7 +115,7 @@ def test_detail_lies_where_it_comes_from(wavelet: str, level: int) -> None:
 
 def test_the_plugin_reads_what_was_made() -> None:
     side = 192
-    window = next(one for one in made_up(side).windows(side, 6, held_back=False) if len(one.sources) == 3)
+    window = next(window for window in made_up(side).windows(side, 6, held_back=False) if len(window.sources) == 3)
     plain = next(one for one in OPERATIONS if one.making is HARD and one.aftermath is NOTHING)
     reading = read(plain.make(window), window)
     assert reading.has_verdict

@@ -195,7 +195,7 @@ def test_brightons_hard_seams_are_sound_and_the_feathered_ones_are_not(
     flagged = [result.judgement.verdict in (Verdict.SIGNIFICANT, Verdict.REDUCED) for result in judged]
     assert np.mean(flagged) >= 0.9
     assert np.mean([result.causes[0] is Cause.FEATHERING for result in judged]) >= 0.9
-    kept = [[one.profile.kept[0] for one in found if one.profile] for found in results]
+    kept = [[one.profile.kept[0] for one in result if one.profile] for result in results]
     assert max(kept[1]) < min(kept[0])  # the seam's own measure parts them, all of them
 
 

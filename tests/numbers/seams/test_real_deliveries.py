@@ -47,7 +47,7 @@ def test_a_sound_delivery_is_accepted(tmp_path: Path, data_folder: Path, is_jpeg
     mosaic, orthoimages, seamlines = files(data_folder)
     found = decision(as_jpeg(mosaic, tmp_path) if is_jpeg else mosaic, orthoimages, seamlines if is_given else "")
     assert found.accepted, str(found.sentences[0])
-    assert any("compared with the orthoimages that were given" in str(one) for one in found.sentences)
+    assert any("compared with the orthoimages that were given" in str(sentence) for sentence in found.sentences)
 
 
 def part(mosaic: Path, made: Path, width: int) -> Path:

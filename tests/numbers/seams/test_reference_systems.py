@@ -59,7 +59,7 @@ def placed(system: int | str, longitude: float, latitude: float) -> GeoTransform
 
 
 def kept(result: ScanResult) -> list[float | None]:
-    return [one.kept[0] for one in result.pieces]
+    return [piece.kept[0] for piece in result.pieces]
 
 
 @pytest.mark.parametrize(("system", "longitude", "latitude"), STRETCHING.values(), ids=STRETCHING.keys())
@@ -168,5 +168,5 @@ def test_more_seams_than_outlines_allow_are_told_and_not_listed(tmp_path: Path) 
     found = scan(open_block(paths[0], paths[1:]))
     assert found.pieces == ()
     # Two squares of 102.4 m, and 0.0004 more on the ground.
-    (said,) = (str(one) for one in found.notices if "the orthoimages are 820 m around" in str(one))
+    (said,) = (str(notice) for notice in found.notices if "the orthoimages are 820 m around" in str(notice))
     assert "as after warping by nearest neighbour" in said

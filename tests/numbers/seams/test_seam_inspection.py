@@ -93,7 +93,7 @@ def test_a_small_window_is_judged_by_the_ground_around_it(
     make_raster: MakeRaster, sources: list[np.ndarray], width: int, verdict: Verdict, side: int
 ) -> None:
     mosaic = mosaic_of(make_raster, blended(sources, width))
-    block = block_of(mosaic, *(make_raster(f"{number}.tif", one) for number, one in enumerate(sources[:2])))
+    block = block_of(mosaic, *(make_raster(f"{number}.tif", source) for number, source in enumerate(sources[:2])))
     small = inspect(block, PixelWindow(BORDER - side // 2, 96, side, side))
     assert small.judgement.verdict is verdict
     assert small.profile is not None
@@ -104,7 +104,7 @@ def test_a_small_window_is_judged_by_the_ground_around_it(
 
 def test_a_window_of_little_seam_is_not_judged(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
     mosaic = mosaic_of(make_raster, blended(sources))
-    block = block_of(mosaic, *(make_raster(f"{number}.tif", one) for number, one in enumerate(sources[:2])))
+    block = block_of(mosaic, *(make_raster(f"{number}.tif", source) for number, source in enumerate(sources[:2])))
     small = inspect(block, PixelWindow(BORDER - 60, 96, 64, 64))
     assert small.judgement.verdict is Verdict.NOT_COMPARABLE
     assert templates([small.judgement.reason]) == [seams_messages.TOO_LITTLE_GROUND.template]

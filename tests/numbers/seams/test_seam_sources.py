@@ -160,7 +160,7 @@ def test_a_source_of_another_pixel_size_is_shown_and_does_not_count(
     make_raster: MakeRaster, sources: list[np.ndarray]
 ) -> None:
     mosaic = mosaic_of(make_raster, blended(sources, 40))
-    paths = [make_raster(f"{name}.tif", one) for name, one in zip("ab", sources)]
+    paths = [make_raster(f"{name}.tif", source) for name, source in zip("ab", sources)]
     coarse = make_raster("coarse.tif", coarser(sources[2]), gsd=0.2)
     plain, result = (inspect(block_of(mosaic, *given), WHOLE) for given in (paths, [*paths, coarse]))
     assert templates(result.notices) == [seams_messages.SOURCE_RESAMPLED.template]
@@ -188,7 +188,7 @@ def test_where_a_source_of_other_pixels_is_missed_its_pixel_size_is_said_first(
 
 
 def test_where_all_are_resampled_the_verdict_says_so(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
-    fine = [np.kron(one, np.ones((1, 2, 2), np.uint8)) for one in sources[:2]]
+    fine = [np.kron(source, np.ones((1, 2, 2), np.uint8)) for source in sources[:2]]
     mosaic = mosaic_of(make_raster, blended(sources, 40))
     block = block_of(mosaic, *(make_raster(f"{name}.tif", one, gsd=0.05) for name, one in zip("ab", fine)))
     for reference in ("seam", "sources", "composite"):
@@ -203,7 +203,7 @@ def test_a_mosaic_of_8_bit_of_deeper_sources_has_no_narrowed_histogram(
     make_raster: MakeRaster, sources: list[np.ndarray], bits: int
 ) -> None:
     factor = 2 ** (bits - 8)
-    deep = [one.astype(np.uint16) * factor + np.uint16(factor // 2) for one in sources[:2]]
+    deep = [source.astype(np.uint16) * factor + np.uint16(factor // 2) for source in sources[:2]]
     mosaic = mosaic_of(make_raster, blended(sources))
     options = ["TILED=YES", *([f"NBITS={bits}"] if bits < 16 else [])]
     paths = [make_raster(f"{name}.tif", one, options=options) for name, one in zip("ab", deep)]
@@ -217,7 +217,7 @@ def test_a_mosaic_of_8_bit_of_deeper_sources_has_no_narrowed_histogram(
 def test_a_narrowed_histogram_of_deep_sources_is_still_one(
     make_raster: MakeRaster, sources: list[np.ndarray]
 ) -> None:
-    deep = [one.astype(np.uint16) * 16 for one in sources[:2]]
+    deep = [source.astype(np.uint16) * 16 for source in sources[:2]]
     mosaic = mosaic_of(make_raster, as_bytes(0.6 * blended(sources).astype(np.float32) + 40))
     paths = [make_raster(f"{name}.tif", one, options=["NBITS=12"]) for name, one in zip("ab", deep)]
     result = inspect(block_of(mosaic, *paths), WHOLE)
@@ -233,7 +233,7 @@ def test_mosaic_and_sources_of_other_types_are_judged_alike(
 ) -> None:
     image = blended(sources, 40)
     plain = inspected(make_raster, image, sources[:2])
-    other = inspected(make_raster, 100 * image.astype(dtype), [100 * one.astype(dtype) for one in sources[:2]])
+    other = inspected(make_raster, 100 * image.astype(dtype), [100 * source.astype(dtype) for source in sources[:2]])
     assert other.judgement.verdict is plain.judgement.verdict
     assert other.causes == plain.causes
     assert other.profile is not None
@@ -247,7 +247,7 @@ def test_causes_do_not_depend_on_how_many_grey_values_there_are(
 ) -> None:
     """One ground in 8 and in 16 bit: what is noise there is noise here."""
     rng = np.random.default_rng(2)
-    fine = [one.astype(np.float64) + rng.uniform(-0.5, 0.5, one.shape) for one in sources[:2]]
+    fine = [source.astype(np.float64) + rng.uniform(-0.5, 0.5, source.shape) for source in sources[:2]]
     hard = np.where(np.arange(SIDE) < BORDER, *fine)
     made = {
         "nothing": hard, "unsharp": 2 * hard - ndimage.gaussian_filter(hard, (0, 1, 1)), "gain": 0.6 * hard + 20,

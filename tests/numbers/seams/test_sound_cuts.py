@@ -84,7 +84,7 @@ def test_orthoimages_that_were_compressed_since_make_no_blur_of_a_sound_mosaic(
 ) -> None:
     rng, border = np.random.default_rng(4), SHAPE[1] / 2 + 20 * np.sin(ROWS / 40)
     mosaic = np.where(border > COLUMNS, *photographs)
-    stored = [jpeg(quality)(one, rng) for one in photographs[:how_many]] + photographs[how_many:]
+    stored = [jpeg(quality)(photograph, rng) for photograph in photographs[:how_many]] + photographs[how_many:]
     sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", stored)]
     found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
     assert not {Cause.BLUR, Cause.NOISE_ADDED, Cause.SHARPENED, Cause.MISSING_SOURCE} & set(found.causes)
@@ -99,7 +99,7 @@ def test_what_is_mixed_into_all_of_one_side_is_no_noise(
     make_raster: MakeRaster, photographs: list[np.ndarray], share: float
 ) -> None:
     border = SHAPE[1] / 2 + 20 * np.sin(ROWS / 40)
-    first, second = (one.astype(float) for one in photographs)
+    first, second = (photograph.astype(float) for photograph in photographs)
     mosaic = np.where(border > COLUMNS, (1 - share) * first + share * second, second)
     sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", photographs)]
     found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))

@@ -92,7 +92,7 @@ def test_half_of_what_lacks_is_read_on_either_side(mosaic: Raster) -> None:
 def request_of(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: float,
                window: PixelWindow = WINDOW, **of_sources: object) -> WindowRequest:
     mosaic = mosaic_of(make_raster, blended(images, width))
-    paths = [make_raster(f"{number}.tif", one, **of_sources) for number, one in enumerate(images)]
+    paths = [make_raster(f"{number}.tif", image, **of_sources) for number, image in enumerate(images)]
     block = block_of(mosaic, *paths)
     return WindowRequest(1, mosaic, block.sources, window, InspectionSettings())
 
@@ -114,7 +114,7 @@ def test_a_window_of_128_px_is_measured_and_its_curves_are_its_own(
             curve = clip.curves[band]
             np.testing.assert_allclose((*curve.detail, curve.background), decompose(plane).shares, rtol=1e-4)
     first = decompose(luminance(blended(images, width)[own])).shares[0]
-    ratios = [first / decompose(luminance(one[own])).shares[0] for one in images]
+    ratios = [first / decompose(luminance(image[own])).shares[0] for image in images]
     assert result.judgement.ratios.detail[0] == pytest.approx(max(ratios), rel=1e-4)
 
 
@@ -123,7 +123,7 @@ def test_pixels_around_the_window_change_no_curve(
 ) -> None:
     request = request_of(make_raster, images, 33)
     plain = inspect_window(request)
-    changed = [one.copy() for one in images]
+    changed = [image.copy() for image in images]
     for one in changed:
         one[:, :150] = one[:, :150] // 2 + 40
     other = inspect_window(request_of(make_raster, (changed[0], changed[1]), 33))
@@ -172,7 +172,7 @@ def test_clips_of_the_window_are_cut_from_what_is_read(
 def test_a_source_that_ends_beside_the_window_takes_part_as_far_as_it_goes(
     make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
 ) -> None:
-    first, second = (one.copy() for one in images)
+    first, second = (image.copy() for image in images)
     mosaic = mosaic_of(make_raster, blended(images, 33))
     first[:, :, WINDOW.column + WINDOW.width + 20 :] = 0
     second[:, : WINDOW.row - 40] = 0
@@ -193,7 +193,7 @@ def test_a_mosaic_without_pixels_around_the_window_is_measured_all_the_same(
     image = blended(images, 33)
     image[:, :, : WINDOW.column - 8] = 0
     mosaic = mosaic_of(make_raster, image, nodata=0)
-    block = block_of(mosaic, *(make_raster(f"{number}.tif", one) for number, one in enumerate(images)))
+    block = block_of(mosaic, *(make_raster(f"{number}.tif", image) for number, image in enumerate(images)))
     result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
     assert result.judgement.verdict is Verdict.SIGNIFICANT
     own = np.s_[:, 160:288, 176:304]

@@ -229,7 +229,7 @@ def read_size(path: Path) -> tuple[int, int]:
 def detail_of(plane: np.ndarray) -> tuple[float, ...]:
     """Variance of the detail at levels 1 to 3, DN squared."""
     levels = detail_components(plane[np.newaxis].astype(np.float32), "coif3", 3)
-    return tuple(float((one[:, 0].astype(np.float64) ** 2).sum()) / plane.size for one in levels)
+    return tuple(float((level[:, 0].astype(np.float64) ** 2).sum()) / plane.size for level in levels)
 
 
 def just_seen(plane: np.ndarray, magnification: float, levels: int) -> float:

@@ -294,7 +294,7 @@ def test_packo_windows_stay_on_the_tile(data_folder: Path) -> None:
     folder = data_folder / "seams" / "packo"
     raster = folder / "19FD5606Ax00020_16371.tif"
     grid, placement = real_placement(folder / "regress_graphe.gpkg", "graphe", raster, 3.2, 3.2)
-    assert all(one.window.cut_to(grid.columns, grid.rows) == one.window for one in placement.windows)
+    assert all(window.window.cut_to(grid.columns, grid.rows) == window.window for window in placement.windows)
     assert {placed.seam_id for placed in placement.windows} == {1, 2}
     assert {placed.window.width for placed in placement.windows} == {64}
 

@@ -25,7 +25,7 @@ FAILED = [(0, 3), (0, 4), (1, 20)]
 
 def page_of(path: Path, record: InspectionRecord) -> Outline:
     maker = DefectPictures(record.mosaics, record.decision)
-    made = {one.run.number: picture for one in record.defects if (picture := maker.of(one)) is not None}
+    made = {defect.run.number: picture for defect in record.defects if (picture := maker.of(defect)) is not None}
     save_acceptance_report(path / "report.html", record, made)
     return outline((path / "report.html").read_text(encoding="utf-8"))
 
@@ -87,7 +87,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
     page = page_of(tmp_path, record_of(decision, mosaics=(ground(tmp_path / "mosaic.tif"),)))
     # 200 m amid a zone of UTM.
-    assert [one.replace("\u00a0", " ") for one in page.captions[1:]] == ["200.1 m across", "The mosaic"] * 2
+    assert [caption.replace("\u00a0", " ") for caption in page.captions[1:]] == ["200.1 m across", "The mosaic"] * 2
     words = " ".join(page.words.split())
     assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
     assert "kept by its pieces, one after the other: 45 %, 45 %" in words

@@ -99,8 +99,8 @@ def test_the_page_of_a_failure_says_and_shows_what_decided(decided: Path, delive
     left, pixel, _, top, _, _ = mosaic.GetGeoTransform()
     assert len(sections) == len(rows) == len(SPOILT)
     for section, row in zip(sections, rows):
-        own = [one for one in seams if one["level"] == "piece" and one.geometry().buffer(0.1, 4).intersects(
-            row.geometry()) and one["kept_1"] < 0.7]  # fmt: skip
+        own = [seam for seam in seams if seam["level"] == "piece" and seam.geometry().buffer(0.1, 4).intersects(
+            row.geometry()) and seam["kept_1"] < 0.7]  # fmt: skip
         kept = [float(one) for one in re.findall(r"([\d.]+)\u00a0%", section.partition("one after the other")[2])]
         assert sorted(kept) == pytest.approx(sorted(100 * one["kept_1"] for one in own), abs=0.51)
         told = re.search(r"least kept ([\d.]+)\u00a0%", section)
@@ -118,7 +118,7 @@ def test_the_page_of_a_failure_says_and_shows_what_decided(decided: Path, delive
         assert len(marks)
         points = [QgsGeometry.fromPointXY(QgsPointXY(left + (column + x + 0.5) * pixel, top - (row_ + y + 0.5) * pixel))
                   for y, x in marks]  # fmt: skip
-        assert max(min(one.geometry().distance(point) for one in seams) for point in points) < 5 * pixel
+        assert max(min(seam.geometry().distance(point) for seam in seams) for point in points) < 5 * pixel
 
 
 def picture_in(encoded: str) -> np.ndarray:

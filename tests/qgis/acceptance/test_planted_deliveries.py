@@ -92,7 +92,7 @@ def assert_all_say_the_same(folder: Path, found: Run, *layers: QgsVectorLayer | 
     assert any(text.startswith(decision(found)[:60]) for text in texts)
     if measured:
         records = [float(text) for text in texts if re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", text)]
-        assert any(abs(one - 100 * failed / measured) < 0.005 for one in records)
+        assert any(abs(record - 100 * failed / measured) < 0.005 for record in records)
 
 
 @pytest.fixture(scope="module")

@@ -81,7 +81,7 @@ def test_each_sheet_has_a_result_of_its_own() -> None:
         for one in found.iterfind("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
         if one.find("mdq:resultScope", NAMESPACES) is not None
     }
-    assert results == pytest.approx({one.name: 100 * (one.failed_share or 0) for one in decision.sheets})
+    assert results == pytest.approx({sheet.name: 100 * (sheet.failed_share or 0) for sheet in decision.sheets})
 
 
 def test_scope_time_and_lineage() -> None:
@@ -143,7 +143,7 @@ def test_any_name_is_text(name: str, tmp_path: Path) -> None:
 
 def nothing_measured() -> Decision:
     decision = decided()
-    pieces = tuple(replace(one, kept_1=None, kept_low=None, kept_high=None) for one in decision.delivery.pieces)
+    pieces = tuple(replace(piece, kept_1=None, kept_low=None, kept_high=None) for piece in decision.delivery.pieces)
     return decide(replace(decision.delivery, pieces=pieces), decision.rules)
 
 

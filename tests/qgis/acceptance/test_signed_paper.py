@@ -168,7 +168,7 @@ def test_sheets_come_back_with_their_verdicts() -> None:
     }  # fmt: skip
     assert rows["sheet_10"]["failed"] == pytest.approx(75)
     assert rows["sheet_10"]["failed_share"] == pytest.approx(75)
-    assert all(one.geometry().area() == pytest.approx(10_000) for one in made.features("SHEETS_OUT"))
+    assert all(feature.geometry().area() == pytest.approx(10_000) for feature in made.features("SHEETS_OUT"))
 
 
 def test_a_sample_tells_of_no_sheet() -> None:

@@ -74,7 +74,7 @@ def test_the_map_numbers_what_the_table_holds(tmp_path: Path) -> None:
     shown: list[int] = []
 
     def drawn(_: Decision, defects: object, _mosaics: object) -> None:
-        shown.extend(one.run.number for one in defects)  # type: ignore[attr-defined]
+        shown.extend(defect.run.number for defect in defects)  # type: ignore[attr-defined]
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(acceptance_report, "seams_figure", drawn)
@@ -102,7 +102,7 @@ def test_what_an_operator_decided_is_not_said_to_be_the_limit_s(tmp_path: Path) 
 
 def test_a_sample_is_not_the_delivery(tmp_path: Path) -> None:
     plain = decided(["sheet_1"], failed=[(0, 3)])
-    pieces = tuple(replace(one, sample_number=place + 1) for place, one in enumerate(plain.delivery.pieces))
+    pieces = tuple(replace(piece, sample_number=place + 1) for place, piece in enumerate(plain.delivery.pieces))
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=pieces, lot_size=400), plain.rules)))
     assert "of seam in the sample" in page.words
     assert "seams of all sheets" not in page.words

@@ -42,7 +42,7 @@ def same_call(call: Call) -> tuple[str, dict[str, list[str]]]:
     """A call in words, to compare those of two ways."""
     algorithm, parameters = call
     lists = ((name, value if isinstance(value, list) else [value]) for name, value in parameters.items())
-    return algorithm, {name: [str(one) for one in values] for name, values in lists}
+    return algorithm, {name: [str(value) for value in values] for name, values in lists}
 
 
 def commands(path: Path) -> list[str]:

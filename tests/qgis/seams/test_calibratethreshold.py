@@ -224,7 +224,7 @@ def test_only_judged_and_measured_windows_count() -> None:
     outcome = run("calibratethreshold", WINDOWS=windows)
     assert (outcome.results["VISIBLE_COUNT"], outcome.results["INVISIBLE_COUNT"]) == (6, 6)
     assert any("neither 'visible' nor 'invisible': 1" in warning for warning in outcome.log.warnings)
-    assert any("ratio_1: left out because nothing was measured there: 1" in one for one in outcome.log.warnings)
+    assert any("ratio_1: left out because nothing was measured there: 1" in warning for warning in outcome.log.warnings)
 
 
 def test_who_is_not_sure_did_not_judge() -> None:
@@ -242,7 +242,7 @@ def test_how_well_two_operators_agree_is_told() -> None:
     second = ["visible"] * 5 + ["invisible"] * 9 + ["unsure"]
     told = run("calibratethreshold", WINDOWS=judged(observer_2=("string", second))).log.infos
     assert any(one.startswith("Both operators judged 14 windows and agreed on 13. Cohen's kappa 0.85") for one in told)
-    assert not any("operators" in one for one in run("calibratethreshold", WINDOWS=judged()).log.infos)
+    assert not any("operators" in info for info in run("calibratethreshold", WINDOWS=judged()).log.infos)
 
 
 def test_a_csv_file_will_do(tmp_path: Path) -> None:

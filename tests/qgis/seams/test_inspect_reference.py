@@ -74,7 +74,7 @@ def composite_ratios(outcome: Run) -> list[float]:
 def test_a_hard_cut_has_lost_nothing_against_the_composite(cut: Scene) -> None:
     outcome = inspect(cut)
     (row,) = outcome.rows()
-    plain = [one["ratio_1"] for one in outcome.rows("PAIRS") if one["band"] == "luminance"][:2]
+    plain = [row["ratio_1"] for row in outcome.rows("PAIRS") if row["band"] == "luminance"][:2]
     assert row["composite_ratio_1"] == pytest.approx(1, abs=0.01)
     assert min(abs(ratio - 1) for ratio in plain) > 0.1
     assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.mosaic, ACROSS).tolist(), rel=0.02)
@@ -119,7 +119,7 @@ def test_the_verdict_is_taken_against_the_reference(cut: Scene, tmp_path: Path) 
     assert against_composite.column("verdict") == ["significant"]
     for outcome in (against_sources, against_composite):
         (row,) = outcome.rows()
-        pairs = {one["source"]: one["ratio_1"] for one in outcome.rows("PAIRS") if one["band"] == "luminance"}
+        pairs = {row["source"]: row["ratio_1"] for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
         assert row["ratio_1"] == max(pairs["west.tif"], pairs["east.tif"]) > 1
         assert row["composite_ratio_1"] == pairs["composite"] < 0.5
 

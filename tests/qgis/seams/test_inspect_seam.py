@@ -129,7 +129,7 @@ def test_a_source_that_covers_the_window_in_part_takes_part_there(
     assert row["explained"] > 0.98
     assert row["verdict"] == whole["verdict"]
     assert row["kept_1"] == pytest.approx(whole["kept_1"], abs=0.03)
-    pairs = {one["source"]: one for one in outcome.rows("PAIRS") if one["band"] == "luminance"}
+    pairs = {row["source"]: row for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
     assert pairs["part.tif"]["ratio_1"] is None  # the paper's curve needs the whole clip
     assert pairs["part.tif"]["gain"] == pytest.approx(1, abs=0.05)
     share = 100 * (SIDE - first) / SIDE

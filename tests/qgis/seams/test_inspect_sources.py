@@ -106,7 +106,7 @@ def test_a_reference_system_set_in_the_layer_stands_in_for_the_files(
     assert outcome.rows("PAIRS") == expected
     assert outcome.layer().crs().authid() == f"EPSG:{UTM33}"
     project.addMapLayers(layers)
-    by_id = inspect(scene, MOSAIC=layers[0].id(), SOURCES=[one.id() for one in layers[1:]])
+    by_id = inspect(scene, MOSAIC=layers[0].id(), SOURCES=[layer.id() for layer in layers[1:]])
     assert by_id.rows("PAIRS") == expected
 
 
@@ -127,7 +127,7 @@ def test_a_reference_system_set_by_hand_is_taken_and_said_once(
     project.addMapLayers(layers)
     for one in layers:
         one.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
-    ids = [one.id() for one in layers]
+    ids = [layer.id() for layer in layers]
     if step == "inspectwindows":
         outcome = inspect(scene, MOSAIC=ids[0], SOURCES=ids[1:])
         assert outcome.rows("PAIRS") == expected
@@ -156,13 +156,13 @@ def test_additional_nodata_of_a_layer_is_no_pixel(
             layers[-1].dataProvider().setUserNoDataValue(band, [QgsRasterRange(255, 255)])
     project.addMapLayers(layers)
     in_margin = windows((0, 0, 64, 256))
-    outcome = inspect(scene, WINDOWS=in_margin, SOURCES=[one.id() for one in layers])
+    outcome = inspect(scene, WINDOWS=in_margin, SOURCES=[layer.id() for layer in layers])
     assert "source" not in outcome.column("role", "CURVES")  # there is no whole clip
     assert outcome.column("sources") == [2]  # of its other part
     for one in layers:
         for band in (1, 2, 3):
             one.dataProvider().setUserNoDataValue(band, [])
-    plain = inspect(scene, WINDOWS=in_margin, SOURCES=[one.id() for one in layers])
+    plain = inspect(scene, WINDOWS=in_margin, SOURCES=[layer.id() for layer in layers])
     assert "source" in plain.column("role", "CURVES")
 
 

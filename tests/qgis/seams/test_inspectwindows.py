@@ -56,8 +56,8 @@ def test_parameters() -> None:
         "SCHEDULER OUTPUT CURVES PAIRS PROFILES"
     ).split()
     flags = QgsProcessingParameterDefinition.Flag
-    optional = {name for name, one in definitions.items() if one.flags() & flags.FlagOptional}
-    advanced = {name for name, one in definitions.items() if one.flags() & flags.FlagAdvanced}
+    optional = {name for name, definition in definitions.items() if definition.flags() & flags.FlagOptional}
+    advanced = {name for name, definition in definitions.items() if definition.flags() & flags.FlagAdvanced}
     # Mandatory, REFERENCE and MIN_KEPT would make every model invalid that was drawn before there were such choices.
     tables = {"CURVES", "PAIRS", "PROFILES"}
     assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "MIN_KEPT", "DIRECTIONS", "SCHEDULER", *tables}
@@ -238,7 +238,7 @@ def test_ratios_and_verdicts_follow_from_pywavelets(scene: Scene, box: tuple[int
     np.testing.assert_allclose(found, against.max(axis=0), rtol=1e-4)
     largest = against[:, 0].max()
     assert row["verdict"] == ("significant" if largest <= 0.5 else "reduced" if largest < 1 else "preserved")
-    pairs = [[one["ratio_1"], one["ratio_2"], one["ratio_3"]] for one in outcome.rows("PAIRS")]
+    pairs = [[row["ratio_1"], row["ratio_2"], row["ratio_3"]] for row in outcome.rows("PAIRS")]
     np.testing.assert_allclose(pairs[0], against[0, :3], rtol=1e-4)
     np.testing.assert_allclose(pairs[4], against[1, :3], rtol=1e-4)
 
@@ -337,7 +337,7 @@ def test_windows_are_measured_on_whole_pixels(
 def test_rows_come_in_the_order_of_the_windows(scene: Scene) -> None:
     boxes = [(8 * index, 0, 64, 64) if index % 3 else (0, 0, 512, 256) for index in range(20)]
     numbers = list(np.random.default_rng(3).permutation(1000)[:20])
-    outcome = inspect(scene, WINDOWS=windows(*boxes, window_id=("integer", [int(one) for one in numbers])))
+    outcome = inspect(scene, WINDOWS=windows(*boxes, window_id=("integer", [int(number) for number in numbers])))
     assert outcome.column("window_id") == numbers
     assert [pixel_box(feature.geometry()) for feature in outcome.features()] == boxes
     assert list(dict.fromkeys(outcome.column("window_id", "CURVES"))) == numbers
@@ -399,7 +399,7 @@ def test_inspected_windows_can_be_inspected_again(scene: Scene) -> None:
     first = inspect(scene)
     again = inspect(scene, WINDOWS=first.layer())
     assert again.rows() == first.rows()
-    assert [pixel_box(one.geometry()) for one in again.features()] == [SHARP, BLURRED]
+    assert [pixel_box(feature.geometry()) for feature in again.features()] == [SHARP, BLURRED]
 
 
 # --- cancellation ----------------------------------------------------------------------------------------------

@@ -135,7 +135,7 @@ def test_ratios_are_those_of_the_blend_by_pywavelets(scene: Scene, wavelet: str,
         assert (row["sources"], row["reason"], pair["band"], pair["resampled"]) == (2, None, "luminance", 0)
         assert (pair["source"], pair["other"]) == ("west.tif", "east.tif")
         assert np.hypot(pair["shift_x"], pair["shift_y"]) < 0.05
-    assert [pixel_box(one.geometry()) for one in outcome.features()] == [SHARP, BLURRED]
+    assert [pixel_box(feature.geometry()) for feature in outcome.features()] == [SHARP, BLURRED]
 
 
 def test_it_says_what_an_inspection_of_the_mosaic_would_expect(scene: Scene) -> None:
@@ -214,7 +214,7 @@ def test_one_source_has_nothing_to_be_feathered_with(scene: Scene) -> None:
     assert outcome.column("expected_ratio_1") == [None, None]
     assert outcome.rows("PAIRS") == []
     assert outcome.results["NOT_COMPARABLE_COUNT"] == 2
-    assert [pixel_box(one.geometry()) for one in outcome.features()] == [SHARP, BLURRED]
+    assert [pixel_box(feature.geometry()) for feature in outcome.features()] == [SHARP, BLURRED]
 
 
 def test_sources_as_layers_ids_and_paths(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
@@ -231,7 +231,7 @@ def test_an_index_by_gdaltindex(scene: Scene, expected: list[dict[str, Any]], tm
     index = str(tmp_path / "index.shp")
     outcome = predict(scene, SOURCES=None, SOURCE_INDEX=index)
     assert outcome.rows("PAIRS") == expected
-    assert [pixel_box(one.geometry()) for one in outcome.features()] == [SHARP, BLURRED]
+    assert [pixel_box(feature.geometry()) for feature in outcome.features()] == [SHARP, BLURRED]
     beside = predict(scene, SOURCES=[str(tmp_path / "west.tif")], SOURCE_INDEX=index)
     assert beside.rows("PAIRS") == expected
 

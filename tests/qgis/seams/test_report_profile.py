@@ -164,8 +164,8 @@ def blended_block(folder: Path) -> Block:
     right = left[::-1, ::-1]  # two textures that have nothing in common
     share = gaussian_filter(np.repeat(np.arange(512)[np.newaxis] < 256, 512, axis=0).astype(float), 8)
     bands = {"mosaic": left * share + right * (1 - share), "left": left, "right": right}
-    paths = {name: write_raster(folder / f"{name}.tif", np.rint(one[np.newaxis]).astype(np.uint8), gsd=PIXEL)
-             for name, one in bands.items()}  # fmt: skip
+    paths = {name: write_raster(folder / f"{name}.tif", np.rint(band[np.newaxis]).astype(np.uint8), gsd=PIXEL)
+             for name, band in bands.items()}  # fmt: skip
     refs = [RasterRef(paths[name]) for name in ("left", "right")]
     return Block(describe_mosaic(RasterRef(paths["mosaic"])), tuple(Source(ref, describe(ref).extent) for ref in refs))
 
@@ -205,7 +205,7 @@ def test_the_table_of_profiles_is_drawn(provider: Any, tmp_path: Path) -> None:
         page = path.read_text(encoding="utf-8")
         outline(page)
         charts = re.findall("<svg .*?</svg>", page, flags=re.DOTALL)
-        (chart,) = (one for one in charts if "distance from the seam (m)" in one)
+        (chart,) = (chart for chart in charts if "distance from the seam (m)" in chart)
         colours = [colour for colour, _ in level_legend({1, 2, 3})]
         for colour in (*colours, PAPER.quiet):  # three levels and the mixture
             assert f'stroke="{colour}"' in chart

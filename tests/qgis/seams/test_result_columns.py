@@ -174,6 +174,6 @@ def test_what_a_verdict_says(qgis_app: object, verdict: str, said: str) -> None:
 def test_the_map_has_the_colours_of_the_verdicts(project: object, repository: Path) -> None:
     drawn = QgsVectorLayer("Polygon?field=verdict:string", "windows", "memory")
     assert drawn.loadNamedStyle(str(repository / "resources" / "styles" / "windows.qml"))[1]
-    shown = {one.value(): one.symbol().color().name() for one in drawn.renderer().categories()}
+    shown = {category.value(): category.symbol().color().name() for category in drawn.renderer().categories()}
     assert list(shown) == list(VERDICTS)
     assert shown == {verdict: look.colour for verdict, look in VERDICTS.items()}

@@ -67,7 +67,7 @@ def assert_alike(found: ScanResult, expected: ScanResult) -> None:
     assert found.notices == expected.notices
     assert found.seam_metres == pytest.approx(expected.seam_metres, rel=1e-6)
     assert len(found.pieces) == len(expected.pieces) > 10
-    assert [one.verdict for one in found.pieces] == [one.verdict for one in expected.pieces]
+    assert [piece.verdict for piece in found.pieces] == [piece.verdict for piece in expected.pieces]
     assert [one.least_kept for one in found.pieces] == pytest.approx([one.least_kept for one in expected.pieces], 1e-4)
 
 

@@ -63,7 +63,7 @@ def test_parameters_and_defaults() -> None:
     }
     destinations = [one.name() for one in job.destinationParameterDefinitions()]
     assert destinations == ["LOSS", "SEAMS", "CELLS", "WORST"]
-    numbers = {one.name() for one in job.outputDefinitions()} - set(destinations)
+    numbers = {outputDefinition.name() for outputDefinition in job.outputDefinitions()} - set(destinations)
     assert numbers == {"SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
     density = job.parameterDefinition("DENSITY")
     assert density.usesStaticStrings()
@@ -81,13 +81,13 @@ def test_fields_and_numbers(scanned: Run) -> None:
     assert scanned.layer("CELLS").fields().names() == ["source"]
     assert scanned.layer("WORST").fields().names() == ["window_id", "seam_id", "station"]
     pieces, numbers = scanned.rows("SEAMS"), scanned.results
-    assert numbers["SEAM_METRES"] == pytest.approx(sum(one["length"] for one in pieces))
+    assert numbers["SEAM_METRES"] == pytest.approx(sum(piece["length"] for piece in pieces))
     assert numbers["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
-    failed = [one["length"] for one in pieces if one["state"] == "failed"]
-    assert {one["level"] for one in pieces} == {"piece"}
-    assert all((one["state"] == "failed") == (one["kept_1"] < 0.7) for one in pieces)
+    failed = [piece["length"] for piece in pieces if piece["state"] == "failed"]
+    assert {piece["level"] for piece in pieces} == {"piece"}
+    assert all((piece["state"] == "failed") == (piece["kept_1"] < 0.7) for piece in pieces)
     assert numbers["FAILED_METRES"] == pytest.approx(sum(failed))
-    assert numbers["WORST_KEPT"] == min(one["kept_1"] for one in pieces)
+    assert numbers["WORST_KEPT"] == min(piece["kept_1"] for piece in pieces)
     assert {tuple(sorted((one["left_source"], one["right_source"]))) for one in pieces} == {("east.tif", "west.tif")}
     for one in pieces:
         assert one["verdict"] == "significant"
@@ -98,20 +98,20 @@ def test_fields_and_numbers(scanned: Run) -> None:
 
 
 def test_seams_lie_where_the_images_meet(scanned: Run) -> None:
-    found = points_along((one.geometry() for one in scanned.features("SEAMS")), 0.05)
+    found = points_along((feature.geometry() for feature in scanned.features("SEAMS")), 0.05)
     true = points_along((one.geometry() for one in drawn_seam().getFeatures()), 0.05)
     assert share_within(found, true, 0.3) > 0.95
     assert share_within(true, found, 0.3) > 0.95
 
 
 def test_cells_say_where_each_part_came_from(scanned: Run, feathered: Files) -> None:
-    parts = {one["source"]: one.geometry() for one in scanned.features("CELLS")}
+    parts = {feature["source"]: feature.geometry() for feature in scanned.features("CELLS")}
     assert set(parts) == {"west.tif", "east.tif"}
     whole = QgsRasterLayer(feathered.mosaic).extent()
-    assert sum(one.area() for one in parts.values()) == pytest.approx(whole.width() * whole.height(), rel=0.01)
+    assert sum(part.area() for part in parts.values()) == pytest.approx(whole.width() * whole.height(), rel=0.01)
     assert parts["west.tif"].area() == pytest.approx(0.3 * whole.width() * whole.height(), rel=0.05)
     assert parts["west.tif"].intersection(parts["east.tif"]).area() == pytest.approx(0, abs=1e-6)
-    assert all(one.isGeosValid() for one in parts.values())
+    assert all(part.isGeosValid() for part in parts.values())
 
 
 def test_the_picture_of_losses(scanned: Run) -> None:
@@ -151,7 +151,7 @@ def test_a_sound_mosaic_has_no_failed_metre(hard: Files) -> None:
 def test_worst_windows_are_ready_to_be_inspected(scanned: Run, feathered: Files) -> None:
     worst = scanned.features("WORST")
     assert [one["window_id"] for one in worst] == list(range(1, len(worst) + 1))
-    least = min(scanned.features("SEAMS"), key=lambda one: one["kept_1"])
+    least = min(scanned.features("SEAMS"), key=lambda feature: feature["kept_1"])
     assert worst[0].geometry().intersects(least.geometry())
     given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "WINDOWS": scanned.layer("WORST")}
     inspected = run("inspectwindows", **given)

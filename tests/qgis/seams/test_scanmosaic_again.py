@@ -125,11 +125,11 @@ def test_killed_while_layers_are_written_it_goes_on(
 
     def dying(self: AlgorithmRun, sink: Any, features: Any) -> None:
         def counted() -> Iterator[Any]:
-            for one in features:
+            for feature in features:
                 left[0] -= 1
                 if not left[0]:
                     os.kill(os.getpid(), signal.SIGKILL)
-                yield one
+                yield feature
 
         write(self, sink, counted())
 

@@ -135,7 +135,7 @@ def test_missing_pixels_are_no_seams(tmp_path: Path, by: str) -> None:
     hole = QgsGeometry.fromWkt("POLYGON(({} {}, {} {}, {} {}, {} {}, {} {}))".format(
         *(value for place in ((192, 312), (248, 312), (248, 408), (192, 408), (192, 312)) for value in at(*place))
     ))
-    assert all(not one.geometry().intersects(hole) for one in found.features("SEAMS"))
+    assert all(not feature.geometry().intersects(hole) for feature in found.features("SEAMS"))
     assert 0.6 * SEAM_METRES < found.results["SEAM_METRES"] < 0.9 * SEAM_METRES
     kept = gdal.Open(found.results["LOSS"]).ReadAsArray()[0]
     assert (kept[:, 0] == -1).all()
@@ -410,8 +410,8 @@ def test_seamlines_that_say_nothing(feathered: Files, lines: list[QgsGeometry], 
 
 def test_names_of_the_seamlines_are_those_of_the_sources(feathered: Files) -> None:
     named = layer("LineString", [line(*places())], left_src=("string", ["west"]), right_src=("string", ["east.tif"]))
-    pairs = [tuple(sorted((one["left_source"], one["right_source"])))
-             for one in scan(feathered, SEAMLINES=named).rows("SEAMS")]
+    pairs = [tuple(sorted((row["left_source"], row["right_source"])))
+             for row in scan(feathered, SEAMLINES=named).rows("SEAMS")]
     assert set(pairs) == {("east.tif", "west.tif")}
     others = layer("LineString", [line(*places())], left_src=("string", ["7"]), right_src=("string", ["8"]))
     found = scan(feathered, SEAMLINES=others)
@@ -425,7 +425,7 @@ def test_dates_of_the_seamlines_come_with_the_pieces(feathered: Files, with_imag
         left_date=("string", ["2019-07-04"]), right_date=("string", ["2019-08-11"]),
     )  # fmt: skip
     rows = scan(feathered, SEAMLINES=dated, **({} if with_images else {"SOURCES": []})).rows("SEAMS")
-    days = {one[f"{side}_source"]: one[f"{side}_date"] for one in rows for side in ("left", "right")}
+    days = {row[f"{side}_source"]: row[f"{side}_date"] for row in rows for side in ("left", "right")}
     assert days == {"west.tif" if with_images else "west": "2019-07-04", "east.tif": "2019-08-11"}
 
 

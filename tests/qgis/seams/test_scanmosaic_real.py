@@ -58,13 +58,13 @@ def mosaic_of(found: Run) -> str:
 
 def failed_places(found: Run) -> np.ndarray:
     return points_along(
-        (one.geometry() for one in found.features("SEAMS") if one["verdict"] == "significant"), 0.05
+        (feature.geometry() for feature in found.features("SEAMS") if feature["verdict"] == "significant"), 0.05
     )
 
 
 def test_seams_are_found_where_they_are(found: Run, true_seams: np.ndarray) -> None:
     distance, share = (0.3, 0.94) if mosaic_of(found) == HARD else (0.6, 0.9)
-    places = points_along((one.geometry() for one in found.features("SEAMS")), 0.015)
+    places = points_along((feature.geometry() for feature in found.features("SEAMS")), 0.015)
     assert share_within(places, true_seams, distance) >= share
     assert share_within(true_seams, places, distance) >= share
 
@@ -75,7 +75,7 @@ def test_failed_metres_lie_on_the_seams_of_the_feathered_mosaic_alone(found: Run
         assert "significant" not in verdicts
         assert "reduced" not in verdicts
         return
-    judged = sum(one["length"] for one in found.rows("SEAMS") if one["verdict"] != "not_comparable")
+    judged = sum(row["length"] for row in found.rows("SEAMS") if row["verdict"] != "not_comparable")
     assert found.results["FAILED_METRES"] > 0.6 * judged
     assert judged > 0.5 * found.results["SEAM_METRES"]
     assert share_within(failed_places(found), true_seams, 1.0) >= 0.95
@@ -116,7 +116,7 @@ def test_without_orthoimages_the_seam_network_is_judged(
     provider: None, brighton: Path, true_seams: np.ndarray, mosaic: str
 ) -> None:
     ended = scanned(brighton, mosaic, SEAMLINES=seamlines(brighton), PIECE=25.0)
-    (said,) = (one for one in ended.log.infos if "All seams together keep" in one)
+    (said,) = (info for info in ended.log.infos if "All seams together keep" in info)
     low, high = (float(word) for word in said.partition("(")[2].partition(" %")[0].split(" to "))
     if mosaic == HARD:
         assert low < 100 < high
@@ -152,7 +152,7 @@ def packo_mosaic(packo: Path, folder: Path, sigma: float = 0.0) -> str:
     share = np.stack([(number == one + 1).astype(float) for one in range(len(paths))])
     if sigma:
         share = np.stack([ndimage.gaussian_filter(one, sigma) for one in share])
-    pixels = np.stack([one.ReadAsArray() for one in images]).astype(float)
+    pixels = np.stack([image.ReadAsArray() for image in images]).astype(float)
     made = np.rint((share[:, np.newaxis] * pixels).sum(axis=0) / np.maximum(share.sum(axis=0), 1e-9))
     path = str(folder / f"packo_{sigma:g}.tif")
     copy = gdal.GetDriverByName("GTiff").CreateCopy(path, images[0])

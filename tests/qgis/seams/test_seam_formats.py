@@ -72,7 +72,7 @@ def test_mosaic_elements_of_inspire(tmp_path: Path) -> None:
     given = given_by(str(path), 2180, Grid(500000, 600200, 0.1, 0.1, 4000, 2000))
     assert [northward(seam) for seam in given.seams] == [("2011-5864726", "2011-5864727")]
     assert [cell.source for cell in given.cells] == ["2011-5864726", "2011-5864727"]
-    assert [one.values for one in given.notices] == [{"fields": "imageSourceReference"}]
+    assert [notice.values for notice in given.notices] == [{"fields": "imageSourceReference"}]
 
 
 def test_the_graph_of_packo(data_folder: Path) -> None:

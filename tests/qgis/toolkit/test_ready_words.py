@@ -26,7 +26,7 @@ def test_ready_rules_and_their_sources_are_polish(polish: object) -> None:
         worded = in_users_language(rules)
         assert worded.name != rules.name
         assert worded.kept_source != rules.kept_source
-        assert [one.limit for one in worded.rules] == [one.limit for one in rules.rules]
+        assert [rule.limit for rule in worded.rules] == [rule.limit for rule in rules.rules]
         assert all(new.source != old.source for new, old in zip(worded.rules, rules.rules))
     for path in ready_rule_files().values():
         assert in_users_language(load_rules(path)).name.startswith("specyfikacja JRC")

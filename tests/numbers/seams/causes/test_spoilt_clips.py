@@ -243,7 +243,7 @@ AFTERWARDS = {
 @pytest.mark.parametrize("name", AFTERWARDS)
 def test_what_came_afterwards_is_named_beside_the_feather_and_hides_it_not(scenes: list[Scene], name: str) -> None:
     change, cause = AFTERWARDS[name]
-    for scene in [one for one in scenes if smaller_share(one) > 0.3 and len(np.unique(one.labels)) == 2][:2]:
+    for scene in [scene for scene in scenes if smaller_share(scene) > 0.3 and len(np.unique(scene.labels)) == 2][:2]:
         hard, feathered = scene.cut(), feather(scene.labels, [clip.bands for clip in scene.sources], 13)
         after_feather, after_cut = (explained(scene, change(bands, RNG))[0] for bands in (feathered, hard))
         assert {Cause.FEATHERING, cause} <= set(after_feather.causes)

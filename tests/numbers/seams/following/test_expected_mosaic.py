@@ -33,7 +33,7 @@ def energy(plane: np.ndarray, where: np.ndarray) -> float:
 
 def test_the_hard_cut_is_expected_of_a_hard_cut(sources: list[np.ndarray]) -> None:
     mosaic = grey(cut(LABELS, sources))
-    found = expected_of(mosaic, [grey(one) for one in sources])
+    found = expected_of(mosaic, [grey(source) for source in sources])
     assert (found.labels == LABELS).mean() > 0.997
     rest = (found.plane - mosaic)[INNER]
     assert np.median(np.abs(rest)) < 0.3
@@ -43,7 +43,7 @@ def test_the_hard_cut_is_expected_of_a_hard_cut(sources: list[np.ndarray]) -> No
 @pytest.mark.parametrize("sigma", [4.0, 10.0])
 def test_what_a_feather_took_is_in_what_is_expected(sources: list[np.ndarray], sigma: float) -> None:
     mosaic, hard = grey(feather(LABELS, sources, sigma)), grey(cut(LABELS, sources))
-    found = expected_of(mosaic, [grey(one) for one in sources])
+    found = expected_of(mosaic, [grey(source) for source in sources])
     weight = ndimage.gaussian_filter((LABELS == 0).astype(float), sigma)
     band = (weight > 0.2) & (weight < 0.8)
     assert energy(mosaic, band) < 0.85 * energy(hard, band)
@@ -64,7 +64,7 @@ OPERATIONS = {
 def test_what_came_over_the_whole_mosaic_is_expected(sources: list[np.ndarray], operation: str) -> None:
     hard = grey(cut(LABELS, sources))
     mosaic = OPERATIONS[operation](hard).astype(np.float32)
-    found = expected_of(mosaic, [grey(one) for one in sources])
+    found = expected_of(mosaic, [grey(source) for source in sources])
     assert (found.labels == LABELS).mean() > 0.98
     everywhere = np.zeros(SHAPE, bool)
     everywhere[INNER] = True
@@ -76,7 +76,7 @@ def test_what_came_over_the_whole_mosaic_is_expected(sources: list[np.ndarray], 
 @pytest.mark.parametrize("operation", ["unsharp", "blur", "half a pixel"])
 def test_unfiltered_it_is_as_sharp_as_its_sources(sources: list[np.ndarray], operation: str) -> None:
     hard = grey(cut(LABELS, sources))
-    found = expected_of(OPERATIONS[operation](hard).astype(np.float32), [grey(one) for one in sources])
+    found = expected_of(OPERATIONS[operation](hard).astype(np.float32), [grey(source) for source in sources])
     everywhere = np.ones(SHAPE, bool)
     # Both reach a little into what tones are fitted to.
     assert energy(found.unfiltered, everywhere) == pytest.approx(energy(hard, everywhere), rel=0.12)
@@ -85,10 +85,10 @@ def test_unfiltered_it_is_as_sharp_as_its_sources(sources: list[np.ndarray], ope
 
 
 def test_a_source_that_was_blurred_before_the_cut_has_a_filter_of_its_own(sources: list[np.ndarray]) -> None:
-    soft = [one.astype(np.float32) for one in sources]
+    soft = [source.astype(np.float32) for source in sources]
     soft[0] = ndimage.gaussian_filter(soft[0], (0, 1, 1))
     mosaic = grey(np.asarray(cut(LABELS, soft)))
-    found = expected_of(mosaic, [grey(one) for one in sources])
+    found = expected_of(mosaic, [grey(source) for source in sources])
     for number in (0, 1, 2):
         own = ndimage.distance_transform_edt(np.equal(LABELS, number)) > 8
         assert energy(found.plane, own) == pytest.approx(energy(mosaic, own), rel=0.06), number
@@ -102,13 +102,13 @@ def test_a_mixture_by_which_sources_explain_far_less_than_one_by_one_is_none(
     monkeypatch.setattr(expecting, "MIN_LEFT_UNMIXED", 0.0)
     monkeypatch.setattr(expecting, "mixed_ground", lambda own, *_: MixedGround(1.0, tuple(wild), own))
     mosaic = OPERATIONS["half a pixel"](grey(cut(LABELS, sources))).astype(np.float32)
-    assert (expected_of(mosaic, [grey(one) for one in sources]).labels == LABELS).mean() > 0.98
+    assert (expected_of(mosaic, [grey(source) for source in sources]).labels == LABELS).mean() > 0.98
 
 
 def test_balanced_sources_each_have_their_tone(sources: list[np.ndarray]) -> None:
     toned = [gain * grey(one) + bias for one, (gain, bias) in zip(sources, [(0.8, 30), (1.2, -25), (1.0, 5), (1, 0)])]
     mosaic = np.choose(LABELS, toned).astype(np.float32)
-    found = expected_of(mosaic, [grey(one) for one in sources])
+    found = expected_of(mosaic, [grey(source) for source in sources])
     rest = (found.plane - mosaic)[INNER]
     assert np.abs(np.median(rest)) < 0.3
     assert rest.std() < 0.25 * high_pass(mosaic)[INNER].std()
@@ -117,7 +117,7 @@ def test_balanced_sources_each_have_their_tone(sources: list[np.ndarray]) -> Non
 def test_where_no_source_explains_the_mosaic_stands_itself(sources: list[np.ndarray]) -> None:
     other = sources[2][:, ::-1, ::-1]  # of other ground, and missing
     mosaic = grey(cut(LABELS, [*sources[:2], other]))
-    given = [grey(one) for one in sources[:2]]
+    given = [grey(source) for source in sources[:2]]
     found = expected_of(mosaic, given)
     unknown = found.labels == UNKNOWN
     assert (unknown == (LABELS == 2)).mean() > 0.97
@@ -129,13 +129,13 @@ def test_labels_that_are_known_go_before_the_estimate(sources: list[np.ndarray])
     mosaic = grey(cut(LABELS, sources))
     known = np.full(SHAPE, UNKNOWN, np.uint8)
     known[:, :80] = 2
-    found = expected_of(mosaic, [grey(one) for one in sources], known=known)
+    found = expected_of(mosaic, [grey(source) for source in sources], known=known)
     assert (found.labels[:, :80] == 2).all()
     assert (found.labels == LABELS)[:, 90:].mean() > 0.99
 
 
 def test_pixels_that_a_source_does_not_have_are_never_its(sources: list[np.ndarray]) -> None:
-    planes = [grey(one) for one in sources]
+    planes = [grey(source) for source in sources]
     row = np.arange(SHAPE[0])[:, np.newaxis]
     valid = np.broadcast_to(row < 160, SHAPE)  # the second is cut off a little below where it ends
     planes[1] = np.where(valid, planes[1], planes[1][valid].mean())
@@ -146,7 +146,7 @@ def test_pixels_that_a_source_does_not_have_are_never_its(sources: list[np.ndarr
 
 
 def test_a_source_that_ends_at_the_seam_is_not_stretched_over_it(sources: list[np.ndarray]) -> None:
-    planes = [grey(one) for one in sources]
+    planes = [grey(source) for source in sources]
     valid = ndimage.binary_dilation(LABELS == 1, iterations=1)
     planes[1] = np.where(valid, planes[1], planes[1][valid].mean()).astype(np.float32)
     mosaic = grey(cut(LABELS, sources))

@@ -51,7 +51,7 @@ def test_a_codec_makes_nothing_foreign(of_mosaic: int, way: str) -> None:
     if way in ("before", "one"):
         sources = [through(sources[0]), sources[1] if way == "one" else through(sources[1])]
     mosaic = through(cut(*sources))
-    given = [through(one) for one in sources] if way == "since" else sources
+    given = [through(source) for source in sources] if way == "since" else sources
     assert unexplained(mosaic, given).mean() < 0.01
 
 

@@ -54,7 +54,7 @@ def test_no_share_is_below_0(sources: dict[int, np.ndarray], labels: np.ndarray)
     found = mixed_shares(mosaic, sources, labels, near(labels))
     row, column = 8, 10
     around = np.s_[(row - 2) * SQUARE_PX : (row + 3) * SQUARE_PX, (column - 2) * SQUARE_PX : (column + 3) * SQUARE_PX]
-    weights, _ = nnls(np.stack([one[around].ravel() for one in sources.values()], axis=1), mosaic[around].ravel())
+    weights, _ = nnls(np.stack([source[around].ravel() for source in sources.values()], axis=1), mosaic[around].ravel())
     np.testing.assert_allclose([one[row, column] for one in found.values()], weights / weights.sum(), atol=0.01)
 
 
@@ -83,5 +83,5 @@ def test_what_is_most_of_a_mixture_of_three_is_followed(labels: np.ndarray) -> N
 @pytest.mark.parametrize("shares", [(0.3, 0.62, 0.08), (0.15, 0.65, 0.2), (0.0, 0.0, 0.0)])
 def test_elsewhere_labels_stay(labels: np.ndarray, shares: tuple[float, float, float]) -> None:
     squares = tuple(length // SQUARE_PX for length in SHAPE)
-    found = by_shares(labels, {number: np.full(squares, one) for number, one in zip(NUMBERS, shares)})
+    found = by_shares(labels, {number: np.full(squares, share) for number, share in zip(NUMBERS, shares)})
     np.testing.assert_array_equal(found, labels)

@@ -24,7 +24,7 @@ def images() -> list[np.ndarray]:
 
 
 def moved(images: list[np.ndarray]) -> list[np.ndarray]:
-    return [ndimage.shift(one, by, order=3, mode="nearest").astype(np.float32) for one, by in zip(images, OFF)]
+    return [ndimage.shift(image, by, order=3, mode="nearest").astype(np.float32) for image, by in zip(images, OFF)]
 
 
 def ramp(first: float, last: float) -> np.ndarray:
@@ -36,7 +36,7 @@ def ramp(first: float, last: float) -> np.ndarray:
 def test_both_filters_are_told_though_no_ground_is_of_one(images: list[np.ndarray], first: float, last: float) -> None:
     placed, weight = moved(images), ramp(first, last)
     mosaic = high_pass(weight * placed[0] + (1 - weight) * placed[1])
-    fine = [high_pass(one) for one in images]
+    fine = [high_pass(image) for image in images]
     found = mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool))
     assert found is not None
     inside = np.s_[16:-16, 16:-16]
@@ -50,12 +50,12 @@ def test_both_filters_are_told_though_no_ground_is_of_one(images: list[np.ndarra
 def test_of_a_cut_there_is_none(images: list[np.ndarray]) -> None:
     placed = moved(images)
     mosaic = high_pass(np.where(np.arange(SIDE) < SIDE // 2, placed[0], placed[1]))
-    fine = [high_pass(one) for one in images]
+    fine = [high_pass(image) for image in images]
     assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool)) is None
 
 
 def test_of_images_that_are_not_there_there_is_none(images: list[np.ndarray]) -> None:
-    fine = [high_pass(one) for one in images]
+    fine = [high_pass(image) for image in images]
     nothing = np.zeros((SIDE, SIDE), bool)
     assert mixed_ground(fine[0], fine, fine, nothing) is None
 

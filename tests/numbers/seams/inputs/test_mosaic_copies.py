@@ -37,7 +37,7 @@ def told(mosaic: str, paths: Sequence[str]) -> tuple[list[str], dict[str, str]]:
     raster = describe_mosaic(RasterRef(mosaic))
     sources, _ = gather_sources(map(RasterRef, paths), (), raster.wkt, raster.ref)
     kept, notices = leave_out_copies(raster, sources)
-    return [source.ref.name for source in kept], {str(one.values["name"]): one.template for one in notices}
+    return [source.ref.name for source in kept], {str(notice.values["name"]): notice.template for notice in notices}
 
 
 @pytest.fixture
@@ -168,7 +168,7 @@ def test_windows_are_inspected_without_a_copy_of_the_mosaic(
     block, _ = make_block(mosaic, [RasterRef(path) for path in (paths[0], copy, paths[1])])
     block, notices = without_copies(block)
     assert [source.ref.name for source in block.sources] == ["a.tif", "b.tif"]
-    assert [one.template for one in notices] == [messages.COPY_AMONG_SOURCES.template]
+    assert [notice.template for notice in notices] == [messages.COPY_AMONG_SOURCES.template]
     extent = mosaic.grid.window_extent(PixelWindow(384, 384, 256, 256))
     result = inspect_window(window_request(block, 1, extent, InspectionSettings()))
     assert result.judgement.verdict is Verdict.SIGNIFICANT
@@ -181,7 +181,7 @@ def test_a_copy_that_is_the_only_source_stays_and_is_told(paths: list[str], tmp_
     block, _ = make_block(describe_mosaic(RasterRef(paths[2])), [RasterRef(copy)])
     block, notices = without_copies(block)
     assert [source.ref.name for source in block.sources] == ["copy.tif"]
-    assert [one.template for one in notices] == [messages.MAY_BE_COPY.template]
+    assert [notice.template for notice in notices] == [messages.MAY_BE_COPY.template]
 
 
 def test_the_one_orthoimage_of_a_window_s_mosaic_stays_without_a_word(paths: list[str]) -> None:

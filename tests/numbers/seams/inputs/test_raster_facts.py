@@ -24,7 +24,7 @@ def test_headers_tell_what_can_not_be_a_source() -> None:
         "itself": replace(MOSAIC, is_mosaic=True),
     }
     rasters = [SOURCE, replace(SOURCE, key="b"), replace(SOURCE, key="finer", pixel_size=0.05)]
-    found = suitable_by_header(MOSAIC, [*rasters, *(replace(one, key=key) for key, one in others.items())])
+    found = suitable_by_header(MOSAIC, [*rasters, *(replace(other, key=key) for key, other in others.items())])
     assert [key for key, one in found.items() if one.is_suggested] == ["a", "b", "finer"]
     told = {key: one.reason.template for key, one in found.items() if one.reason is not None}
     assert told == {

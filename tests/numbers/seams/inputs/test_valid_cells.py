@@ -134,7 +134,7 @@ def test_what_is_promised_on_brighton_takes_part(data_folder: Path) -> None:
     block, _ = make_block(raster, [RasterRef(str(path)) for path in sorted(folder.glob("DJI*.tif"))])
     grid = CellGrid.of(raster.grid)
     of_mosaic = valid_cells(OpenRaster(raster.ref), raster.extent, raster)
-    known = [valid_cells(OpenRaster(one.ref), one.extent, raster) for one in block.sources]
+    known = [valid_cells(OpenRaster(source.ref), source.extent, raster) for source in block.sources]
     rng, promised, measured = np.random.default_rng(3), [], []
     for column, row in rng.integers(0, (raster.columns - 256, raster.rows - 256), (12, 2)).tolist():
         window = PixelWindow(column, row, 256, 256)

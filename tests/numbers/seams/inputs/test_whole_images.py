@@ -73,15 +73,15 @@ def test_a_scan_and_a_window_tell_the_same_of_photos_in_parts(
         extent = raster.grid.window_extent(PixelWindow(128, 128, 512, 512))
         told.append((scanned, inspect_window(window_request(block, 1, extent, InspectionSettings()))))
     (scanned, window), (of_parts, window_of_parts) = told
-    assert [one.piece.length_m for one in of_parts.pieces] == [one.piece.length_m for one in scanned.pieces]
-    assert [one.kept for one in of_parts.pieces] == [one.kept for one in scanned.pieces]
-    assert {one.verdict for one in scanned.pieces} == {one.verdict for one in of_parts.pieces}
-    assert [one.template for one in of_parts.notices].count(messages.ONE_IMAGE_IN_PARTS.template) == 2
+    assert [piece.piece.length_m for piece in of_parts.pieces] == [piece.piece.length_m for piece in scanned.pieces]
+    assert [piece.kept for piece in of_parts.pieces] == [piece.kept for piece in scanned.pieces]
+    assert {piece.verdict for piece in scanned.pieces} == {piece.verdict for piece in of_parts.pieces}
+    assert [notice.template for notice in of_parts.notices].count(messages.ONE_IMAGE_IN_PARTS.template) == 2
     assert window_of_parts.source_count == 2
     assert window.profile is not None
     assert window_of_parts.profile is not None
     np.testing.assert_allclose(window_of_parts.profile.kept, window.profile.kept, rtol=1e-6)
-    assert messages.ONE_IMAGE_IN_PARTS.template in [one.template for one in window_of_parts.notices]
+    assert messages.ONE_IMAGE_IN_PARTS.template in [notice.template for notice in window_of_parts.notices]
 
 
 def test_an_image_in_parts_is_read_as_its_pixels_are(photos: list[str], tmp_path: Path) -> None:
@@ -125,5 +125,5 @@ def test_many_sources_over_all_of_a_mosaic_are_told_apart(make_raster: MakeRaste
     block, _ = make_block(describe_mosaic(RasterRef(make_raster("mosaic.tif", mosaic))), map(RasterRef, paths))
     found = scan(block, ScanSettings(piece_m=10))
     planted_m = 0.1 * side * (down - 1 + across - 1)
-    assert sum(one.piece.length_m for one in found.pieces) == pytest.approx(planted_m, rel=0.03)
-    assert {name for one in found.pieces for name in (one.left, one.right)} == {Path(path).name for path in paths}
+    assert sum(piece.piece.length_m for piece in found.pieces) == pytest.approx(planted_m, rel=0.03)
+    assert {name for piece in found.pieces for name in (piece.left, piece.right)} == {Path(path).name for path in paths}

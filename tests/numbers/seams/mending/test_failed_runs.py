@@ -26,7 +26,7 @@ SOUND = feature(30, 40, "passed", "preserved")
 @pytest.mark.parametrize(("what", "count"), [(FAILED, 1), (REDUCED, 2), (ALL, 3)])
 def test_what_is_wanted(what: str, count: int) -> None:
     pieces = given_pieces([feature(0, 10), PASSED, SOUND], FIELDS, what)
-    assert [one.is_wanted for one in pieces].count(True) == count
+    assert [piece.is_wanted for piece in pieces].count(True) == count
     assert not any(one.is_wanted for one in given_pieces([feature(0, 10)], FIELDS, what, lambda vertices: False))
 
 
@@ -41,7 +41,7 @@ def test_a_piece_in_a_collection_is_one_too() -> None:
 def test_pieces_that_follow_each_other_are_one_run() -> None:
     pieces = given_pieces([feature(10, 30, kept_1=0.2), feature(0, 10), feature(40, 50)], FIELDS, FAILED)
     runs, unnamed = seam_runs(pieces, NUMBERS, 0.1)
-    assert [(one.numbers, one.piece.length_m, one.sides) for one in runs] == [((1, 0), 30, (0, 1)), ((2,), 10, (0, 1))]
+    assert [(run.numbers, run.piece.length_m, run.sides) for run in runs] == [((1, 0), 30, (0, 1)), ((2,), 10, (0, 1))]
     assert (runs[0].kept, unnamed) == (pytest.approx(0.3), [])
     assert [one.numbers for one in seam_runs(pieces, NUMBERS, 0.02)[0]] == [(1,), (0,), (2,)]  # 20 m are too long
 
@@ -56,8 +56,8 @@ def test_a_ring_is_cut_in_two_halves() -> None:
     row, _ = feature(0, 40)
     ring = ogr.CreateGeometryFromWkt("LINESTRING (0 0, 10 0, 10 10, 0 10, 0 0)")
     halves = [one.piece for one in given_pieces([(row, bytes(ring.ExportToWkb()))], FIELDS, ALL)]
-    assert [one.vertices.tolist() for one in halves] == [[[0, 0], [10, 0], [10, 10]], [[10, 10], [0, 10], [0, 0]]]
-    assert [(one.station_m, one.length_m) for one in halves] == [(0, 20), (20, 20)]
+    assert [halve.vertices.tolist() for halve in halves] == [[[0, 0], [10, 0], [10, 10]], [[10, 10], [0, 10], [0, 0]]]
+    assert [(halve.station_m, halve.length_m) for halve in halves] == [(0, 20), (20, 20)]
 
 
 def test_pieces_without_two_orthoimages_are_told_apart() -> None:
@@ -68,6 +68,6 @@ def test_pieces_without_two_orthoimages_are_told_apart() -> None:
 @pytest.mark.parametrize("kept", [1e308, -3.5, "nan", "inf", None])
 def test_what_no_seam_can_keep_is_not_measured(kept: Any) -> None:
     pieces = given_pieces([feature(0, 10, kept_1=kept), feature(10, 30)], FIELDS, FAILED)
-    assert [one.kept for one in pieces] == [None, 0.5]
+    assert [piece.kept for piece in pieces] == [None, 0.5]
     (run,), _ = seam_runs(pieces, NUMBERS, 0.1)
     assert run.kept == 0.5

@@ -47,7 +47,7 @@ class Blend:
         labels = self.labels if labels is None else labels
         hard = np.where(labels < len(self.planes), np.choose(labels % len(self.planes), self.planes), own)
         hard = hard.astype(np.float32)
-        shown = {i: one.astype(np.float32) for i, one in enumerate(self.planes) if (labels == i).any()}
+        shown = {i: plane.astype(np.float32) for i, plane in enumerate(self.planes) if (labels == i).any()}
         expected = ExpectedMosaic(hard, hard, labels, shown, shown)
         detail = window_detail(own.astype(np.float32), expected, {}, WAVELET, LEVELS)
         return detail if inside is None else detail.judged_inside(*inside)
@@ -61,7 +61,7 @@ class Blend:
     def truth(self, near: float = 0, far: float = STRIP_PX, level: int = 1) -> float:
         """Energy of the sources' details mixed as the mosaic mixes them, over that of the source that is followed,
         between two distances: by ``pywt.wavedec2`` of each source, never of a cut image."""
-        details = np.stack([np.stack(placed_wavedec(one, WAVELET, level)[1]) for one in self.planes])
+        details = np.stack([np.stack(placed_wavedec(plane, WAVELET, level)[1]) for plane in self.planes])
         side = 2**level
         middle = (..., slice(side // 2, None, side), slice(side // 2, None, side))
         weights, labels, distance = self.weights[middle], self.labels[middle], self.distance[middle]

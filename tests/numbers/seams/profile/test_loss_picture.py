@@ -142,7 +142,7 @@ def test_what_no_source_explains_is_not_told() -> None:
 def test_a_window_that_is_no_multiple_of_the_cell_has_cells_for_all_of_it() -> None:
     made = blend(33)
     part = np.s_[..., :300, :404]
-    own = Blend(tuple(one[part] for one in made.planes), made.weights[part], made.labels[part], made.distance[part])
+    own = Blend(tuple(plane[part] for plane in made.planes), made.weights[part], made.labels[part], made.distance[part])
     found = picture_of(own)
     assert found is not None
     assert found.kept.shape == (38, 51)

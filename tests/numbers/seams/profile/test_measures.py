@@ -108,7 +108,7 @@ def test_detail_that_came_along_the_seam_hides_no_mixture() -> None:
 def test_what_the_seam_took_counts_over_all_distances() -> None:
     """In DN squared of its sources' detail, by the mixture's own formula."""
     feathers = [blend(width) for width in (0, 13, 33, 66)]
-    found = [one.profile().lost for one in feathers]
+    found = [feather.profile().lost for feather in feathers]
     assert found[0] == pytest.approx(0, abs=0.02 * found[1])
     assert found == sorted(found)
     for one, lost in zip(feathers[1:], found[1:]):

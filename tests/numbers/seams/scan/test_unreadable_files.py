@@ -139,7 +139,7 @@ def test_what_can_not_be_read_is_told_and_not_called_unexplained(files: Path) ->
     """The first of its two blocks."""
     spoiled(files / "mosaic.tif", 2)
     found = scan(block_of(files))
-    told = [str(one) for one in found.notices]
+    told = [str(notice) for notice in found.notices]
     assert any("mosaic.tif is damaged" in one or "pixels of mosaic.tif can't be read" in one for one in told)
     assert any("of the mosaic could not be read, such as around" in one for one in told)
     assert float(found.told["unread"]) == pytest.approx(BLOCK_PX / COLUMNS, abs=0.01)

@@ -54,11 +54,11 @@ def scanned(
 def told(result: ScanResult) -> list[object]:
     """All that becomes a layer, in plain values."""
     pieces = [
-        (one.piece.vertices.tolist(), one.left, one.right, one.kept, one.low, one.high, one.band_width_m,
-         one.visibility, one.verdict)
-        for one in result.pieces
+        (piece.piece.vertices.tolist(), piece.left, piece.right, piece.kept, piece.low, piece.high, piece.band_width_m,
+         piece.visibility, piece.verdict)
+        for piece in result.pieces
     ]
-    return [pieces, [(one.source, one.wkb) for one in result.polygons], list(result.worst)]
+    return [pieces, [(polygon.source, polygon.wkb) for polygon in result.polygons], list(result.worst)]
 
 
 def _die(blocks: int, seconds: float, done: int) -> None:

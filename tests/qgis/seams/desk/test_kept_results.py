@@ -97,7 +97,7 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
     assert desk.session.result(row.fid) is not None
     reopen(desk, tmp_path)
     assert desk.session.result(desk.rows()[1].fid) is not None
-    assert not any("windows" in told for told in desk.messages)
+    assert not any("windows" in message for message in desk.messages)
 
 
 def test_only_some_results_are_held_and_others_read_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:

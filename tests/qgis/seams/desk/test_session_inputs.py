@@ -53,7 +53,7 @@ def test_a_copy_of_the_mosaic_hides_no_loss_from_a_window(desk: Desk, tmp_path: 
     copy = tmp_path / "overview.vrt"
     gdal.Translate(str(copy), desk.mosaic.source())
     layer = desk.raster(copy)
-    desk.set(desk.inputs(sources=(*(one.id() for one in desk.sources), layer.id())))
+    desk.set(desk.inputs(sources=(*(source.id() for source in desk.sources), layer.id())))
     fid = desk.add()
     assert [row.verdict for row in desk.session.windows()] == ["significant"]
     assert desk.session.row(fid).sources == 2
@@ -349,7 +349,7 @@ def test_a_system_that_is_set_by_hand_is_taken_and_said_below_the_inputs(desk: D
         path = tmp_path / f"{one.name()}.tif"
         layers.append(desk.raster(Path(write_raster(path, whole(Path(one.source())), system=2180, nodata=0))))
         layers[-1].setCrs(one.crs())
-    desk.set(desk.inputs(mosaic=layers[0].id(), sources=tuple(one.id() for one in layers[1:])))
+    desk.set(desk.inputs(mosaic=layers[0].id(), sources=tuple(layer.id() for layer in layers[1:])))
     said = panel.doubts.text()
     for one in layers:
         assert_sentence(said, rf"{one.name()} is taken in .*EPSG:32633.* not in that of its file, EPSG:2180")

@@ -93,7 +93,7 @@ def test_from_far_away_the_selected_one_wins_and_none_is_over_another(windows: Q
     found = labels(windows, box(-1000, -700, 1300, 900), [selected])
     assert selected in found
     rects = list(found.values())
-    assert not any(one.intersects(other) for place, one in enumerate(rects) for other in rects[:place])
+    assert not any(rect.intersects(other) for place, rect in enumerate(rects) for other in rects[:place])
 
 
 @pytest.mark.parametrize("selected", [1, 2])

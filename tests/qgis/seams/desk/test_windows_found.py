@@ -41,7 +41,7 @@ def test_windows_that_the_project_was_not_saved_with_are_back(
     (tmp_path / "project" / "project.qgz").rename(tmp_path / "project" / name)
     (tmp_path / "project").rename(moved)
     read_again(desk, moved / name)
-    assert [told for told in desk.messages if "windows" in told] == [
+    assert [message for message in desk.messages if "windows" in message] == [
         f"The windows of this mosaic that the project did not know are back, from {moved / 'windows.gpkg'}."
     ]
     assert [(row.observer, row.stale) for row in desk.session.windows()] == [("visible", False)] * 2
@@ -68,7 +68,7 @@ def test_nothing_comes_back_that_the_project_knows_or_let_go_or_of_another_mosai
     desk.wait_for_opening()
     settle()
     assert desk.session.windows() == []
-    assert len([told for told in desk.messages if "windows" in told]) == 1
+    assert len([message for message in desk.messages if "windows" in message]) == 1
 
 
 ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS {}, i AS {}, i AS {} FROM n"

@@ -34,7 +34,7 @@ class Scene:
     def pixels(self, margin_px: int | None = 0) -> BlockPixels:
         """Pixels of its first block."""
         window = BlockGrid(self.mosaic.grid).window((0, 0))
-        return BlockPixels(self.mosaic, [one.ref for one in self.sources], window, margin_px)
+        return BlockPixels(self.mosaic, [source.ref for source in self.sources], window, margin_px)
 
     def request(self, key: BlockKey = (0, 0), wanted: np.ndarray | None = None,
                 along_seams: np.ndarray | None = None, **settings: object) -> BlockRequest:
@@ -75,7 +75,7 @@ def scene(folder: Path, mosaic: np.ndarray, given: Sequence[np.ndarray], nodata:
     ref = RasterRef(write_raster(folder / "mosaic.tif", mosaic, nodata=nodata))
     refs = [RasterRef(write_raster(folder / f"source_{number}.tif", one, nodata=nodata))
             for number, one in enumerate(given)]
-    return Scene(describe_mosaic(ref), tuple(Source(one, describe(one).extent) for one in refs))
+    return Scene(describe_mosaic(ref), tuple(Source(ref, describe(ref).extent) for ref in refs))
 
 
 def window(left: int, top: int, width: int, height: int) -> PixelWindow:

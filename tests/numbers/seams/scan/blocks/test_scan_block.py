@@ -209,7 +209,7 @@ def test_a_record_of_nothing_is_nothing(hard: Scene) -> None:
 
 def test_names_of_sources_may_be_in_any_script(hard: Scene) -> None:
     paths = "/żółć/b ö.tif", "/x/ソース.tif"
-    odd = tuple(Source(RasterRef(path), one.extent) for path, one in zip(paths, hard.sources))
+    odd = tuple(Source(RasterRef(path), source.extent) for path, source in zip(paths, hard.sources))
     nothing = BlockScan.nothing(replace(hard.request(), sources=odd), ())
     assert scan_of(record_of(nothing)).sources == paths
 

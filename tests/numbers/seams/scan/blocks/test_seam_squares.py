@@ -31,8 +31,8 @@ def seam(*places: tuple[float, float]) -> SidedSeam:
 
 def points_along(places: list[tuple[float, float]]) -> np.ndarray:
     """(n, 2), close to each other."""
-    parts = [np.linspace(one, other, max(2, int(np.hypot(*np.subtract(other, one)) / STEP_PX)))
-             for one, other in zip(places, places[1:])]
+    parts = [np.linspace(place, other, max(2, int(np.hypot(*np.subtract(other, place)) / STEP_PX)))
+             for place, other in zip(places, places[1:])]
     return np.concatenate(parts)
 
 

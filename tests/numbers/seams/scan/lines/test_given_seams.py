@@ -69,7 +69,7 @@ def test_borders_of_polygons_part_the_sources_they_name() -> None:
     assert northward(seam) == ("a.tif", "b.tif")
     assert [cell.source for cell in given.cells] == ["a.tif", "b.tif"]
     assert given.cells[1].extent == (100, 0, 400, 200)
-    assert [one.values for one in given.notices] == [{"fields": "source"}], "it is said which field was taken"
+    assert [notice.values for notice in given.notices] == [{"fields": "source"}], "it is said which field was taken"
 
 
 def test_polygons_of_one_source_have_no_seam_between_them() -> None:
@@ -167,7 +167,7 @@ def test_dates_beside_names_are_kept_and_name_nothing() -> None:
     )  # fmt: skip
     assert {frozenset((seam.left, seam.right)) for seam in given.seams} == {frozenset("ab"), frozenset("bc")}
     assert given.dates == {"b": "2016-07-11"}, "two dates of one source are none"
-    assert [one.values for one in given.notices] == [{"fields": "image"}]
+    assert [notice.values for notice in given.notices] == [{"fields": "image"}]
 
 
 # --- lines -----------------------------------------------------------------------------------------------------

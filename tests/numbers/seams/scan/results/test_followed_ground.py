@@ -211,7 +211,7 @@ def test_a_strip_that_covers_a_seam_is_told_with_its_place(tmp_path: Path, kind:
     assert x - left == pytest.approx(SEAM * GSD, abs=(width / 2 + 2 * UNIT_PX) * GSD)
     assert 0 < top - y < SIDE_M
     assert max(across, down) > 0.1 * SIDE_M
-    assert any("where no seam is measured" in str(one) for one in result.notices)
+    assert any("where no seam is measured" in str(notice) for notice in result.notices)
 
 
 @pytest.mark.slow
@@ -270,7 +270,7 @@ def test_a_line_that_is_no_seam_is_no_seam(tmp_path: Path) -> None:
     assert metres(result_of(tmp_path, one, named), "unchanged") == pytest.approx(SIDE_M, rel=0.01)
     unnamed = result_of(tmp_path, one, (given_seam(one, SEAM), given_seam(one, SEAM + 300)))
     assert (metres(unnamed, "unchanged"), unnamed.seam_metres) == (0, pytest.approx(SIDE_M, rel=0.01))
-    assert [one.values["metres"] for one in unnamed.notices] == [pytest.approx(SIDE_M, rel=0.01)]
+    assert [notice.values["metres"] for notice in unnamed.notices] == [pytest.approx(SIDE_M, rel=0.01)]
 
 
 @pytest.mark.slow

@@ -175,7 +175,7 @@ def test_a_mosaic_of_one_source_has_no_seam(tmp_path: Path) -> None:
     assert result.worst_kept is None
     assert not result.worst
     assert [polygon.source for polygon in result.polygons] == [0]
-    assert [str(one) for one in result.notices] == [
+    assert [str(notice) for notice in result.notices] == [
         f"No seam was found: as far as the orthoimages explain the mosaic, all of it follows {given_name}."
     ]
 

@@ -99,14 +99,14 @@ def test_pieces_share_the_strip_and_their_mean_is_the_whole() -> None:
     detail = made.detail()
     (whole,) = profiles_of(detail, pieces_of(made))
     parts = profiles_of(detail, pieces_of(made, 4))
-    assert sum(one.area_px for one in parts) == pytest.approx(whole.area_px)
-    areas = np.array([one.area_px for one in parts])
+    assert sum(part.area_px for part in parts) == pytest.approx(whole.area_px)
+    areas = np.array([part.area_px for part in parts])
     assert areas.min() > 0.15 * areas.sum()
-    kept = np.array([one.profile.kept[0] for one in parts if one.profile])
+    kept = np.array([part.profile.kept[0] for part in parts if part.profile])
     assert whole.profile is not None
     assert kept.min() < whole.profile.kept[0] < kept.max()
     assert np.average(kept, weights=areas) == pytest.approx(whole.profile.kept[0], abs=0.04)
-    widths = [one.profile.high / one.profile.low for one in parts if one.profile]
+    widths = [part.profile.high / part.profile.low for part in parts if part.profile]
     assert np.mean(widths) > whole.profile.high / whole.profile.low
 
 
@@ -115,9 +115,9 @@ def test_one_half_feathered_shows_in_its_pieces_only() -> None:
     half = np.arange(SIDE)[:, np.newaxis] < SIDE // 2
     made = replace(hard, weights=np.where(half, soft.weights, hard.weights))
     parts = [one.profile for one in profiles_of(made.detail(), pieces_of(hard, 4))]
-    assert max(one.kept[0] for one in parts[:2]) < 0.85
-    assert min(one.kept[0] for one in parts[2:]) > 0.93
-    assert [one.feather_width_px > 10 for one in parts] == [True, True, False, False]
+    assert max(part.kept[0] for part in parts[:2]) < 0.85
+    assert min(part.kept[0] for part in parts[2:]) > 0.93
+    assert [part.feather_width_px > 10 for part in parts] == [True, True, False, False]
 
 
 def test_blocks_add_up_in_any_order() -> None:
@@ -137,7 +137,7 @@ def test_blocks_add_up_in_any_order() -> None:
         sums = sums_of(pieces)
         for cells, mixture in order:
             sums.add(cells, mixture, ground, WINDOW)
-        found.append([one.profile for one in sums.profiles()])
+        found.append([profile.profile for profile in sums.profiles()])
     for others in found[1:]:
         for one, other in zip(found[0], others):
             assert other.kept == pytest.approx(one.kept, rel=1e-6)
@@ -162,10 +162,10 @@ def test_rows_of_blocks_add_up_to_a_seam_across_all_of_them() -> None:
         sums.add(
             cells.within(place), mixture.within(place), ground, PixelWindow(0, row * BLOCK_PX, SIDE, BLOCK_PX)
         )
-    for found, expected in zip(sums.profiles(), profiles_of(detail, pieces_of(made, 3))):
-        assert found.area_px == expected.area_px > 0
-        assert found.profile.kept == pytest.approx(expected.profile.kept, rel=1e-5)
-        assert (found.profile.low, found.profile.high) == pytest.approx(
+    for profile, expected in zip(sums.profiles(), profiles_of(detail, pieces_of(made, 3))):
+        assert profile.area_px == expected.area_px > 0
+        assert profile.profile.kept == pytest.approx(expected.profile.kept, rel=1e-5)
+        assert (profile.profile.low, profile.profile.high) == pytest.approx(
             (expected.profile.low, expected.profile.high), rel=0.02
         )
 

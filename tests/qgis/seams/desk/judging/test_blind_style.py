@@ -30,7 +30,7 @@ def looks(layer: QgsVectorLayer) -> list[tuple[object, ...]]:
     for feature in layer.getFeatures():
         context.expressionContext().setFeature(feature)
         symbols = renderer.symbolsForFeature(feature, context)
-        found.append(tuple((one.color().name(), one.symbolLayer(0).width()) for one in symbols))
+        found.append(tuple((symbol.color().name(), symbol.symbolLayer(0).width()) for symbol in symbols))
     renderer.stopRender(context)
     return found
 
