@@ -95,7 +95,7 @@ def coloured(desk: Desk, on_seam: list[QgsPointXY], beside: list[QgsPointXY]) ->
 
 def places(desk: Desk, fid: int) -> tuple[list[QgsPointXY], list[QgsPointXY]]:
     """In a window, on its seams and far from all of them."""
-    layer = next(mapLayer for mapLayer in desk.project.mapLayers().values() if mapLayer.name() == "seamlines")
+    layer = next(shown for shown in desk.project.mapLayers().values() if shown.name() == "seamlines")
     box = QgsRectangle(*desk.session.row(fid).extent)
     near = QgsGeometry.fromRect(box.buffered(BESIDE_M))  # thousands of pieces of a pixel each are all there is of them
     parts = [one.geometry().intersection(near) for one in layer.getFeatures(box.buffered(BESIDE_M))]

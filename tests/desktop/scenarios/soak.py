@@ -187,7 +187,7 @@ def scan(desk: Desk) -> None:
     desk.wait_for_work()
     iface.messageBar().clearWidgets()
     group = [node for node in desk.project.layerTreeRoot().findGroups() if not before & set(node.findLayerIds())]
-    desk.project.removeMapLayers([mapLayer for mapLayer in desk.project.mapLayers() if mapLayer not in before])
+    desk.project.removeMapLayers([layer for layer in desk.project.mapLayers() if layer not in before])
     for node in group:
         node.parent().removeChildNode(node)
 

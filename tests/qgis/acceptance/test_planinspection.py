@@ -31,7 +31,7 @@ def test_parameters_and_outputs_are_those_promised() -> None:
     defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
     assert {"LOT_SIZE", "AQL", "INSPECTION_LEVEL", "COUNT", "SEED", "MOSAIC", "SIDE"} <= defaults.keys()
     assert (defaults["PLAN"], defaults["UNIT"]) == ("iso2859", "pieces")
-    outputs = {outputDefinition.name() for outputDefinition in job.outputDefinitions()}
+    outputs = {output.name() for output in job.outputDefinitions()}
     assert {"OUTPUT", "SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "LOT_SIZE", "CODE_LETTER"} <= outputs
 
 

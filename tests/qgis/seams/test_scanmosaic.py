@@ -63,7 +63,7 @@ def test_parameters_and_defaults() -> None:
     }
     destinations = [one.name() for one in job.destinationParameterDefinitions()]
     assert destinations == ["LOSS", "SEAMS", "CELLS", "WORST"]
-    numbers = {outputDefinition.name() for outputDefinition in job.outputDefinitions()} - set(destinations)
+    numbers = {output.name() for output in job.outputDefinitions()} - set(destinations)
     assert numbers == {"SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
     density = job.parameterDefinition("DENSITY")
     assert density.usesStaticStrings()

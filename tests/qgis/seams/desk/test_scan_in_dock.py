@@ -158,7 +158,7 @@ def test_accept_opens_the_decision_on_the_scan(plugin: Any, scan_scene: ScanScen
     (page,) = dock.findChildren(AcceptPage)
     values = page.values()
     job = QgsApplication.processingRegistry().createAlgorithmById("seaminspector:acceptmosaic")
-    assert set(values) <= {parameterDefinition.name() for parameterDefinition in job.parameterDefinitions()}
+    assert set(values) <= {parameter.name() for parameter in job.parameterDefinitions()}
     context = QgsProcessingContext()
     context.setProject(QgsProject.instance())
     assert job.checkParameterValues({**values, "DEFECTS": "TEMPORARY_OUTPUT", "REPORT": None}, context)[0]

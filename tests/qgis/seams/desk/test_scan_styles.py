@@ -88,7 +88,7 @@ def test_cells_are_outlines_with_names(qgis_app: QgsApplication, project: QgsPro
     assert worked, message
     assert cells.labelsEnabled()
     assert cells.labeling().settings().fieldName == "source"
-    kinds = {symbolLayer.layerType() for symbolLayer in cells.renderer().symbol().symbolLayers()}
+    kinds = {shown.layerType() for shown in cells.renderer().symbol().symbolLayers()}
     assert kinds == {"SimpleLine"}  # nothing is filled
 
 
