@@ -28,7 +28,7 @@ NO_SEAM_TO_DECIDE_ON = Message("Undecided: there is no seam to decide on; no rep
 NO_LAYER_OF_SEAMS = Message("{path} has no layer of seams as a scan writes it; give the GeoPackage of a scan.")
 OTHER_ENDING = Message("'{output}' is written as {ending}; give {path} that ending.")
 HOLDS_OTHER_DATA = Message(
-    "'{output}' would be written over {path}, which holds something that no such run left; choose another file."
+    "'{output}' would be written over {path}, which holds something else than such a run leaves; choose another file."
 )
 RECTANGLES_WITHOUT_BLOCK = Message(
     "Rectangles lie on a mosaic; give its block, too: inspect_windows(rectangles, block)."
