@@ -5,7 +5,6 @@ Where a patch is unsure of it, or its neighbours follow another source, the squa
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cache
 
 import numpy as np
 from scipy import ndimage
@@ -13,7 +12,7 @@ from scipy import ndimage
 from ....imagery.wavelets import placed_components
 from ..following.best_ground import learn_best_ground
 from ..following.boxes import enlarged, in_squares, opened
-from ..following.compression import was_compressed
+from ..following.compression import IsCompressed, compressed_sides, was_compressed
 from ..following.expected_mosaic import mosaic_of
 from ..following.followed_source import (
     LEAST_ENERGY,
@@ -24,7 +23,7 @@ from ..following.followed_source import (
     local_correlation,
     mixtures,
 )
-from ..following.foreign_ground import IsCompressed, foreign_patches
+from ..following.foreign_ground import foreign_patches
 from ..following.likely_source import MIN_FIT
 from ..following.source_filters import Learned
 from ..profile.cell_table import CELL_PX, CellTable
@@ -90,12 +89,8 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     def cells_of(found: _Told) -> tuple[CellTable, Learned]:
         return _cells(planes, found.sampled_source, (rows, columns), wavelet, levels)
 
-    mosaic_was = cache(lambda: was_compressed(planes.mosaic))
-    source_was = cache(lambda number: was_compressed(planes.sources[number].plane))
-
-    def is_compressed(number: int | None) -> bool:
-        return mosaic_was() or (any(map(source_was, fines)) if number is None else source_was(number))
-
+    mosaic_was = was_compressed(planes.mosaic)
+    is_compressed = compressed_sides(mosaic_was, lambda number: planes.sources[number].plane, fines)
     shown = fines
     # Ground of another image would be explained by a filter that nothing came through.
     cells, learned = cells_of(told.without(told.odd(is_compressed)))

@@ -2,11 +2,17 @@
 de Queiroz 2003)."""
 from __future__ import annotations
 
+from collections.abc import Collection
+from functools import cache
+from typing import Callable
+
 import numpy as np
 from scipy import fft
 
 from ....imagery.filters import product
 
+IsCompressed = Callable[["int | None"], bool]
+"""Whether the mosaic or a source shows traces of a codec; of None whether any of them does."""
 JPEG_SQUARE_PX = 8
 MIN_VANISHED = 0.05
 """Share of the fine waves that vanish on one grid more than on others: JPEG of 60 to 95 has 0.3 to 0.65, images that
@@ -26,6 +32,12 @@ def was_compressed(plane: np.ndarray) -> bool:
         Grey values of 8 bit as they were read, neither filtered nor resampled.
     """
     return vanished_share(plane) > MIN_VANISHED
+
+
+def compressed_sides(mosaic_was: bool, plane_of: Callable[[int], np.ndarray], sources: Collection[int]) -> IsCompressed:
+    """Whether a mosaic ``mosaic_was`` compressed, or planes of its sources were, each looked at when it is asked of."""
+    source_was = cache(lambda number: was_compressed(plane_of(number)))
+    return lambda number: mosaic_was or (any(map(source_was, sources)) if number is None else source_was(number))
 
 
 def vanished_share(plane: np.ndarray) -> float:

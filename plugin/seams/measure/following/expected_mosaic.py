@@ -7,16 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cached_property
 
 import numpy as np
 
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
-from .compression import was_compressed
+from .compression import IsCompressed, compressed_sides, was_compressed
 from .followed_source import high_pass
-from .foreign_ground import IsCompressed
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, levelled_by, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
 from .meeting import by_shares, mixed_shares, where_several_meet
@@ -168,15 +167,9 @@ class _Cutting:
 
     @cached_property
     def is_compressed(self) -> IsCompressed:
-        """See ``foreign_ground``."""
-        mosaic_was, planes = self.was_mosaic_compressed, self.sources.planes  # self would stay alive
-        followed = self.sources.following.followed
-        source_was = cache(lambda number: was_compressed(planes[number]))
-
-        def is_compressed(number: int | None) -> bool:
-            return mosaic_was or (any(map(source_was, followed)) if number is None else source_was(number))
-
-        return is_compressed
+        """See ``compressed_sides``."""
+        sources = self.sources  # self would stay alive
+        return compressed_sides(self.was_mosaic_compressed, sources.planes.__getitem__, sources.following.followed)
 
     def likely(self, filters: Filters | None, left_out: Collection[int] = ()) -> LikelySource:
         """The most likely plane of every pixel, of those that are followed at first.

@@ -22,12 +22,11 @@ from scipy import ndimage
 from ..seam_cells import present
 from .best_ground import MIN_ALIKE_STRANGE
 from .boxes import box_means, narrowed, near_border, opened, widened
+from .compression import IsCompressed
 from .followed_source import CELL_PX, LEAST_ENERGY, WIDE_CELLS
 
 NOISE_CELL_PX = 8
 """Side of the cells that noise is learned in: as large as the blocks of JPEG, which makes it block by block."""
-IsCompressed = Callable[["int | None"], bool]
-"""Whether the mosaic or a source shows traces of a codec; of None whether any of them does."""
 
 _WIDE = (7, 13)  # cells a side: squares of 56 and 104 px, in which a stranger is told
 _LARGE, _HALF = 27, 13  # the same: 216 px, in which chance alone is asked, and half of that

@@ -25,8 +25,9 @@ from .best_ground import (
     learn_best_ground,
 )
 from .boxes import box_means, enlarged, narrowed, near_border, opened, square_sums
+from .compression import IsCompressed
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
-from .foreign_ground import NOISE_CELL_PX, CellSums, IsCompressed, foreign_ground
+from .foreign_ground import NOISE_CELL_PX, CellSums, foreign_ground
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
 MIN_TEXTURE = 0.3  # of the energy that a source would have
