@@ -28,11 +28,12 @@ from ..plugin.acceptance.measure.delivered_rows import NoSeamsError
 from ..plugin.imagery.atomic_files import save_text
 from ..plugin.imagery.documents import plugin_version
 from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning, SeamsElsewhereError
+from ..plugin.imagery.limits import DEFAULT_LEVELS
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
 from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
 from ..plugin.seams.measure.mending.mending import LEFT, metres
-from ..plugin.seams.measure.window.inspection import open_block
+from ..plugin.seams.measure.window.inspection import Block, open_block
 from ..plugin.seams.measure.window.window_request import InspectionSettings
 from ..plugin.seams.measure.window.window_tables import window_rows
 from . import messages
@@ -89,9 +90,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return code
 
 
+def _block(asked: argparse.Namespace) -> Block:
+    beside = getattr(asked, "neighbours", None) or ()
+    return open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies, crs=asked.crs, neighbours=beside)
+
+
 def _scan(asked: argparse.Namespace) -> int:
-    block, rules = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies), _rules(asked)
-    settings = ScanSettings(density=asked.density, piece_m=asked.piece)
+    block, rules = _block(asked), _rules(asked)
+    settings = ScanSettings(density=asked.density, piece_m=asked.piece, levels=asked.levels)
     with _guarded(asked, block.paths):
         result = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
         write_scan(asked.output, result, block, settings)
@@ -102,12 +108,14 @@ def _accept(asked: argparse.Namespace) -> int:
     stems = [Path(path).stem for path in asked.seams]
     sheets = {path if stems.count(stem) > 1 else stem: path for path, stem in zip(asked.seams, stems)}
     with _guarded(asked, (*asked.seams, *asked.mosaics)):
-        return _decided(asked, decide(sheets, _rules(asked), mosaics=asked.mosaics))
+        return _decided(asked, decide(
+            sheets, _rules(asked), mosaics=asked.mosaics, lot_size=asked.lot_size, seed=asked.seed
+        ))
 
 
 def _inspect(asked: argparse.Namespace) -> int:
-    block = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies)
-    settings = InspectionSettings(min_kept=asked.min_kept)
+    block = _block(asked)
+    settings = InspectionSettings(min_kept=asked.min_kept, levels=asked.levels)
     requests = [block.window_at(x, y, asked.side, settings, number) for number, (x, y) in enumerate(asked.at, 1)]
     with _guarded(asked, block.paths):
         results = list(inspect_windows(requests, **asked.run))
@@ -129,7 +137,7 @@ def _inspect(asked: argparse.Namespace) -> int:
 
 
 def _mend(asked: argparse.Namespace) -> int:
-    block = open_block(asked.mosaic, asked.sources, keep_copies=asked.keep_copies)
+    block = _block(asked)
     made = mend(block, asked.seams, asked.output, patches=asked.patches, which=asked.which, **asked.run)
     left = metres(made, LEFT)
     _say(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}", sys.stdout)
@@ -184,8 +192,14 @@ def _parser() -> argparse.ArgumentParser:
             made.add_argument("mosaic", metavar="MOSAIC")
             made.add_argument("sources", metavar="SOURCE", nargs="*", help="its orthoimages")
             made.add_argument("--scheduler", default="", help="address of a Dask scheduler, as tcp://host:8786")
+            made.add_argument("--crs", default="", help="reference system of all rasters, as EPSG:2180")
             made.add_argument("--keep-copies", action="store_true", help="use sources that look like copies")
         return made
+
+    def add_reach(parser: argparse.ArgumentParser) -> None:
+        beside = "a sheet beside MOSAIC that is looked at along the border; as often as there are"
+        parser.add_argument("--neighbour", action="append", dest="neighbours", metavar="SHEET", help=beside)
+        parser.add_argument("--levels", type=int, default=DEFAULT_LEVELS, metavar="COUNT", help="of the decomposition")
 
     scanning = command("scan", _scan, "Scan a mosaic and decide on it.")
     scanning.add_argument("-o", "--output", required=True, help="GeoPackage for what is found")
@@ -193,16 +207,20 @@ def _parser() -> argparse.ArgumentParser:
     scanning.add_argument("--loss", help="GeoTIFF of losses; a scan that was stopped goes on by it")
     scanning.add_argument("--density", choices=DENSITIES, default=DENSITIES[0])
     scanning.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
+    add_reach(scanning)
     _add_limits(scanning)
     meaning = "Inspect windows: 1 where a loss is significant, 2 where one can't be compared."
     window, middle = command("inspect", _inspect, meaning), "a window's middle, as often as there are"
     window.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
     window.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
     window.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share to be kept")
+    add_reach(window)
     window.add_argument("-o", "--output", help="CSV for the table of windows")
     accepting = command("accept", _accept, "Decide on what scans left.", is_measuring=False)
     accepting.add_argument("seams", metavar="SEAMS", nargs="+", help="GeoPackages of scans, a sheet each")
     accepting.add_argument("--mosaic", action="append", default=[], dest="mosaics", help="a file that is delivered")
+    accepting.add_argument("--lot-size", type=int, metavar="PIECES", help="of the whole lot, where a sample decides")
+    accepting.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="of the sample that is drawn")
     _add_limits(accepting)
     mending = command("mend", _mend, "Cut failed seams anew: 1 where some stay as they were.")
     mending.add_argument("--seams", required=True, help="GeoPackage of the scan")

@@ -13,18 +13,22 @@ from typing import TYPE_CHECKING, Any, Callable
 from osgeo import ogr
 
 from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
-from ..plugin.imagery.file_identity import guarding
+from ..plugin.imagery.file_identity import guarding, local_states, states_text
 from ..plugin.imagery.gdal_calls import gdal_silenced
+from ..plugin.imagery.grids import Grid, middle_of
 from ..plugin.imagery.limits import check_type
+from ..plugin.imagery.lines import points_at, vertex_stations
 from ..plugin.imagery.messages import CANCELLED
+from ..plugin.imagery.rasters import Raster
 from ..plugin.imagery.records import GEOMETRY
+from ..plugin.imagery.seam_totals import METRES, MOSAIC_FILES
 from ..plugin.seams.measure.limits import FAILED
 from ..plugin.seams.measure.mending import messages as mending_messages
 from ..plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
 from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, Mending, MendRequest, mending
 from ..plugin.seams.measure.scan import whole_scan
-from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
+from ..plugin.seams.measure.scan.scan_result import JudgedPiece, ScanResult, seam_rows
 from ..plugin.seams.measure.scan.whole_scan import ScanRun, ScanSettings
 from ..plugin.seams.measure.window import inspection
 from ..plugin.seams.measure.window.inspection import Block, PathLike
@@ -33,7 +37,7 @@ from ..plugin.seams.measure.window.window_result import WindowResult
 from ..plugin.toolkit.executors import Crew, open_executor
 from . import messages
 from .outputs import GEOTIFF, VRT, writing
-from .scan_files import SEAMLINES, read_seams
+from .scan_files import SEAMLINES, read_seams, rectangle
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -45,8 +49,8 @@ _SIDES = ("xmin", "ymin", "xmax", "ymax")
 
 def inspect_windows(
     windows: Iterable[Any], block: Block | None = None, settings: InspectionSettings | None = None, *,
-    executor: Executor | Client | str | None = None, progress: Callable[[float], object] = lambda share: None,
-    cancelled: Callable[[], bool] = lambda: False,
+    executor: Executor | Client | str | None = None, progress: Callable[[float], object] | None = None,
+    cancelled: Callable[[], bool] | None = None,
 ) -> Iterator[WindowResult]:
     """``inspect_window`` for many, in their order, each as soon as it is ready.
 
@@ -77,7 +81,16 @@ def inspect_windows(
     ]
     if not all(isinstance(request, WindowRequest) for request in requests):
         raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
-    return _inspected(requests, executor, progress, cancelled)
+    return _inspected(requests, executor, progress or _untold, cancelled or _goes_on)
+
+
+def _untold(share: float) -> None:
+    """Nobody watches."""
+
+
+def _goes_on() -> bool:
+    """Nobody cancels."""
+    return False
 
 
 def _inspected(
@@ -96,15 +109,16 @@ def _inspected(
 
 def scan(
     block: Block, settings: ScanSettings | None = None, *, seamlines: PathLike = "", loss: PathLike = "",
-    executor: Executor | Client | str | None = None, progress: Callable[[float], object] = lambda share: None,
-    cancelled: Callable[[], bool] = lambda: False,
+    executor: Executor | Client | str | None = None, progress: Callable[[float], object] | None = None,
+    cancelled: Callable[[], bool] | None = None,
 ) -> ScanResult:
     """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.
 
     Parameters
     ----------
     block : Block
-        The mosaic with its orthoimages.
+        The mosaic with its orthoimages. Of one with neighbours the seams of the mosaic itself are counted; figures of
+        ground that nothing explains, and the picture of losses, reach into the neighbours.
     settings : ScanSettings, optional
         The standard ones where None.
     seamlines : path, optional
@@ -121,28 +135,58 @@ def scan(
     cancelled, WorkersLostError when nobody is left to measure.
     """
     check_type("block", block, Block)
+    cancelled = cancelled or _goes_on
     given = os.fspath(seamlines).partition("|")[0]
     outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
     read = filter(None, (*block.paths, *block.files, given))
     with writing(outputs, read), open_executor(executor, cancelled) as (opened, ahead):
-        run = ScanRun(opened, ahead, _rising(progress), cancelled)
+        run = ScanRun(opened, ahead, _rising(progress or _untold), cancelled)
         result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(result.notices)
+    result = result if block.sheet is None else _within(result, block.mosaic.grid, block.sheet)
     return replace(result, told={**result.told, SEAMLINES: os.path.abspath(given)}) if given else result
+
+
+def _within(result: ScanResult, grid: Grid, sheet: Raster) -> ScanResult:
+    """What a scan tells of a sheet by itself: pieces and windows by their middles, what lies where cut to its outline.
+    ``grid``: of the sheet with its neighbours."""
+    xmin, ymin, xmax, ymax = sheet.extent
+    outline = rectangle(*sheet.extent)
+
+    def holds(x: float, y: float) -> bool:
+        return xmin <= x < xmax and ymin <= y < ymax
+
+    def is_inside(piece: JudgedPiece) -> bool:
+        line = piece.piece.vertices
+        along = vertex_stations(line)
+        return holds(*points_at(line, along, along[-1:] / 2)[0].tolist())
+
+    parts = ((polygon, ogr.CreateGeometryFromWkb(polygon.wkb).Intersection(outline)) for polygon in result.polygons)
+    inside = replace(
+        result,
+        pieces=tuple(filter(is_inside, result.pieces)),
+        stretches=tuple(filter(is_inside, result.stretches)),
+        worst=tuple(worst for worst in result.worst if holds(*middle_of(grid.window_extent(worst.window)))),
+        polygons=tuple(
+            replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()
+        ),
+    )
+    states = states_text(local_states([sheet.ref.path]).items())
+    return replace(inside, told={**result.told, METRES: repr(inside.seam_metres), MOSAIC_FILES: states})
 
 
 def mend(
     block: Block, seams: ScanResult | PathLike, mended: PathLike, settings: MendSettings | None = None, *,
     patches: PathLike = "", which: str = FAILED,
-    executor: Executor | Client | str | None = None, progress: Callable[[float], object] = lambda share: None,
-    cancelled: Callable[[], bool] = lambda: False,
+    executor: Executor | Client | str | None = None, progress: Callable[[float], object] | None = None,
+    cancelled: Callable[[], bool] | None = None,
 ) -> list[MendedSeam]:
     """Cut seams anew where the images agree best, as patches beside the mosaic, which is never touched.
 
     Parameters
     ----------
     block : Block
-        The mosaic with its orthoimages.
+        The mosaic with its orthoimages; neighbours are not looked at.
     seams : ScanResult or path
         What ``scan`` found, or the GeoPackage that holds it.
     mended : path
@@ -161,6 +205,7 @@ def mend(
     left to measure.
     """
     check_type("block", block, Block)
+    cancelled = cancelled or _goes_on
     place = Path(os.fspath(mended))
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
     made = {"patches": folder}
@@ -173,9 +218,9 @@ def mend(
         rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams).rows
         features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
         pieces = tuple(given_pieces(features, FIELDS, which))
-        request = MendRequest(block.mosaic, block.sources, pieces, settings or MendSettings())
+        request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings or MendSettings())
         with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
-            return _mended(job, crew, _rising(progress), cancelled)
+            return _mended(job, crew, _rising(progress or _untold), cancelled)
 
 
 def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:
@@ -219,15 +264,16 @@ def _rectangles(windows: Iterable[Any], wkt: str) -> Iterator[Any]:
     table = getattr(table, "geometry", table)
     if hasattr(table, "columns"):  # a DataFrame of pandas
         table = table.to_dict("records")
-    for rectangle in table:
-        if isinstance(rectangle, Mapping):
-            rectangle = rectangle[GEOMETRY] if GEOMETRY in rectangle else [rectangle.get(name) for name in _SIDES]
-        rectangle = getattr(rectangle, GEOMETRY, rectangle)  # of a row of geopandas
-        if isinstance(rectangle, str):
+    for row in table:
+        sides = row
+        if isinstance(row, Mapping):
+            sides = row[GEOMETRY] if GEOMETRY in row else [row.get(name) for name in _SIDES]
+        sides = getattr(sides, GEOMETRY, sides)  # of a row of geopandas
+        if isinstance(sides, str):
             with gdal_silenced(), suppress(RuntimeError):  # GDAL's, of words that are no WKT
-                xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(rectangle).GetEnvelope()
-                rectangle = xmin, ymin, xmax, ymax
-        yield rectangle
+                xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(sides).GetEnvelope()
+                sides = xmin, ymin, xmax, ymax
+        yield sides
 
 
 def _tell(notices: Iterable[Message]) -> None:

@@ -56,7 +56,7 @@ def write_scan(path: PathLike, result: ScanResult, block: Block, settings: ScanS
     with writing(outputs, read), whole_file(place) as unfinished, gdal_writing(failure):
         made = gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown)
         _write(made, WORST, ogr.wkbPolygon, wkt, PLACED_COLUMNS, result.worst, (
-            _rectangle(*block.mosaic.grid.window_extent(worst.window)) for worst in result.worst
+            rectangle(*block.mosaic.grid.window_extent(worst.window)) for worst in result.worst
         ))  # fmt: skip
         seams = _write(made, SEAMS, ogr.wkbLineString, wkt, SEAM_COLUMNS, result.features, outlines, settings.levels)
         cells = [names[polygon.source] for polygon in result.polygons]
@@ -85,7 +85,8 @@ def _write(
     return layer
 
 
-def _rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
+def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
+    """A rectangle as a polygon."""
     return ogr.CreateGeometryFromWkt(
         f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
     )

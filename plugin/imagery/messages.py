@@ -88,7 +88,7 @@ WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}", WARNIN
 # pixels in a window
 NOT_COVERED = Message("{name} does not cover the whole window.")
 TOO_MANY_INVALID = Message(
-    "{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window."
+    "{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place."
 )
 NOTHING_MEASURED = Message("No window could be measured: {why}")
 ABOUT = Message("{what}: {why}", INFO)  # one of many: a window, a mark, a group

@@ -14,8 +14,8 @@ RASTER_WITHOUT_WINDOW = Message(
 )
 WINDOWS_SMALLER = Message("{name} has no valid part of {wanted} x {wanted} px; its windows have {side} px.", WARNING)
 MASKED_TOO_MUCH = Message(
-    "{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the "
-    "window.", INFO
+    "{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; choose "
+    "another place.", INFO
 )
 GROUPS_APART = Message(
     "The two groups show no common ground, so each raster has windows of its own and nothing is compared "
@@ -26,7 +26,7 @@ PIXEL_SIZES_DIFFER = Message(
     "groups.", WARNING
 )
 # a curve
-NOISE_CONSTANT = Message("{name} has no variance in {band} here; move the window to where there is content.", INFO)
+NOISE_CONSTANT = Message("{name} has no variance in {band} here; choose a place with content.", INFO)
 NOISE_HUMP = Message(
     "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) "
     "or a texture of that size; look at the window.", INFO

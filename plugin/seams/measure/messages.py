@@ -16,12 +16,15 @@ MOSAIC_NOT_OPENED = Message(
     "The mosaic was not opened, as the task was cancelled; choose another mosaic in the inputs, then this one again."
 )
 NO_SOURCES_GIVEN = Message(
-    "No sources are given; choose the orthoimages the mosaic was made from, or their index layer."
+    "No sources are given; choose the orthoimages the mosaic was made from, or an index of them."
 )
 INDEX_WITHOUT_LOCATION = Message("The index layer has no field '{field}'; make it with gdaltindex.")
 MOSAIC_AMONG_SOURCES = Message("{name} is the mosaic itself and is left out of the sources.", WARNING)
 CELLS_WITHOUT_SOURCE = Message(
     "The layer of seam cells has no field 'source'; add one with the file names of the orthoimages."
+)
+NEIGHBOUR_OF_OTHER_GRID = Message(
+    "{name} does not lie on the pixel grid of {sheet}, or has other bands; give sheets of one mosaic as neighbours."
 )
 NO_SEAMLINES = Message("No seamlines are chosen; choose a layer of seamlines in the inputs.")
 # windows along the seams
@@ -67,12 +70,12 @@ WINDOWS_NOT_WRITTEN = Message(
     "{path} can't be written ({error}); see to it that the disk has room and no other program has the file open."
 )
 # why a window is not comparable
-NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or move the window.", INFO)
+NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or choose another place.", INFO)
 NO_SOURCE_COMPARABLE = Message("No source can be compared here: {why}", INFO)
-MOSAIC_CONSTANT = Message("The mosaic has no variance in the window; move the window to where there is content.", INFO)
-SOURCE_CONSTANT = Message("{name} has no variance in the window; move the window to where there is content.")
+MOSAIC_CONSTANT = Message("The mosaic has no variance in the window; choose a place with content.", INFO)
+SOURCE_CONSTANT = Message("{name} has no variance in the window; choose a place with content.")
 SOURCES_WITHOUT_DETAIL = Message(
-    "No source has detail at level 1 in the window; move the window to where there is some.", INFO
+    "No source has detail at level 1 in the window; choose a place with some.", INFO
 )
 BANDS_DIFFER = Message("{name} has no {band} (its bands: {bands}); choose sources with the mosaic's bands.")
 COMPOSITE_UNCLEAR = Message(

@@ -80,7 +80,7 @@ def test_what_is_no_source_is_left_out_and_the_rest_stays(make_raster: MakeRaste
 
 def test_without_any_source_there_is_no_job(make_raster: MakeRaster) -> None:
     mosaic = mosaic_of(make_raster, orthoimage((64, 64)))
-    with pytest.raises(SettingsError, match=r"No sources are given; choose the orthoimages .* or their index layer\."):
+    with pytest.raises(SettingsError, match=r"No sources are given; choose the orthoimages .* or an index of them\."):
         make_block(mosaic, [])
     block, notices = make_block(mosaic, [mosaic.ref])  # something was named, so the windows say what is missing
     assert block.sources == ()

@@ -324,7 +324,7 @@ BAD_VALUES: list[tuple[dict[str, Any], str]] = [
     ({"MAX_RATIO": 0}, r"ratio of a significant loss is 0\.0; give a number between 0 and 1"),
     ({"MOSAIC": None}, "is not a raster layer"),
     ({"MOSAIC": lambda: layer("Polygon", [])}, "made is not a raster layer"),
-    ({"SOURCES": None}, "No sources are given; choose the orthoimages .* or their index layer"),
+    ({"SOURCES": None}, "No sources are given; choose the orthoimages .* or an index of them"),
     ({"SOURCES": []}, "No sources are given"),
     ({"WINDOWS": windows}, "The window layer is empty; draw windows or place them"),
     ({"WINDOWS": "/nowhere/windows.gpkg"}, "/nowhere/windows.gpkg not found"),

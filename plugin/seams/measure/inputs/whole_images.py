@@ -47,7 +47,7 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
                 return False  # the scan says so where it needs it
 
         whole = _joined(sources, (
-            pair for pair in meeting if _have_same_grid(*(rasters[number] for number in pair)) and show_same(*pair)
+            pair for pair in meeting if have_same_grid(*(rasters[number] for number in pair)) and show_same(*pair)
         ))
     return whole, images_in_parts(whole)
 
@@ -61,7 +61,7 @@ def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None
     boxes = {number: _box(clip) for number, clip in known.items()}
 
     def are_same(first: int, second: int) -> bool:
-        if not _have_same_grid(known[first].raster, known[second].raster):
+        if not have_same_grid(known[first].raster, known[second].raster):
             return False
         begins, stops = zip(boxes[first], boxes[second])
         starts, ends = np.maximum(*begins), np.minimum(*stops)
@@ -101,8 +101,8 @@ def _part(mosaic: Raster, source: Source, pool: RasterPool) -> Raster | None:
     return raster if raster.is_north_up else None
 
 
-def _have_same_grid(first: Raster, second: Raster) -> bool:
-    """Whether their pixels lie on one grid and hold the same bands."""
+def have_same_grid(first: Raster, second: Raster) -> bool:
+    """Whether the pixels of two rasters lie on one grid and hold the same bands."""
     if (first.band_names, first.data_type, first.wkt) != (second.band_names, second.data_type, second.wkt):
         return False
     grid, other = first.grid, second.grid

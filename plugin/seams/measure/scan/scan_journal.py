@@ -57,7 +57,7 @@ def fingerprint_of(
     listed: dict[str, set[str]] = {}
     parts = {
         "version": _digest([plugin_version()]),
-        "mosaic": _digest([mosaic.path, *_states(mosaic.path, ask=True)]),
+        "mosaic": _digest(item for path in mosaic.paths for item in (path, *_states(path, ask=True))),
         "sources": _digest(
             item
             for source in sources

@@ -11,13 +11,14 @@ from typing import Any, Callable, Union
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, SeamInspectorWarning, SettingsError, WindowError
-from ....imagery.grids import Extent, PixelWindow, snap_window, standard_side_px, standard_window
+from ....imagery.grids import Extent, PixelWindow, extents_meet, snap_window, standard_side_px, standard_window
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import known_wkt
 from .. import messages
 from ..inputs.mosaic_copies import leave_out_copies
+from ..inputs.whole_images import have_same_grid
 from ..seam_cells import Cell, cells_over, source_stem
 from ..seamlines.seam_features import read_cells
 from ..source_images import Source, gather_sources, sources_in
@@ -28,6 +29,8 @@ from .measured_window import MeasuredWindow, MeasureWindow, measure_window
 from .window_request import InspectionSettings, WindowRequest
 from .window_result import WindowClips, WindowResult, not_comparable
 
+NEIGHBOURS_PX = 2048
+"""How far a sheet's neighbours are looked at: a block of a scan."""
 PathLike = Union[str, "os.PathLike[str]"]
 """A file, or whatever else GDAL opens, as ``/vsicurl/https://...``."""
 
@@ -44,6 +47,8 @@ class Block:
     """The source that each part of the mosaic was cut from, where that is known."""
     paths: tuple[str, ...] = ()
     """All files that ``open_block`` was given, those left out too: no result takes their place."""
+    sheet: Raster | None = None
+    """The mosaic without the neighbours that ``mosaic`` goes on in; None where it has none."""
 
     @property
     def files(self) -> tuple[str, ...]:
@@ -91,7 +96,7 @@ class Block:
 
 def open_block(  # noqa: PLR0913 - keywords of a notebook
     mosaic: PathLike, sources: Iterable[PathLike] | PathLike = (), cells: PathLike = "", *, keep_copies: bool = False,
-    crs: Any = "", nodata: float | None = None,
+    crs: Any = "", nodata: float | None = None, neighbours: Iterable[PathLike] | PathLike = (),
 ) -> Block:
     """Open a mosaic with the orthoimages that it may have been made from.
 
@@ -102,24 +107,26 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
     every loss; without it they are looked for, and doubtful ones take part and are told. ``crs``: the reference system
     of all rasters (WKT, such as ``EPSG:2180``, its number, or what rasterio and pyproj have), whatever their files
     name; empty or None: what they name. ``nodata``: a value of pixels that are no measurements, in all bands and of all
-    rasters, beside those that the files name.
+    rasters, beside those that the files name. ``neighbours``: sheets of the same mosaic on its pixel grid, any or
+    all of them; what they show within 2048 px of its border is looked at, and none of their seams is counted.
 
     What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
     ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
-    when none of the sources can or ``crs`` is none, SeamlineError when the cells can't.
+    when none of the sources can, ``crs`` is none or a neighbour lies on another grid, SeamlineError when the cells
+    can't.
     """
     wkt = known_wkt(crs)
-    imagery_limits.check_type("sources", sources, *imagery_limits.PATH_TYPES, Iterable)
-    sources = [sources] if isinstance(sources, imagery_limits.PATH_TYPES) else [*sources]
-    for name, path in (("mosaic", mosaic), *(("sources", source) for source in sources), ("cells", cells)):
-        imagery_limits.check_type(name, path, *imagery_limits.PATH_TYPES)
+    imagery_limits.check_type("mosaic", mosaic, *imagery_limits.PATH_TYPES)
+    imagery_limits.check_type("cells", cells, *imagery_limits.PATH_TYPES)
+    sources, neighbours = _paths("sources", sources), _paths("neighbours", neighbours)
     if nodata is not None and not isinstance(nodata, Real):
         imagery_limits.check_type("nodata", nodata, float)
     value = None if nodata is None else float(nodata)
-    raster = describe_mosaic(RasterRef(os.fspath(mosaic), wkt, value))
+    sheet = describe_mosaic(RasterRef(os.fspath(mosaic), wkt, value))
+    raster = with_neighbours(sheet, neighbours) if neighbours else sheet
     refs = [RasterRef(os.fspath(source), wkt, value) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
-    paths = (raster.ref.path, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
+    paths = (*raster.ref.paths, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
     block, notices = make_block(raster, refs, (), known) if refs else (Block(raster, (), tuple(known)), [])
     if not keep_copies:
         block, of_copies = without_copies(block)
@@ -128,7 +135,40 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
     if refs and not block.sources:
         raise SettingsError(messages.NO_SOURCE_USABLE())
-    return replace(block, paths=paths)
+    return replace(block, paths=paths, sheet=sheet if neighbours else None)
+
+
+def _paths(name: str, given: Iterable[PathLike] | PathLike) -> list[str]:
+    """Paths that an argument gives, be it a single one. Raises SettingsError for what is none."""
+    imagery_limits.check_type(name, given, *imagery_limits.PATH_TYPES, Iterable)
+    paths = [given] if isinstance(given, imagery_limits.PATH_TYPES) else [*given]
+    for path in paths:
+        imagery_limits.check_type(name, path, *imagery_limits.PATH_TYPES)
+    return [os.fspath(path) for path in paths]
+
+
+def with_neighbours(sheet: Raster, neighbours: Iterable[str]) -> Raster:
+    """A sheet of a mosaic with what other sheets show within ``NEIGHBOURS_PX`` of it; the sheet itself lies on top.
+
+    Raises RasterError for one that can't be opened, SettingsError for one on another pixel grid.
+    """
+    grid, border = sheet.grid, NEIGHBOURS_PX
+    around = grid.window_extent(PixelWindow(-border, -border, grid.columns + 2 * border, grid.rows + 2 * border))
+    parts, extents = [], [sheet.extent]
+    for path in neighbours:
+        other = describe_mosaic(replace(sheet.ref, path=path))
+        if not extents_meet(other.extent, around) or other.ref.path == sheet.ref.path:
+            continue
+        if not have_same_grid(sheet, other):
+            raise SettingsError(messages.NEIGHBOUR_OF_OTHER_GRID(name=other.ref.name, sheet=sheet.ref.name))
+        parts.append(other.ref.path)
+        extents.append(other.extent)
+    if not parts:
+        return sheet
+    low, high = ([pick(extent[side] for extent in extents) for side in sides]
+                 for pick, sides in ((min, (0, 1)), (max, (2, 3))))
+    bounds = *map(max, low, around[:2]), *map(min, high, around[2:])
+    return describe_mosaic(replace(sheet.ref, parts=tuple(parts), bounds=bounds))
 
 
 def make_block(

@@ -1,0 +1,73 @@
+"""A sheet of a mosaic with its neighbours: measured as in the whole, and counted alone."""
+from __future__ import annotations
+
+import math
+import shutil
+from pathlib import Path
+
+import pytest
+from osgeo import gdal, ogr
+from seam_inspector import Block, SettingsError, decide, inspect_window, limit_rules, open_block, scan, write_scan
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
+
+from tests.made_once import the_small_block
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The mosaic of a generated block, 120 x 100 m, also in two sheets side by side."""
+    folder = tmp_path_factory.mktemp("sheets") / "block"
+    shutil.copytree(the_small_block(tmp_path_factory).mosaic.parent, folder)
+    whole = gdal.Open(str(folder / "mosaic.tif"))
+    half = whole.RasterXSize // 2
+    for name, first in (("west", 0), ("east", half)):
+        gdal.Translate(str(folder / f"{name}.tif"), whole, srcWin=[first, 0, half, whole.RasterYSize])
+    return folder
+
+
+def sheet(folder: Path, name: str, **options: object) -> Block:
+    orthoimages = sorted(folder.glob("strip*.tif"))
+    return open_block(folder / f"{name}.tif", orthoimages, keep_copies=True, **options)  # type: ignore[arg-type]
+
+
+def test_sheets_with_their_neighbours_add_up_to_the_whole(folder: Path, tmp_path: Path) -> None:
+    lines = folder / "seamlines.gpkg"
+    whole, sheets = scan(sheet(folder, "mosaic"), seamlines=lines), {}
+    for name in ("west", "east"):
+        opened = sheet(folder, name, neighbours=[folder / "west.tif", folder / "east.tif"])
+        result = sheets[name] = scan(opened, seamlines=lines)
+        xmin, _, xmax, _ = OpenRaster(folder / f"{name}.tif").raster.extent
+        for piece in result.pieces:
+            assert xmin - piece.piece.length_m / 2 < piece.piece.vertices[0][0] < xmax + piece.piece.length_m / 2
+        area = sum(ogr.CreateGeometryFromWkb(polygon.wkb).Area() for polygon in result.polygons)
+        assert area <= 60 * 100 + 1
+        assert str(folder / f"{name}.tif") in result.told[MOSAIC_FILES]
+        assert result.told[MOSAIC_FILES].count(".tif") == 1
+        write_scan(tmp_path / f"{name}.gpkg", result, opened)
+    assert math.fsum(result.seam_metres for result in sheets.values()) == pytest.approx(whole.seam_metres, abs=1)
+    both = decide({name: tmp_path / f"{name}.gpkg" for name in sheets}, limit_rules()).whole
+    alone = decide({"whole": whole}, limit_rules()).whole
+    assert (both.measured_m, both.failed_m) == pytest.approx((alone.measured_m, alone.failed_m), abs=5)
+
+
+def test_a_window_reaches_into_a_neighbour(folder: Path) -> None:
+    whole, west = sheet(folder, "mosaic"), sheet(folder, "west", neighbours=folder / "east.tif")
+    x, y = 60 + whole.mosaic.extent[0], 50 + whole.mosaic.extent[1]
+    in_whole, in_sheet = (inspect_window(block.window_at(x, y, 25)) for block in (whole, west))
+    assert in_sheet.profile is not None
+    assert in_sheet.profile.kept == in_whole.profile.kept
+
+
+def test_a_sheet_far_off_is_no_neighbour(folder: Path, tmp_path: Path) -> None:
+    far = tmp_path / "far.tif"
+    west, south, east, north = OpenRaster(folder / "east.tif").raster.extent
+    gdal.Translate(str(far), str(folder / "east.tif"), outputBounds=[west + 5000, north, east + 5000, south])
+    assert sheet(folder, "west", neighbours=far).mosaic == sheet(folder, "west").mosaic
+
+
+def test_a_sheet_on_another_grid_is_refused(folder: Path, tmp_path: Path) -> None:
+    coarse = tmp_path / "coarse.tif"
+    gdal.Translate(str(coarse), str(folder / "east.tif"), widthPct=50, heightPct=50)
+    with pytest.raises(SettingsError, match="does not lie on the pixel grid of west"):
+        sheet(folder, "west", neighbours=[coarse])
