@@ -75,7 +75,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         self.addDescribed(common.whole(WORST_COUNT, tr("Windows of the worst places"), limits.WORST_COUNT, 0), tr(
             "How many windows are placed where least was kept."
         ), advanced=True)
-        self.addDescribed(*common.levels(), advanced=True)
+        self.addDescribed(*common.levels(limits.MOST_LEVELS), advanced=True)
         self.addDescribed(*common.wavelet(), advanced=True)
         self.addDescribed(*common.scheduler(), advanced=True)
         picture = QgsProcessingParameterRasterDestination(LOSS, tr("Picture of losses"), None, True, True)

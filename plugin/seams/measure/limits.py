@@ -12,6 +12,7 @@ RAMPS = (LINEAR, COSINE, GAUSSIAN)
 MAX_SIGNIFICANT_KEPT = 0.7  # of the finest detail's variance beside a seam; reasons: docs/method/default_limits.md
 MAX_SIGNIFICANT_SHARPNESS_SQUARED = 0.15  # of the whole window; bilinear resampling at half a pixel leaves 0.19
 SHARPNESS_TOLERANCE = 0.02  # what a sound hard cut may miss: 0.998 to 1.004 were found on real imagery
+MOST_LEVELS = 4  # of a scan: its cells of 16 px hold whole coefficients of so many
 SEAMS, FULL = "seams", "full"
 DENSITIES = (SEAMS, FULL)
 """Densities of a scan. ``seams``: everything along the seams, samples elsewhere. ``full``: everything everywhere."""

@@ -195,8 +195,8 @@ def source_index() -> Described:
     )
 
 
-def levels() -> Described:
-    usual, least, most = imagery_limits.DEFAULT_LEVELS, imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS
+def levels(most: int = imagery_limits.MAX_LEVELS) -> Described:
+    usual, least = imagery_limits.DEFAULT_LEVELS, imagery_limits.MIN_LEVELS
     return whole(LEVELS, tr("Levels"), usual, least, most), tr(
         "Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse."
     )

@@ -8,12 +8,10 @@ from ....imagery import limits as imagery_limits
 from ....imagery.errors import SettingsError
 from ....imagery.wavelets import check_decomposition
 from .. import limits, messages
-from ..limits import DENSITIES, SEAMS
+from ..limits import DENSITIES, MOST_LEVELS, SEAMS
 from ..profile.cell_table import CELL_PX
 
 LEAST_PIECE_M = 0.01  # what is shorter is no length; scan_request lengthens what can't be measured
-MOST_LEVELS = 4
-"""Levels of which the cells of 16 px hold whole coefficients."""
 CELLS_PX = tuple(CELL_PX * 2**power for power in range(5))
 """Sides of a pixel of the picture of losses: whole cells, and whole pixels in a block."""
 

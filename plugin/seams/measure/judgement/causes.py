@@ -11,7 +11,7 @@ from math import log
 
 from ..following.compression import MIN_VANISHED
 from ..profile.mixture import NARROW_PX
-from ..profile.seam_profile import Measure, SeamProfile
+from ..profile.seam_profile import STRIP_PX, Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
 MIN_CLIPPED_SHARE = 0.005  # of the pixels: the share that JRC's specification allows in one tail of the histogram
@@ -310,7 +310,10 @@ def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
 
 
 def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
-    """What a seam lost: to a filter, to another mixture, or to weights, of which a misfit has its share."""
+    """What a seam lost: to a filter, to another mixture, or to weights, of which a misfit has its share.
+
+    That share is what images that fit would give back, beside what a feather as wide as the judged strip would.
+    """
     misfit = evidence.misfit.share if evidence.misfit else 0.0
     misfit = misfit if misfit >= MIN_MISFIT_SHARE else 0.0
     # A cut of images that do not fit breaks lines and loses nothing.
@@ -323,8 +326,9 @@ def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
         return {**taken, Cause.OTHER_MIXTURE: evidence.lost}
     mixed = evidence.mixed_loss
     if mixed:
-        taken = dict.fromkeys(taken, misfit * mixed * evidence.lost)
-        taken[Cause.FEATHERING] = (1 - misfit) * mixed * evidence.lost
+        narrowed = max(1 - misfit, 1 - 2 * STRIP_PX / max(evidence.feather_width_px, 2 * STRIP_PX))
+        taken = dict.fromkeys(taken, misfit / (misfit + narrowed) * mixed * evidence.lost)
+        taken[Cause.FEATHERING] = narrowed / (misfit + narrowed) * mixed * evidence.lost
     if mixed < 1:
         taken[Cause.UNCLEAR] = (1 - mixed) * evidence.lost
     return taken

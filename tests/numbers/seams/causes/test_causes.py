@@ -22,7 +22,7 @@ from seam_inspector.plugin.seams.measure.judgement.causes import (
     causes_taken,
     find_causes,
 )
-from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure, SeamProfile
+from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure, SeamProfile
 
 SOUND_TEXTURE = Texture(
     transfer=1.0, least_transfer=1.0, most_transfer=1.0, strong_transfer=1.0, noise_dn=0.4,
@@ -398,6 +398,14 @@ def test_a_misfit_goes_first_where_it_is_more_than_half_of_what_a_feather_took(
     assert sum(taken for _, taken in causes_taken(evidence(**FEATHERED, lost=0.2, misfit=Misfit(2.0, share)))) == (
         pytest.approx(0.2)
     )
+
+
+@pytest.mark.parametrize(("width_px", "first"), [(2 * STRIP_PX, Cause.MISREGISTRATION), (1400.0, Cause.FEATHERING)])
+def test_a_misfit_goes_behind_where_a_narrower_feather_gives_back_more(width_px: float, first: Cause) -> None:
+    found = causes_taken(evidence(**{**FEATHERED, "feather_width_px": width_px}, lost=0.2, misfit=Misfit(0.9, 0.8)))
+    assert found[0][0] is first
+    assert {cause for cause, _ in found} == {Cause.MISREGISTRATION, Cause.FEATHERING}
+    assert sum(share for _, share in found) == pytest.approx(0.2)
 
 
 def test_at_a_cut_a_misfit_takes_nothing() -> None:
