@@ -225,6 +225,7 @@ def _around(mask: np.ndarray) -> tuple[slice, slice]:
     """Rows and columns in which a mask is set, in whole squares of tone."""
     rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
     down, across = (
-        slice(int(one[0]) // TONE_PX * TONE_PX, -(-(int(one[-1]) + 1) // TONE_PX) * TONE_PX) for one in (rows, columns)
+        slice(int(lines[0]) // TONE_PX * TONE_PX, -(-(int(lines[-1]) + 1) // TONE_PX) * TONE_PX)
+        for lines in (rows, columns)
     )
     return down, across

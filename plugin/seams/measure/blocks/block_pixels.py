@@ -80,10 +80,10 @@ class BlockPixels:
     @property
     def valid(self) -> np.ndarray | None:
         """(rows, columns) bool: where the mosaic has pixels; None: everywhere."""
-        if self._held is None or self._held.own.valid is None:
+        if self._held is None or self._held.mosaic.valid is None:
             return None
         first = self._margin
-        return self._held.own.valid[first : first + self.window.height, first : first + self.window.width]
+        return self._held.mosaic.valid[first : first + self.window.height, first : first + self.window.width]
 
     def patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
         """Squares of ``side`` px that begin at these rows and columns of the block, side by side as one image, of a
@@ -95,7 +95,7 @@ class BlockPixels:
 
         planes = self._planes(self.held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
-            read = BlockClips(self.held.own, self._read_sources(self._around, [number]))
+            read = BlockClips(self.held.mosaic, self._read_sources(self._around, [number]))
             more = self._planes(read, pick)
             planes = replace(
                 planes, sources={**planes.sources, **more.sources}, resampled=planes.resampled | more.resampled
@@ -117,12 +117,12 @@ class BlockPixels:
         within = min(left, top) >= 0 and left + window.width <= around.width and top + window.height <= around.height
         if self._held is None or not within or any(i not in self._held.clips for i in numbers):
             return self._planes(self._read(window, numbers))
-        held = BlockClips(self._held.own, {i: self._held.clips[i] for i in numbers})
+        held = BlockClips(self._held.mosaic, {i: self._held.clips[i] for i in numbers})
         return self._planes(held, lambda pixels: pixels[..., top : top + window.height, left : left + window.width])
 
     def _read(self, window: PixelWindow, numbers: Sequence[int]) -> BlockClips:
-        own = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
-        return BlockClips(own, self._read_sources(window, numbers))
+        mosaic = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
+        return BlockClips(mosaic, self._read_sources(window, numbers))
 
     def _read_sources(self, window: PixelWindow, numbers: Sequence[int]) -> dict[int, Clip]:
         clips = {}
@@ -154,8 +154,8 @@ class BlockPixels:
             offset = clip.offset_x, clip.offset_y
             sources[i] = ComparedImage(plane[np.newaxis], JUDGED, {}, {}, clip.raster, offset, valid, plane)
         return Planes(
-            _plane(read.own, self._band, pick, self._factor),
-            None if read.own.valid is None else pick(read.own.valid),
+            _plane(read.mosaic, self._band, pick, self._factor),
+            None if read.mosaic.valid is None else pick(read.mosaic.valid),
             sources, frozenset(i for i, clip in read.clips.items() if clip.resampled),
         )
 
@@ -164,7 +164,7 @@ class BlockPixels:
 class BlockClips:
     """What was read of one window."""
 
-    own: Clip
+    mosaic: Clip
     clips: dict[int, Clip]
 
 
@@ -179,9 +179,9 @@ def _plane(clip: Clip, band: str, pick: _Pick, factor: float) -> np.ndarray:
 
 def _squares(pixels: np.ndarray, rows: Sequence[int], columns: Sequence[int], side: int) -> np.ndarray:
     """Squares that begin at these rows and columns, side by side; by arrays of indices it takes ten times as long."""
-    found = np.empty((*pixels.shape[:-2], len(rows) * side, len(columns) * side), pixels.dtype)
+    picked = np.empty((*pixels.shape[:-2], len(rows) * side, len(columns) * side), pixels.dtype)
     for i, row in enumerate(rows):
         for j, column in enumerate(columns):
             square = pixels[..., row : row + side, column : column + side]
-            found[..., i * side : (i + 1) * side, j * side : (j + 1) * side] = square
-    return found
+            picked[..., i * side : (i + 1) * side, j * side : (j + 1) * side] = square
+    return picked

@@ -82,32 +82,33 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
     fine = high_pass(planes.mosaic)
     fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
-    told = _told(fine, fines, planes, with_patch, empty)
-    if not told.sampled.any():
-        return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels), plain=_is_plain(fine, shape))
+    patches = _patches(fine, fines, planes, with_patch, empty)
+    if not patches.sampled.any():
+        nothing = CellTable.empty(levels)
+        return SquareLook(patches.source, patches.doubtful, empty, nothing, plain=_is_plain(fine, shape))
 
-    def cells_of(found: _Told) -> tuple[CellTable, Learned]:
-        return _cells(planes, found.sampled_source, (rows, columns), wavelet, levels)
+    def cells_of(patches: _Patches) -> tuple[CellTable, Learned]:
+        return _cells(planes, patches.sampled_source, (rows, columns), wavelet, levels)
 
     mosaic_was = was_compressed(planes.mosaic)
     is_compressed = compressed_sides(mosaic_was, lambda number: planes.sources[number].plane, fines)
     shown = fines
     # Ground of another image would be explained by a filter that nothing came through.
-    cells, learned = cells_of(told.without(told.odd(is_compressed)))
+    cells, learned = cells_of(patches.without(patches.odd(is_compressed)))
     if learned.filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
         shown = {i: learned.applied(i, fine) for i, fine in fines.items()}
-        told = _told(fine, shown, planes, with_patch, empty)
-        cells, learned = cells_of(told)
+        patches = _patches(fine, shown, planes, with_patch, empty)
+        cells, learned = cells_of(patches)
     # What was warped is explained as badly as by another image.
-    strangers = told.strangers(is_compressed) & ~np.isin(told.source, list(planes.resampled))
+    strangers = patches.strangers(is_compressed) & ~np.isin(patches.source, list(planes.resampled))
     if strangers.any():
-        told = told.without(strangers)
-        cells, learned = cells_of(told)
-    return SquareLook(told.source, told.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
+        patches = patches.without(strangers)
+        cells, learned = cells_of(patches)
+    return SquareLook(patches.source, patches.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
 
 
 @dataclass(frozen=True, eq=False)
-class _Told:
+class _Patches:
     """What patches say, each (rows, columns)."""
 
     source: np.ndarray
@@ -116,9 +117,9 @@ class _Told:
     """bool"""
     sampled: np.ndarray
     """bool: those that follow one source. Not those alone that tell it best: smooth ground comes over otherwise."""
-    own: np.ndarray
+    energy: np.ndarray
     """Energy of the mosaic, DN squared, 0 where it shows nothing to tell a source by."""
-    left: np.ndarray
+    left_over: np.ndarray
     """What the sources leave over of it, alone or mixed."""
 
     @property
@@ -129,40 +130,40 @@ class _Told:
     def odd(self, is_compressed: IsCompressed) -> np.ndarray:
         """bool: what is explained worse than the ground of the same source, on its own."""
         if is_compressed(None):
-            return foreign_patches(self.own, self.left, self.source, is_compressed)
+            return foreign_patches(self.energy, self.left_over, self.source, is_compressed)
         each = [self._strange(self.source == number)[1] for number in present(self.source)]
-        return np.logical_or.reduce([np.zeros(self.own.shape, bool), *each])
+        return np.logical_or.reduce([np.zeros(self.energy.shape, bool), *each])
 
     def strangers(self, is_compressed: IsCompressed) -> np.ndarray:
         """bool: of an image that isn't given, where so much lies together that it is no chance; where nothing was
         compressed, by the best ground of all sources, one that a given one resembles as well."""
         if is_compressed(None):
             return opened(self.odd(is_compressed) & ~self.doubtful, _STRANGE_SQUARES)
-        strange, alike = self._strange(np.ones(self.own.shape, bool))
+        strange, alike = self._strange(np.ones(self.energy.shape, bool))
         surely = opened(strange & ~self.doubtful, _STRANGE_SQUARES) | opened(alike, _ALIKE_SQUARES)
-        return (self.own > 0) & surely
+        return (self.energy > 0) & surely
 
     def _strange(self, of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """bool: surely of another image, and perhaps of one that resembles a source; of a part by its best ground."""
-        textured = of & (self.own > 0)
-        ground = learn_best_ground(self.own[textured], self.left[textured])
+        textured = of & (self.energy > 0)
+        ground = learn_best_ground(self.energy[textured], self.left_over[textured])
         if ground is None or ground.is_of_none():  # there are too few patches to condemn a whole block
             return np.zeros_like(textured), np.zeros_like(textured)
-        own = np.where(textured, self.own, 1)
-        strange, alike = ground.strangeness(own, self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
+        energy = np.where(textured, self.energy, 1)
+        strange, alike = ground.strangeness(energy, self.left_over, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
         return textured & (strange > MIN_STRANGE), textured & alike
 
-    def without(self, strangers: np.ndarray) -> _Told:
+    def without(self, strangers: np.ndarray) -> _Patches:
         """Patches that follow none."""
         source = np.where(strangers, np.uint8(UNKNOWN), self.source)
         return replace(self, source=source, doubtful=self.doubtful & ~strangers, sampled=self.sampled & ~strangers)
 
 
-def _told(
+def _patches(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, with_patch: np.ndarray, empty: np.ndarray
-) -> _Told:
+) -> _Patches:
     shape = with_patch.shape[0], with_patch.shape[1]
-    winner, sure, doubtful, own, left = _followed(fine, fines, planes, shape)
+    winner, sure, doubtful, energy, left_over = _followed(fine, fines, planes, shape)
     winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
     silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
     filled, alone, known = winner, silent, winner != UNKNOWN
@@ -171,7 +172,7 @@ def _told(
         filled, alone = np.where(silent, winner[row, column], winner), silent & (distance > _FARTHEST_FILLED)
     doubtful |= alone & ~with_patch
     sampled = with_patch & ~doubtful & (filled != UNKNOWN) & sure.any()
-    return _Told(filled, doubtful, sampled, np.where(with_patch, own, 0), left)
+    return _Patches(filled, doubtful, sampled, np.where(with_patch, energy, 0), left_over)
 
 
 def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarray:
@@ -182,16 +183,16 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     """
     here, there = (np.s_[:, :-1], np.s_[:, 1:]) if axis else (np.s_[:-1], np.s_[1:])
     source = look.source
-    found = np.full(source[here].shape, UNKNOWN, np.uint8)
+    middles = np.full(source[here].shape, UNKNOWN, np.uint8)
     held = source < MOST_HELD
     differ = (source[here] != source[there]) & held[here] & held[there]
     squares = np.argwhere(differ)
     starts = squares * SQUARE_PX + PATCH_START_PX
     starts[:, axis] += SQUARE_PX // 2
     last = np.array([pixels.window.height, pixels.window.width]) - PATCH_PX
-    squares, starts = (one[(starts <= last).all(axis=1)] for one in (squares, starts))
+    squares, starts = (kept[(starts <= last).all(axis=1)] for kept in (squares, starts))
     if not len(squares):
-        return found
+        return middles
     planes = pixels.strip_of_patches(starts[:, 0], starts[:, 1], PATCH_PX)
     shape = len(squares), 1
     valid = _share(planes.mosaic_valid, shape) >= _MIN_VALID
@@ -199,8 +200,8 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     if look.learned is not None:
         fines = {i: look.learned.applied(i, fine) for i, fine in fines.items()}
     winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
-    found[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
-    return found
+    middles[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
+    return middles
 
 
 def _starts(length: int) -> np.ndarray:
@@ -221,7 +222,7 @@ def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarr
     """Sums of a x b over the four quarters of every patch, (4, rows, columns)."""
     rows, columns = shape
     # Whole rows first: a fifth of the time.
-    inner = (one.reshape(rows, PATCH_PX, -1)[:, _INNER].reshape(rows, 2, CELL_PX, -1) for one in (a, b))
+    inner = (plane.reshape(rows, PATCH_PX, -1)[:, _INNER].reshape(rows, 2, CELL_PX, -1) for plane in (a, b))
     down = np.einsum("apij,apij->apj", *inner).reshape(rows, 2, columns, PATCH_PX)[..., _INNER]
     return np.asarray(down.reshape(rows, 2, columns, 2, CELL_PX).sum(axis=4).transpose(1, 3, 0, 2).reshape(4, *shape))
 
@@ -233,37 +234,37 @@ def _followed(
     called for, the mosaic's energy, 0 without texture, and what sources leave over of it."""
     numbers = np.array(list(fines), np.uint8)
     least = LEAST_ENERGY * (CELL_PX**2)
-    own = _quadrants(fine, fine, shape) + least
+    mosaic = _quadrants(fine, fine, shape) + least
     energies = np.stack([_quadrants(fine, fine, shape) for fine in fines.values()]) + least
-    shared = np.stack([_quadrants(fine, one, shape) for one in fines.values()])
+    shared = np.stack([_quadrants(fine, source, shape) for source in fines.values()])
     for k, i in enumerate(fines):
         if (valid := planes.sources[i].valid) is not None:
             shared[k][:, _share(valid, shape) < _MIN_VALID] = 0
-    whole_own, whole_energies, whole_shared = own.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
-    correlation = local_correlation(whole_own, whole_energies, whole_shared)
+    whole_mosaic, whole_energies, whole_shared = mosaic.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
+    correlation = local_correlation(whole_mosaic, whole_energies, whole_shared)
     best, lead = highest(correlation)
     winner = numbers[best]
     top = correlation.max(axis=0)
-    textured = whole_own > 8 * least
+    textured = whole_mosaic > 8 * least
     explained = np.maximum(top, 0) ** 2
     sure = textured & is_sure(top, lead) & (explained >= MIN_FIT)
-    quarters = local_correlation(own, energies, shared)
+    quarters = local_correlation(mosaic, energies, shared)
     quarter, quarter_lead = highest(quarters)
     quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
     differs = (
-        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (own > 8 * least)
+        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (mosaic > 8 * least)
     ).any(axis=0)
     images = list(fines.values())
     mixed_quarters, explained_by_two = mixtures(
-        own, dict(enumerate(energies)), dict(enumerate(shared)),
+        mosaic, dict(enumerate(energies)), dict(enumerate(shared)),
         lambda i, j: _quadrants(images[i], images[j], shape),
     )
     mixed = mixed_quarters.any(axis=0)
     strange = textured & (explained < MIN_FIT) & ~differs & ~mixed
     doubtful = (textured & ~sure & ~strange) | differs | mixed
-    left = (own * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
+    left_over = (mosaic * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
     winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))
-    return winner, sure & ~doubtful, doubtful, np.where(textured, whole_own, 0), left
+    return winner, sure & ~doubtful, doubtful, np.where(textured, whole_mosaic, 0), left_over
 
 
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
@@ -295,9 +296,10 @@ def _cells(
     )
     (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
     cell = slice(_CELL.start // 2, _CELL.stop // 2)
-    own, other = (
+    mosaic_details, other = (
         details[:, k].reshape(3, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)[:, :, cell, :, cell] for k in (0, 1)
     )
-    sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in ((own, own), (other, other), (own, other))]
+    pairs = (mosaic_details, mosaic_details), (other, other), (mosaic_details, other)
+    sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in pairs]
     rows, columns = ((start[step // 2 :: step] + _CELL.start) // CELL_PX for start in starts)
     return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(numbers))

@@ -121,11 +121,11 @@ def scan_block(request: BlockRequest) -> BlockScan:
 def _along_seams(request: BlockRequest, nothing: BlockScan) -> BlockScan:
     """What can be read beside the given seams of a block that can't be read as a whole, and so was not looked at."""
     try:
-        found = _scanned(replace(request, wanted=request.along_seams))
+        scanned = _scanned(replace(request, wanted=request.along_seams))
     except RasterError:
         return nothing
-    notices = tuple(dict.fromkeys((*nothing.notices, *found.notices)))
-    return replace(found, notices=notices, reading=replace(found.reading, unread=(request.window,)))
+    notices = tuple(dict.fromkeys((*nothing.notices, *scanned.notices)))
+    return replace(scanned, notices=notices, reading=replace(scanned.reading, unread=(request.window,)))
 
 
 def _scanned(request: BlockRequest) -> BlockScan:
@@ -187,11 +187,11 @@ def called_for(
     tell in which half the seam lies.
     """
     per_square = SQUARE_PX // UNIT_PX
-    found = np.zeros([length * per_square for length in source.shape], bool)
+    units = np.zeros([length * per_square for length in source.shape], bool)
     known = source != unknown
     across, down = midway or (None, None)
     for view, labels, there, middles in (
-        (found, source, known, across), (found.T, source.T, known.T, None if down is None else down.T),
+        (units, source, known, across), (units.T, source.T, known.T, None if down is None else down.T),
     ):
         differ = (labels[:, :-1] != labels[:, 1:]) & there[:, :-1] & there[:, 1:]
         for row, column in np.argwhere(differ).tolist():
@@ -203,7 +203,7 @@ def called_for(
                 last = per_square + 1
             start = column * per_square
             view[row * per_square : (row + 1) * per_square, start + first : start + last] = True
-    return found
+    return units
 
 
 def _measured(
@@ -306,8 +306,8 @@ class _Block:
             (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
             (self._grey, part.grey, CELL_PX), (self._grain, part.grain, CELL_PX),
         ):
-            own = place(step, len(target))
-            target[own] = values[: own[0].stop - own[0].start, : own[1].stop - own[1].start]
+            inside = place(step, len(target))
+            target[inside] = values[: inside[0].stop - inside[0].start, : inside[1].stop - inside[1].start]
         self._dense[place(UNIT_PX, UNITS)] = True
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
@@ -324,7 +324,7 @@ class _Block:
     def _ground(self) -> np.ndarray:
         """Ground of the units as ``BlockScan`` has it."""
         side, window = LABELS // UNITS, self._request.window
-        labels, valid = (in_squares(one, side) for one in (self._labels, self._valid))
+        labels, valid = (in_squares(plane, side) for plane in (self._labels, self._valid))
         rows, columns = (
             np.clip(-(-(length - LABEL_PX // 2) // LABEL_PX) - side * np.arange(UNITS), 0, side)
             for length in (window.height, window.width)

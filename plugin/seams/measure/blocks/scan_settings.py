@@ -40,11 +40,11 @@ class ScanSettings:
     @property
     def told(self) -> dict[str, str]:
         """What its results say of how they were measured."""
-        told = {
+        notes = {
             "wavelet": self.wavelet, "levels": str(self.levels), "density": self.density,
             "piece_m": f"{self.piece_m:.4g}",
         }  # fmt: skip
-        return {**told, "corridor_m": f"{self.corridor_m:.4g}"} if self.corridor_m else told
+        return {**notes, "corridor_m": f"{self.corridor_m:.4g}"} if self.corridor_m else notes
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""

@@ -69,15 +69,15 @@ class SeamSquares:
 
     def _within(self, reach: float) -> set[BlockKey]:
         """Blocks with any unit at most ``reach`` units from one along a seam."""
-        found, most = set[BlockKey](), int(reach // UNITS) + 1
+        blocks, most = set[BlockKey](), int(reach // UNITS) + 1
         for (row, column), dense in self._dense.items():
             units = np.argwhere(dense)
             for down, across in product(range(-most, most + 1), repeat=2):
                 first = UNITS * np.array([down, across])
                 apart = units - units.clip(first, first + UNITS - 1)  # from the nearest unit of that block
                 if (np.square(apart).sum(axis=1) <= reach**2).any():
-                    found.add((row + down, column + across))
-        return found
+                    blocks.add((row + down, column + across))
+        return blocks
 
 
 REACH_PX = 4.0 * BESIDE_PX
@@ -98,8 +98,8 @@ class SeamSides:
     def named_near(self, window: PixelWindow) -> set[int]:
         """Sources that lie beside the seams in a window, on the mosaic's grid; none where one of them is not named."""
         near = [self.beside[number] for number in self.pieces.near(window, float(MARGIN_PX)).numbers.tolist()]
-        found = {side for sides in near for side in sides}
-        return set() if None in found else {side for side in found if side is not None}
+        named = {side for sides in near for side in sides}
+        return set() if None in named else {side for side in named if side is not None}
 
     def parts(self, window: PixelWindow) -> np.ndarray:
         """What lies on the same hand of the same two sources' seam, (rows, columns) int of a window of whole
@@ -109,10 +109,10 @@ class SeamSides:
             for first, length in ((window.row, window.height), (window.column, window.width))
         )
         nearest = self.pieces.beside(columns, rows[:, np.newaxis], REACH_PX)
-        found = np.full(nearest.number.shape, -1)
+        part_of = np.full(nearest.number.shape, -1)
         numbers = self.pieces.numbers
         pairs = {sides: number for number, sides in enumerate(sorted(set(self.beside.values()), key=str))}
         of_piece = np.array([pairs[self.beside[number]] for number in numbers.tolist()])
         near = nearest.number >= 0
-        found[near] = 2 * of_piece[np.searchsorted(numbers, nearest.number[near])] + nearest.on_left[near]
-        return enlarged(found, LABEL_PX)
+        part_of[near] = 2 * of_piece[np.searchsorted(numbers, nearest.number[near])] + nearest.on_left[near]
+        return enlarged(part_of, LABEL_PX)

@@ -185,12 +185,12 @@ class _Cutting:
             return self._likely({i: filters.applied(i, plane) for i, plane in fine.items()}, labels, clear)
         tried = []
         for _ in range(_ROUNDS):
-            won = {i: one for i, one in fine.items() if (labels == i).any()}
-            shown = {i: through_filter(mosaic, plane, _surest(labels == i, clear)) for i, plane in won.items()}
+            winners = {i: fine[i] for i in fine if (labels == i).any()}
+            shown = {i: through_filter(mosaic, plane, _surest(labels == i, clear)) for i, plane in winners.items()}
             likely = self._likely(shown, labels, clear)
             tried.append(likely)
             changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
-            if changed < _SETTLED or len(won) < 2 or all(shown[i] is won[i] for i in won):
+            if changed < _SETTLED or len(winners) < 2 or all(shown[i] is winners[i] for i in winners):
                 break
             clear = ~(likely.unexplained | near_border(labels, _UNSURE_PX))
         return min(tried, key=lambda likely: likely.left_over)

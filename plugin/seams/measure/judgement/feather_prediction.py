@@ -52,23 +52,23 @@ def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Fe
     if not pairs:
         return []
     products = component_products(np.stack(planes), wavelet, levels, pairs)
-    found = []
+    each = []
     for (i, j), shared in zip(pairs, products.cross):
         energy = products.own[i] + products.own[j]
         least = imagery_limits.MIN_SHARE * (products.own_totals[i] + products.own_totals[j])
         rho = tuple(2 * s / e if e > least else None for s, e in zip(shared[:-1].tolist(), energy[:-1].tolist()))
-        found.append(Feather(i, j, rho))
-    return found
+        each.append(Feather(i, j, rho))
+    return each
 
 
-def expected_ratios(found: Sequence[Feather], levels: int) -> tuple[float | None, ...]:
+def expected_ratios(feathers: Sequence[Feather], levels: int) -> tuple[float | None, ...]:
     """The smallest over the pairs, level by level: where feathering will hurt most."""
-    return _smallest([(None,) * levels, *(feather.ratios for feather in found)])
+    return _smallest([(None,) * levels, *(feather.ratios for feather in feathers)])
 
 
 def _smallest(values: Iterable[Sequence[float | None]]) -> tuple[float | None, ...]:
     """Mean of several, level by level."""
-    return tuple(min((one for one in level if one is not None), default=None) for level in zip(*values))
+    return tuple(min((value for value in level if value is not None), default=None) for level in zip(*values))
 
 
 SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
@@ -118,12 +118,12 @@ def kept_detail(
     planes = np.stack([first, second]).astype(np.float32)
     energies = np.zeros((2, 2, levels))  # feathered and cut; window and strip
     for level, details in enumerate(placed_components(planes, wavelet, levels)):
-        own, both = (details**2).sum(axis=(0, 1)), 2 * (details[:, 0] * details[:, 1]).sum(axis=0)
+        alone, both = (details**2).sum(axis=(0, 1)), 2 * (details[:, 0] * details[:, 1]).sum(axis=0)
         for feather in feathers:
             # Of (1 - a) p + a q and a p + (1 - a) q together.
             apart = 2 * feather.weight * (1 - feather.weight)
-            lost, strip = (in_squares(one, 2 ** (level + 1)).mean(axis=(1, 3)) for one in (apart, feather.strip))
-            for row, energy in enumerate(((1 - lost) * own + lost * both, own)):
+            lost, strip = (in_squares(share, 2 ** (level + 1)).mean(axis=(1, 3)) for share in (apart, feather.strip))
+            for row, energy in enumerate(((1 - lost) * alone + lost * both, alone)):
                 energies[row, 0, level] += float(energy.sum(dtype=np.float64))
                 energies[row, 1, level] += float((energy * strip).sum(dtype=np.float64))
     least = imagery_limits.MIN_SHARE * planes.size * float(planes.var(axis=(1, 2), dtype=np.float64).sum())
@@ -134,9 +134,9 @@ def kept_detail(
     return KeptDetail(window, strip)
 
 
-def least_kept(found: Sequence[KeptDetail]) -> KeptDetail:
+def least_kept(pairs: Sequence[KeptDetail]) -> KeptDetail:
     """The smallest over several pairs of sources, level by level: where feathering will hurt most."""
-    return KeptDetail(_smallest(one.window for one in found), _smallest(one.strip for one in found))
+    return KeptDetail(_smallest(pair.window for pair in pairs), _smallest(pair.strip for pair in pairs))
 
 
 def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:

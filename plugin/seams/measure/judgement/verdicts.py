@@ -63,7 +63,7 @@ class Judgement:
     def reason_code(self) -> str:
         """The reason, or the one within it, as logic reads it: one of ``_CODES``; empty for others, and for none."""
         within = () if self.reason is None else (self.reason, *self.reason.values.values())
-        templates = (one.template for one in within if isinstance(one, Message))
+        templates = (message.template for message in within if isinstance(message, Message))
         return next((_CODES[template] for template in templates if template in _CODES), "")
 
 

@@ -249,7 +249,7 @@ class _Pixels:
         """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
         refs = [source.ref for source in request.sources[:count]]
         block = BlockPixels(request.mosaic, refs, window, 0, request.grey_factor)
-        self.window, self.mosaic, self.own, self._clips = window, request.mosaic, block.held.own, block.held.clips
+        self.window, self.mosaic, self.own, self._clips = window, request.mosaic, block.held.mosaic, block.held.clips
         if any(side not in self._clips for side in _SIDES):
             raise RasterError(next(iter(block.notices), messages.PART_NOT_COVERED()))
         self.planes = block.part(window, list(self._clips))

@@ -165,9 +165,10 @@ def with_neighbours(sheet: Raster, neighbours: Iterable[str]) -> Raster:
         extents.append(other.extent)
     if not parts:
         return sheet
-    low, high = ([pick(extent[side] for extent in extents) for side in sides]
-                 for pick, sides in ((min, (0, 1)), (max, (2, 3))))
-    bounds = *map(max, low, around[:2]), *map(min, high, around[2:])
+    lefts, bottoms, rights, tops = zip(*extents)
+    bounds = (
+        max(min(lefts), around[0]), max(min(bottoms), around[1]), min(max(rights), around[2]), min(max(tops), around[3])
+    )
     return describe_mosaic(replace(sheet.ref, parts=tuple(parts), bounds=bounds))
 
 
