@@ -126,7 +126,8 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
     raster = with_neighbours(sheet, neighbours) if neighbours else sheet
     refs = [RasterRef(os.fspath(source), wkt, value) for source in sources]
     known = read_cells(os.fspath(cells), raster) if cells else ()
-    paths = (*raster.ref.paths, *(ref.path for ref in refs), *([os.fspath(cells).partition("|")[0]] if cells else ()))
+    table = [os.fspath(cells).partition("|")[0]] if cells else []
+    paths = (sheet.ref.path, *neighbours, *(ref.path for ref in refs), *table)
     block, notices = make_block(raster, refs, (), known) if refs else (Block(raster, (), tuple(known)), [])
     if not keep_copies:
         block, of_copies = without_copies(block)
