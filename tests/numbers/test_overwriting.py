@@ -35,7 +35,8 @@ from tools import python_pages
 BELONGS = "which belongs to an input; choose another file"
 READ = {
     "open_block mosaic", "open_block sources", "open_block cells", "open_block neighbours", "scan seamlines",
-    "load_acceptance_rules path", "mend seams", "decide sheets", "decide mosaics", "inspect_windows executor", "scan executor", "mend executor",
+    "load_acceptance_rules path", "mend seams", "decide sheets", "decide mosaics",
+    "inspect_windows executor", "scan executor", "mend executor",
 }  # fmt: skip
 """Paths that the interface takes to read, or tells."""
 WORDS = {
