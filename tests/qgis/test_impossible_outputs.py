@@ -109,16 +109,6 @@ def test_names_with_other_signs_are_names(scene: Scene, tmp_path: Path) -> None:
         assert (tmp_path / name).exists()
 
 
-@pytest.mark.parametrize("value", [1e300, -1e300, 2.0**31, 1e-300])
-def test_a_number_that_no_field_of_ours_holds_costs_no_layer(scene: Scene, tmp_path: Path, value: float) -> None:
-    """It is no confidence, and no reason to make room on the disk."""
-    given = windows(SHARP, confidence=("double", [value]), observer=("string", ["visible"]))
-    log = Log()
-    found = inspected(scene, log, WINDOWS=given, OUTPUT=str(tmp_path / "made.gpkg"))
-    assert not log.errors
-    assert [(row["confidence"], row["observer"]) for row in found.rows()] == [(None, "visible")]
-
-
 def test_a_database_that_others_write_is_left_to_them(tmp_path: Path) -> None:
     path = saved(windows(SHARP, name=("string", ["older"])), tmp_path / "made.gpkg")
     with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as other:
@@ -217,12 +207,6 @@ def test_what_a_cancelled_run_measured_replaces_nothing(scene: Scene, tmp_path: 
     assert len(found.rows("OUTPUT")) == QgsVectorLayer(str(part), "part", "ogr").featureCount()
     assert_sentence(log.warnings[-1], f"{output} is as it was, .* in {part}")
     assert not [one.name for one in tmp_path.iterdir() if one.name.startswith(".")]
-
-
-def test_what_a_cancelled_run_measured_is_kept(scene: Scene, tmp_path: Path) -> None:
-    found = inspected(scene, Cancelled(), WINDOWS=windows(*[SHARP] * 200), OUTPUT=str(tmp_path / "made.gpkg"))
-    assert 0 < len(found.rows("OUTPUT")) < 200
-    assert [one.name for one in tmp_path.iterdir()] == ["made.gpkg"]
 
 
 def test_a_layer_that_can_not_be_replaced_gets_a_name_beside_it(

@@ -15,8 +15,7 @@ from qgis.core import Qgis, QgsProcessingProvider, QgsProject
 from qgis.gui import QgisInterface
 from seam_inspector.plugin.toolkit import packages
 
-from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run
-from tests.qgis.scenes import Scene
+from tests.qgis.runs import algorithm, assert_refused, assert_sentence
 
 Told = list[tuple[str, Any]]
 NAMES = {"pywt": "PyWavelets", "scipy": "scipy"}
@@ -144,19 +143,6 @@ def test_a_report_without_its_templates_package_is_refused_before_anything_is_me
     take_away(monkeypatch, "jinja2", WRITING)
     words = "the Python package.s. Jinja2.*then restart QGIS"
     assert_refused(name, words, **asked_for(name, output, tmp_path / "page.html"))
-
-
-@pytest.mark.usefixtures("provider")
-@pytest.mark.parametrize(("package", "modules"), [("matplotlib", DRAWING), ("jinja2", WRITING)])
-@pytest.mark.parametrize("name", ["checknoise", "checkradiometry"])
-def test_without_chart_and_report_images_are_measured_all_the_same(
-    name: str, scene: Scene, package: str, modules: list[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    take_away(monkeypatch, package, modules)
-    assert algorithm(name).canExecute() == (True, "")
-    outcome = run(name, RASTERS=[str(scene.mosaic)], CHART=None, REPORT=None)
-    assert outcome.complaint is None
-    assert outcome.rows()
 
 
 @pytest.mark.parametrize(("kind", "tested"), [("DRAWN", DRAWN), ("PAGES", PAGES)])

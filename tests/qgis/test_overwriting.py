@@ -2,9 +2,7 @@
 from __future__ import annotations
 
 import gc
-import json
 import os
-import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -20,7 +18,6 @@ from qgis.core import (
     QgsProcessingParameterDefinition,
     QgsProject,
     QgsProperty,
-    QgsRasterLayer,
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QUrl
@@ -179,13 +176,6 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
     assert not free.exists()
 
 
-def test_layers_of_the_project_and_their_ids(image: Path, project: QgsProject) -> None:
-    shown = QgsRasterLayer(str(image), "shown")
-    project.addMapLayer(shown)
-    for given in (shown, shown.id(), "shown"):
-        assert_refused("simulatebayer", REFUSED, RASTER=given, OUTPUT=str(image))
-
-
 @pytest.mark.parametrize("beside", ["image.tfw", "image.tif.aux.xml"])
 def test_sidecars_are_kept(image: Path, beside: str) -> None:
     before = (image.parent / beside).read_bytes()
@@ -203,14 +193,6 @@ def test_nothing_becomes_a_part_of_an_input(image: Path, ending: str) -> None:
     assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], REPORT=str(beside))
     assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(beside))
     assert not beside.exists()
-
-
-def test_a_sidecar_shared_with_an_older_output_is_kept(image: Path) -> None:
-    """GDAL removes a raster with its sidecars before it writes a new one in its place."""
-    older = Path(shutil.copy(image, image.with_suffix(".png")))
-    gdal.GetDriverByName("PNG").CreateCopy(str(older), gdal.Open(str(image)))
-    os.rename(image.with_suffix(".tfw"), image.with_suffix(".wld"))
-    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(older))
 
 
 def test_the_rasters_of_a_virtual_one_are_kept(image: Path, tmp_path: Path) -> None:
@@ -313,19 +295,6 @@ def test_two_outputs_are_two_files(tmp_path: Path) -> None:
     assert run("minimumheight", **given, OUTPUT=tables[0], HEIGHTS=tables[1]).complaint is None
 
 
-def test_an_older_result_is_replaced(image: Path, tmp_path: Path) -> None:
-    older = write_raster(tmp_path / "older.tif", np.zeros((3, 8, 8), np.uint8))
-    assert run("simulatebayer", RASTER=str(image), OUTPUT=older).complaint is None
-    assert gdal.Open(older).RasterXSize == 16
-    report = tmp_path / "older.html"
-    report.write_text("old")
-    assert run("checkradiometry", RASTERS=[str(image)], REPORT=str(report)).complaint is None
-    assert "<html" in report.read_text(encoding="utf-8")
-    rules = tmp_path / "rules.json"
-    rules.write_text(json.dumps({}), encoding="utf-8")
-    assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], RULES=str(rules), REPORT=str(rules))
-
-
 def seamlines_file(folder: Path) -> Path:
     """A GeoPackage with a line."""
     path = folder / "seam.gpkg"
@@ -366,14 +335,3 @@ def test_a_query_that_is_called_as_what_it_asks_has_an_end(image: Path, tmp_path
     project.addMapLayers([lines, queried])
     given = {"SEAMLINES": queried, "MOSAIC": str(image), "SIDE": 7}
     assert_refused("placewindows", REFUSED, **given, OUTPUT=lines.source())
-
-
-def test_the_sentence_names_the_file_at_risk(image: Path) -> None:
-    world = str(image.with_suffix(".tfw"))
-    assert_refused("simulatebayer", re.escape(world), RASTER=str(image), OUTPUT=world)
-
-
-@pytest.mark.parametrize(("name", "values"), [("simulatebayer", ["RASTER"]), ("enhancephoto", ["PHOTO"])])
-def test_a_name_that_is_too_long_gets_a_sentence(image: Path, name: str, values: list[str]) -> None:
-    output = str(image.parent / ("x" * 260 + ".tif"))
-    assert_sentence(run(name, **dict.fromkeys(values, str(image)), OUTPUT=output).complaint, "can't be written")

@@ -15,7 +15,7 @@ from seam_inspector.plugin.seams.desk.session import Session
 
 from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
 from tests.qgis.scenes import Scene, outline, windows
-from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 pytestmark = pytest.mark.slow
 
@@ -178,12 +178,3 @@ def test_unloading_while_a_task_runs(plugin: Any, scene: Scene, tmp_path: Path) 
     found = [feature["verdict"] for feature in layer.getFeatures()]
     assert found[0]
     assert not found[-1]
-
-
-def test_the_dock_inspects(plugin: Any, scene: Scene, tmp_path: Path) -> None:
-    action_of(plugin).trigger()
-    desk = use_in(plugin.desk("seamInspectorAction").dock.session, scene, tmp_path)
-    for window in (BLURRED_WINDOW, SHARP_WINDOW):
-        desk.add(window)
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
-    assert desk.messages == []

@@ -1,19 +1,15 @@
 """The decision on paper: what stands on the page, for any delivery and any name."""
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from qgis.core import Qgis
-from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, RatedImage, listed_images
-from seam_inspector.plugin.toolkit.resources import plugin_commit
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
 from tests.pages import Outline, outline
@@ -130,37 +126,6 @@ def test_every_size_of_delivery_fits(tmp_path: Path, sheets: int, each: int) -> 
     assert len(shown) == min(sheets * each, MOST_ROWS)
     assert ("The longest 300 of 320" in page.words) == (sheets * each > MOST_ROWS)
     assert (tmp_path / "report.html").stat().st_size < 2_000_000
-
-
-class Shouting(QTranslator):
-    """A language that is told from English everywhere."""
-
-    def translate(self, context: str, text: str, disambiguation: str | None = None, count: int = -1) -> str:
-        return re.sub(r"(?<!{)\b[^{}]+?\b(?!})", lambda words: words[0].upper(), text)
-
-    def isEmpty(self) -> bool:
-        return False
-
-
-def test_all_words_can_be_translated(tmp_path: Path) -> None:
-    plain = decided(["SHEET_1", "SHEET_2"], failed=FAILED, sampling=PLAN, images=("A.TIF", "B.TIF"))
-    words = ("visible", "invisible")
-    seen = with_windows(plain, *(
-        window_on(plain, one, str(one), observer=words[one % 2], observer_2=words[one % 2], cause="feathering")
-        for one in range(20)
-    ))
-    seen = replace(seen, rules=replace(seen.rules, name="RULES"), sentences=())
-    shouting = Shouting()
-    QCoreApplication.installTranslator(shouting)
-    try:
-        page = page_of(tmp_path, InspectionRecord(seen, (("SHEET_1", "/X"),), "/W", "/R", scan={"wavelet": "HAAR"}))
-    finally:
-        QCoreApplication.removeTranslator(shouting)
-    shown = page.words[page.words.index("REJECTED") :]
-    for name in ("Seam Inspector", "QGIS", Qgis.version(), plugin_commit(), plugin_commit()[:12]):
-        shown = shown.replace(name, "")
-    left = set(re.findall(r"[a-z]{2,}", shown)) - {"contract", "zone"}
-    assert not left
 
 
 def test_nothing_measured_is_no_number(tmp_path: Path) -> None:

@@ -8,13 +8,13 @@ from typing import Any
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsPointXY, QgsProject, QgsRectangle, QgsVectorLayer
+from qgis.core import QgsGeometry, QgsPointXY, QgsRectangle, QgsVectorLayer
 from scipy import stats
 
 from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
-from tests.qgis.runs import Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -38,21 +38,6 @@ def numbers(outcome: Run) -> dict[str, float]:
 def decision(outcome: Run) -> str:
     (said,) = (text for text in outcome.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
     return said
-
-
-def test_parameters_and_outputs_are_those_promised() -> None:
-    job = algorithm("acceptmosaic")
-    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
-    promised = {
-        "MIN_KEPT": 0.7, "MAX_SHARE": 2, "MAX_RUN": 50, "PLAN": "all", "LOT_SIZE": 0, "AQL": "1.0",
-        "INSPECTION_LEVEL": "II",
-    }  # fmt: skip
-    assert {name: defaults[name] for name in promised} == promised
-    assert {"REPORT", "QUALITY", "DEFECTS", "CHART", "RULES", "WINDOWS", "MOSAIC", "SEED"} <= defaults.keys()
-    required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
-    assert "SEAMS" in required
-    assert {*NUMBERS, "DECISION", "DEFECTS", "REPORT", "QUALITY"} <= {one.name() for one in job.outputDefinitions()}
-    assert job.group() == "Seam inspection"
 
 
 def test_metres_share_and_longest_failure() -> None:
@@ -113,12 +98,6 @@ def test_an_isolated_lot_has_a_plan_of_its_own(
     assert not faults((tmp_path / "q.xml").read_text(encoding="utf-8"))
 
 
-@pytest.mark.parametrize("aql", [1, 1.0, "1", "1.0"])
-def test_an_aql_may_be_a_number(aql: object) -> None:
-    outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=1000, AQL=aql)
-    assert outcome.results["ACCEPTED"] == 1
-
-
 def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
     made = seams([0.75] * 2 + [P] * 98)
     assert decide(made).results["ACCEPTED"] == 1
@@ -132,11 +111,6 @@ def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
     assert outcome.results["ACCEPTED"] == 1
     assert outcome.results["FAILED_METRES"] == 50
     assert decision(outcome).startswith("Accepted by 'contract 7'")
-
-
-def test_the_seams_of_a_scan_are_called_as_their_file(tmp_path: Path) -> None:
-    made = QgsVectorLayer(file(seams([F] * 4), tmp_path / "block_7_scan.gpkg"), "Seams", "ogr")
-    assert "in block_7_scan." in next(text for text in decide(made).log.infos if text.startswith("The longest"))
 
 
 @pytest.mark.parametrize("path", sorted(READY.glob("*.json")), ids=lambda path: path.stem)
@@ -189,35 +163,7 @@ def test_a_key_that_stands_twice_is_refused(text: str, tmp_path: Path) -> None:
     assert_refused("acceptmosaic", f"twice.json has '{key}' twice", SEAMS=[seams([P])], RULES=str(path))
 
 
-def test_windows_lend_their_words() -> None:
-    boxes = [f"POLYGON(({X + a} {Y - 9}, {X + a + 25} {Y - 9}, {X + a + 25} {Y + 9}, {X + a} {Y + 9}, {X + a} {Y - 9}))"
-             for a in (0, 25, 50, 75)]
-    judged = layer(
-        "Polygon", [QgsGeometry.fromWkt(box) for box in boxes], UTM33, window_id=("integer", [4, 5, 6, 7]),
-        remark=("string", ["kerb <gone>", None, "", None]), causes=("string", ["feathering", None, None, None]),
-        cause=("string", ["feathering", None, None, None]),
-    )
-    outcome = decide(seams([F, P, P, P]), WINDOWS=judged, DEFECTS="TEMPORARY_OUTPUT")
-    assert outcome.rows("DEFECTS")[0]["remark"] == "kerb <gone>"
-    assert outcome.rows("DEFECTS")[0]["cause"] == "feathering"
-
-
-def test_everything_on_paper(tmp_path: Path) -> None:
-    paths = {name: str(tmp_path / f"{name} 'a' & b.{ending}") for name, ending in
-             (("DEFECTS", "gpkg"), ("REPORT", "html"), ("QUALITY", "xml"), ("CHART", "png"))}
-    for plan in ("all", "iso2859"):
-        outcome = decide(seams([F, F, F] + [P] * 97), PLAN=plan, **paths)
-        assert outcome.complaint is None
-        assert not outcome.log.errors
-        for path in paths.values():
-            assert Path(path).stat().st_size > 1000
-
-
 # --- layers of all kinds ---------------------------------------------------------------------------------------
-
-
-def test_lengths_come_from_the_lines_where_the_layer_has_none() -> None:
-    assert decide(seams([P, F], with_length=False)).results["TOTAL_METRES"] == pytest.approx(50, rel=1e-3)
 
 
 def test_degrees_and_mixed_systems() -> None:
@@ -259,40 +205,6 @@ def test_a_file_of_several_tables_gives_its_seams(tmp_path: Path) -> None:
     assert decide(str(path)).results["TOTAL_METRES"] == 100
 
 
-def test_a_layer_of_the_project_by_its_name() -> None:
-    made = seams([P] * 4, name="my seams")
-    QgsProject.instance().addMapLayer(made, False)
-    assert decide("my seams").results["TOTAL_METRES"] == 100
-    assert decide(made.id()).results["TOTAL_METRES"] == 100
-    QgsProject.instance().removeMapLayer(made.id())
-
-
-def test_a_filtered_layer_is_refused(tmp_path: Path) -> None:
-    """Its failures may be what the filter hides."""
-    path = file(seams([F] * 3 + [P] * 7), tmp_path / "seams.gpkg")
-    filtered = QgsVectorLayer(path, "north", "ogr")
-    assert filtered.setSubsetString("kept_1 > 0.7")
-    for given in (filtered, f"{path}|subset=kept_1 > 0.7"):
-        assert_refused("acceptmosaic", "is filtered .*kept_1 > 0.7.* remove the filter", SEAMS=[given])
-
-
-def test_features_without_a_line_are_told() -> None:
-    made = layer(
-        "LineString", [straight(0, 25), None, QgsGeometry.fromWkt(f"LINESTRING({X} {Y}, {X} {Y})")], UTM33,
-        kept_1=("double", [P, F, F]),
-    )
-    outcome = decide(made)
-    assert outcome.results["TOTAL_METRES"] == pytest.approx(25, rel=1e-3)
-    assert_sentence(outcome.log.warnings[0], r"made: features without a line are left out \(2\)")
-
-
-def test_text_that_is_a_number_is_one(tmp_path: Path) -> None:
-    lines = [straight(25 * place, 25) for place in range(3)]
-    made = layer("LineString", lines, UTM33, kept_1=("string", ["0.5", "0.9", " "]))
-    outcome = decide(made)
-    assert (outcome.results["FAILED_METRES"], outcome.results["MEASURED_METRES"]) == pytest.approx((25, 50), rel=1e-3)
-
-
 def empty(kind: str = "LineString", **fields: tuple[str, list[Any]]) -> QgsVectorLayer:
     return layer(kind, [], UTM33, **fields)
 
@@ -311,26 +223,6 @@ def test_bad_layers_are_refused() -> None:
     assert_sentence(outcome.complaint, "layers of seams are empty")
     outcome = decide(seams([P] * 2), empty(kept_1=("double", [])))
     assert_sentence(outcome.log.warnings[0], "made is empty")
-
-
-@pytest.mark.parametrize(
-    ("parameters", "words"),
-    [
-        ({"MIN_KEPT": 0}, "has to keep 0 always passes"),
-        ({"MIN_KEPT": 70}, "is 70; give a number from 0 to 1"),
-        ({"AQL": "3"}, "is '3'; known are 0.010"),
-        ({"AQL": 15}, "is '15'; known are 0.010"),
-        ({"CHART": "/tmp/chart.doc"}, "no PNG, SVG or PDF"),
-    ],
-)
-def test_limits_that_can_not_be_are_refused(parameters: dict[str, Any], words: str) -> None:
-    assert_refused("acceptmosaic", words, SEAMS=[seams([P])], **parameters)
-
-
-def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
-    outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=10)
-    assert_sentence(outcome.complaint, "The lot size is 10 and the layers hold 80 pieces")
-    assert_sentence(decide(seams([P]), PLAN="iso2859").complaint, "at least 2")
 
 
 @pytest.mark.parametrize("number", [float("nan"), float("inf")])

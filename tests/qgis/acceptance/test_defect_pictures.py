@@ -109,21 +109,6 @@ def test_a_long_failure_is_shown_whole_and_where_least_is_kept_in_full_size(tmp_
     assert len(found.jpeg()) < 300_000
 
 
-def test_one_that_is_too_long_for_that_is_shown_around_its_worst_place(tmp_path: Path) -> None:
-    found = picture_of(decided(pieces=120, failed=[(0, one) for one in range(110)]),
-                       ground(tmp_path / "mosaic.tif", up=3000.0))  # fmt: skip
-    assert not found.is_whole
-
-
-@pytest.mark.parametrize(("kind", "value"), [("uint16", 900), ("float32", 0.25)])
-def test_any_type_of_pixels_becomes_a_picture(tmp_path: Path, kind: str, value: float) -> None:
-    shape = (3, 600, 600)
-    pixels = (np.random.default_rng(2).normal(1, 0.1, shape) * value).astype(kind)
-    write_raster(tmp_path / "mosaic.tif", pixels, 0.1, (LEFT - 30, BOTTOM + 140), system=UTM)
-    found = picture_of(decided(failed=[(0, 4)]), describe_mosaic(RasterRef(str(tmp_path / "mosaic.tif"))))
-    assert 40 < np.median(found.around) < 215
-
-
 def test_the_sheet_that_shows_it_is_taken(tmp_path: Path) -> None:
     elsewhere = tmp_path / "elsewhere.tif"
     write_raster(elsewhere, np.full((600, 600), 255, np.uint8), 0.1, (LEFT + 500, BOTTOM + 140), system=UTM)

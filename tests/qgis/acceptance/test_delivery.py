@@ -1,18 +1,12 @@
 """A delivery of twelve sheets, four of them spoilt in known ways, from rasters to a decision on paper: three calls."""
 from __future__ import annotations
 
-import base64
-import math
-import re
 import subprocess
 from pathlib import Path
 from xml.etree import ElementTree
 
-import numpy as np
 import pytest
-from osgeo import gdal
-from qgis.core import QgsGeometry, QgsPointXY, QgsVectorLayer
-from seam_inspector.plugin.acceptance.paper.defect_files import PROOF_PX
+from qgis.core import QgsVectorLayer
 
 from demo.delivery import SPOILT, Delivery
 from tests.made_once import the_delivery
@@ -87,44 +81,6 @@ def test_what_goes_back_is_what_was_spoilt(decided: Path, delivery: Delivery) ->
     for sheet, length in lengths.items():
         assert found[sheet] == pytest.approx(length, abs=11), sheet  # a piece has 10 m
     assert all((decided / row["picture"]).is_file() for row in rows)
-
-
-def test_the_page_of_a_failure_says_and_shows_what_decided(decided: Path, delivery: Delivery) -> None:
-    """Title, pieces, layer and the place of the picture, of every failure."""
-    page = (decided / "decision.html").read_text(encoding="utf-8")
-    sections = re.findall(r'<section class="proof">(.*?)</section>', page, re.DOTALL)
-    rows = list(QgsVectorLayer(str(decided / "defects.gpkg"), "defects", "ogr").getFeatures())
-    seams = list(QgsVectorLayer(f"{decided / 'seams.gpkg'}|layername=seams", "seams", "ogr").getFeatures())
-    mosaic = gdal.Open(str(delivery.mosaic))
-    left, pixel, _, top, _, _ = mosaic.GetGeoTransform()
-    assert len(sections) == len(rows) == len(SPOILT)
-    for section, row in zip(sections, rows):
-        own = [seam for seam in seams if seam["level"] == "piece" and seam.geometry().buffer(0.1, 4).intersects(
-            row.geometry()) and seam["kept_1"] < 0.7]  # fmt: skip
-        kept = [float(one) for one in re.findall(r"([\d.]+)\u00a0%", section.partition("one after the other")[2])]
-        assert sorted(kept) == pytest.approx(sorted(100 * one["kept_1"] for one in own), abs=0.51)
-        told = re.search(r"least kept ([\d.]+)\u00a0%", section)
-        assert told is not None
-        assert float(told[1]) == min(kept) == pytest.approx(100 * row["kept_1"], abs=0.51)
-        worst = min(own, key=lambda one: one["kept_1"]).geometry()
-        middle = worst.interpolate(worst.length() / 2).asPoint()
-        place = ((middle.x() - left) / pixel, (top - middle.y()) / pixel)
-        shown = picture_in(re.findall(r'src="data:image/jpeg;base64,([^"]+)"', section)[1])
-        column, row_ = (math.floor(one - PROOF_PX / 2) for one in place)
-        truth = np.moveaxis(mosaic.ReadAsArray(column, row_, PROOF_PX, PROOF_PX), 0, 2).astype(float)
-        inner = slice(12, -12)
-        assert np.corrcoef(shown[inner, inner].ravel(), truth[inner, inner].ravel())[0, 1] > 0.9
-        marks = np.argwhere(abs(shown - (255, 214, 0)).sum(axis=2) < 60)
-        assert len(marks)
-        points = [QgsGeometry.fromPointXY(QgsPointXY(left + (column + x + 0.5) * pixel, top - (row_ + y + 0.5) * pixel))
-                  for y, x in marks]  # fmt: skip
-        assert max(min(seam.geometry().distance(point) for seam in seams) for point in points) < 5 * pixel
-
-
-def picture_in(encoded: str) -> np.ndarray:
-    """(rows, columns, 3) of a JPEG."""
-    gdal.FileFromMemBuffer("/vsimem/panel.jpg", base64.b64decode(encoded))
-    return np.moveaxis(gdal.Open("/vsimem/panel.jpg").ReadAsArray(), 0, 2).astype(float)
 
 
 def test_the_sample_is_of_all_sheets_with_seams(decided: Path) -> None:

@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsGeometry, QgsProcessingContext, QgsProject, QgsVectorLayer
+from qgis.core import QgsProcessingContext, QgsProject, QgsVectorLayer
 
-from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
+from tests.qgis.acceptance.seam_scenes import UTM33, seams, straight
 from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import PIXEL, Scene, layer, line, pixel_box
 
@@ -24,15 +24,6 @@ def numbers(outcome: Run) -> tuple[object, ...]:
     assert outcome.complaint is None
     names = ("SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "LOT_SIZE", "CODE_LETTER")
     return tuple(outcome.results.get(name) for name in names)
-
-
-def test_parameters_and_outputs_are_those_promised() -> None:
-    job = algorithm("planinspection")
-    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
-    assert {"LOT_SIZE", "AQL", "INSPECTION_LEVEL", "COUNT", "SEED", "MOSAIC", "SIDE"} <= defaults.keys()
-    assert (defaults["PLAN"], defaults["UNIT"]) == ("iso2859", "pieces")
-    outputs = {output.name() for output in job.outputDefinitions()}
-    assert {"OUTPUT", "SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "LOT_SIZE", "CODE_LETTER"} <= outputs
 
 
 def test_a_sample_by_the_standard_in_proportion_from_every_sheet() -> None:
@@ -76,18 +67,6 @@ def test_the_sample_is_decided_on() -> None:
     assert not any("without a break: " in text for text in (*judged.log.infos, *outcome.log.infos))
 
 
-def test_the_papers_of_a_sample_say_nothing_of_the_longest_failure(tmp_path: Path) -> None:
-    planned = plan(seams([0.5] * 200 + [P] * 800), PLAN="iso2859", AQL="1.0")
-    report, quality = tmp_path / "report.html", tmp_path / "quality.xml"
-    outcome = run(
-        "acceptmosaic", SEAMS=[planned.layer()], PLAN="iso2859", AQL="1.0", REPORT=str(report), QUALITY=str(quality),
-        DEFECTS=None, CHART=None,
-    )
-    assert outcome.complaint is None
-    assert "failed without a break" not in report.read_text(encoding="utf-8")
-    assert "longest_failure" not in quality.read_text(encoding="utf-8")
-
-
 def test_a_sample_that_an_operator_judged_is_decided_on(scene: Scene) -> None:
     seam = layer("LineString", [line((200, 0), (300, 256)), line((400, 0), (400, 256))])
     given = {"PLAN": "count", "COUNT": 8, "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "PIECE": 5}
@@ -105,12 +84,6 @@ def test_a_sample_that_an_operator_judged_is_decided_on(scene: Scene) -> None:
     assert outcome.results["ACCEPTED"] == 0
     assert outcome.results["FAILED_METRES"] >= failed
     assert_refused("acceptmosaic", "give WINDOWS", SEAMS=[drawn.layer()], **wanted)
-
-
-@pytest.mark.parametrize("count", [1, 12, 5000])
-def test_as_many_as_are_asked_for(count: int) -> None:
-    outcome = plan(seams([P] * 40), PLAN="count", COUNT=count)
-    assert numbers(outcome) == (min(count, 40), None, 40, None)
 
 
 def test_plain_seamlines_are_cut() -> None:
@@ -181,19 +154,6 @@ def test_a_sample_larger_than_what_is_given_is_told() -> None:
     outcome = plan(seams([P] * 40), LOT_SIZE=1000)
     assert outcome.results["SAMPLE_SIZE"] == 40
     assert_sentence(outcome.log.warnings[0], "The plan needs 80 pieces and the layers hold 40")
-
-
-def test_degenerate_lines_are_left_out() -> None:
-    point = QgsGeometry.fromWkt(f"LINESTRING({X} {Y}, {X} {Y})")
-    outcome = plan(layer("LineString", [point, straight(0, 50), None]), PLAN="count")
-    assert outcome.results["LOT_SIZE"] == 2
-
-
-def test_files_as_a_script_gives_them(tmp_path: Path) -> None:
-    path = file(seams([P] * 30), tmp_path / "a 'sheet' & more.gpkg")
-    outcome = plan(path, OUTPUT=str(tmp_path / "sample.gpkg"), PLAN="count", COUNT=3)
-    assert (tmp_path / "sample.gpkg").exists()
-    assert outcome.rows()[0]["sheet"] == "a 'sheet' & more"
 
 
 @pytest.mark.parametrize("unit", ["pieces", "windows"])

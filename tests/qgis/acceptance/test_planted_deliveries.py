@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsVectorLayer
+from qgis.core import QgsVectorLayer
 
 from tests.pages import outline
 from tests.qgis.acceptance.planted import (
@@ -24,9 +24,9 @@ from tests.qgis.acceptance.planted import (
     planted_metres,
     seam_metres,
 )
-from tests.qgis.acceptance.seam_scenes import X, Y, seams
+from tests.qgis.acceptance.seam_scenes import seams
 from tests.qgis.runs import Run, run
-from tests.qgis.scenes import layer, saved
+from tests.qgis.scenes import saved
 
 pytestmark = [pytest.mark.usefixtures("provider"), pytest.mark.slow]
 
@@ -134,20 +134,6 @@ def test_2_failures_that_end_inside_of_pieces(spoilt: Block, scanned: Run, tmp_p
         assert by_share.results["DECISION"] in outcomes
 
 
-def test_3_mixed_pieces(tmp_path: Path) -> None:
-    """Each spoilt on half of its length, or not at all: which side of the limit it is on can't be told."""
-    made = seams([0.68] * 4 + [P] * 146)
-    made.dataProvider().changeAttributeValues({
-        row.id(): {made.fields().indexOf("kept_low"): 0.55, made.fields().indexOf("kept_high"): 0.84}
-        for row in made.getFeatures() if row["kept_1"] == 0.68
-    })  # fmt: skip
-    found = decide(tmp_path, made, MAX_RUN=200)
-    assert found.results["FAILED_METRES"] == 100  # by value, 2.7 %
-    assert found.results["DECISION"] == "undecided"
-    assert "a verdict on the pieces whose intervals hold the limit (100 m, pieces: 4)" in said(found)
-    assert_all_say_the_same(tmp_path, found, made)
-
-
 def test_4_smooth_fields(tmp_path: Path) -> None:
     """A third of all seams on even fields, on some of which nothing can be measured; not a metre failed."""
     block = make_block(tmp_path / "block", smooth=ROWS // 3)
@@ -213,21 +199,6 @@ def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:
     assert found.results["DECISION"] == "undecided"
     assert f"the layers lack {scanned.results['FAILED_METRES']:.0f} m of seam" in decision(found)
     assert_all_say_the_same(tmp_path, found, copied)
-
-
-@pytest.mark.parametrize("change", [{"kept_1": 0.95, "kept_low": 0.9, "kept_high": 1.0}, {"state": "no_detail"}])
-def test_6_rows_that_were_written_over(scanned: Run, change: dict[str, Any], tmp_path: Path) -> None:
-    """What the scan failed passes now: its own totals say otherwise."""
-    copy = tmp_path / "copy.gpkg"
-    gdal.VectorTranslate(str(copy), scanned.results["SEAMS"].partition("|")[0])
-    layer = QgsVectorLayer(str(copy), "copy", "ogr")
-    failed = [row.id() for row in layer.getFeatures() if row["state"] == "failed" and row["level"] == "piece"]
-    values = {layer.fields().indexOf(name): value for name, value in change.items()}
-    assert layer.dataProvider().changeAttributeValues(dict.fromkeys(failed, values))
-    found = decide(tmp_path, layer)
-    assert (found.results["FAILED_METRES"], found.results["DECISION"]) == (0, "undecided")
-    assert f"{scanned.results['FAILED_METRES']:.0f} m which its scan failed pass" in decision(found)
-    assert "the layers of seams as their scans wrote them" in said(found)
 
 
 def test_7_two_orthoimages_of_one_name(tmp_path: Path) -> None:
@@ -312,18 +283,3 @@ def test_11_one_of_four_orthoimages(spoilt: Block, tmp_path: Path) -> None:
     found = decide(tmp_path, made.results["SEAMS"])
     assert found.results["DECISION"] == "undecided"
     assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
-
-
-def test_12_operators(tmp_path: Path) -> None:
-    """What an operator saw decides, and the headline says so."""
-    made = seams([P] * 40)
-    boxes = [f"POLYGON(({X + a} {Y - 9}, {X + a + 25} {Y - 9}, {X + a + 25} {Y + 9}, {X + a} {Y + 9}, {X + a} {Y - 9}))"
-             for a in range(0, 1000, 25)]
-    judged = layer(
-        "Polygon", [QgsGeometry.fromWkt(box) for box in boxes], made.crs().postgisSrid(),
-        window_id=("integer", list(range(40))), observer=("string", ["visible"] * 3 + ["invisible"] * 37),
-    )
-    found = decide(tmp_path, made, WINDOWS=judged, JUDGE="observer")
-    assert found.results["DECISION"] == "rejected"
-    assert (found.results["FAILED_METRES"], found.results["LONGEST_FAILURE"]) == (75, 75)
-    assert decision(found).startswith("Rejected by the observers' verdicts and ")

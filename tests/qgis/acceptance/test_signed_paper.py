@@ -11,7 +11,6 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsSettings, QgsVectorLayer
 from seam_inspector.plugin.acceptance.paper.defect_files import PROOF_PX
-from seam_inspector.plugin.acceptance.paper.inspection_record import file_digests
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.proven_acceptance import proof_panels
@@ -70,14 +69,6 @@ def test_the_head_says_whose_delivery_it_is(paper: tuple[Run, Path]) -> None:
     xml = (folder / "quality.xml").read_text(encoding="utf-8")
     for value in ("Protocol 7", "12/2026", "Maker &amp; Sons", "2026-11-20"):
         assert value in xml
-
-
-def test_an_empty_head_is_left_out(tmp_path: Path) -> None:
-    made = run("acceptmosaic", SEAMS=[seams([0.9])], DEFECTS=None, REPORT=str(tmp_path / "decision.html"))
-    assert made.complaint is None
-    words = page(tmp_path).words
-    assert "Acceptance of an orthophoto mosaic" in words
-    assert "Producer" not in words
 
 
 def test_forms_remember_and_scripts_do_not(tmp_path: Path) -> None:
@@ -171,12 +162,6 @@ def test_sheets_come_back_with_their_verdicts() -> None:
     assert all(feature.geometry().area() == pytest.approx(10_000) for feature in made.features("SHEETS_OUT"))
 
 
-def test_a_sample_tells_of_no_sheet() -> None:
-    made = run("acceptmosaic", SEAMS=[seams([0.5] * 40)], PLAN="iso2859", DEFECTS=None, REPORT=None)
-    assert made.complaint is None
-    assert made.column("verdict", "SHEETS_OUT") == [None]
-
-
 def test_digests_are_what_anybody_computes(paper: tuple[Run, Path], feathered: Files) -> None:
     _, folder = paper
     told = subprocess.run(["sha256sum", feathered.mosaic], capture_output=True, text=True, check=True).stdout.split()[0]
@@ -187,18 +172,6 @@ def test_digests_are_what_anybody_computes(paper: tuple[Run, Path], feathered: F
         f"{path.name}\t{path}\t\t{path.stat().st_size}\n" for path in map(Path, sorted(feathered.sources))
     ]  # fmt: skip
     assert hashlib.sha256("".join(rows).encode()).hexdigest() in words
-
-
-def test_digests_can_be_stopped(tmp_path: Path) -> None:
-    (tmp_path / "large").write_bytes(bytes(10_000_000))
-    told: list[float] = []
-
-    def goes_on(share: float) -> bool:
-        told.append(share)
-        return len(told) < 2
-
-    assert file_digests([str(tmp_path / "large")], goes_on) is None
-    assert told == [0.0, pytest.approx(0.42, abs=0.01)]
 
 
 def test_the_annex_lists_orthoimages_with_their_dates(tmp_path: Path, feathered: Files) -> None:

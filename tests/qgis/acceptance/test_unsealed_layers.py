@@ -9,7 +9,6 @@ import pytest
 from osgeo import gdal, ogr
 from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
 
-from tests.pages import outline
 from tests.qgis.acceptance.seam_scenes import file, sealed, seams
 from tests.qgis.runs import Run, assert_refused, run
 from tests.qgis.scenes import saved
@@ -180,10 +179,3 @@ def test_a_sample_is_sealed_as_what_it_was_drawn_of(tmp_path: Path) -> None:
 
 
 # --- failures that are surely failures ------------------------------------------------------------------------------
-
-
-def test_the_cover_says_how_much_of_what_failed_may_keep_enough(tmp_path: Path) -> None:
-    report = tmp_path / "r.html"
-    decide(seams([F] * 3 + [0.68] + [P] * 60), REPORT=str(report))  # intervals of 0.05 either side
-    words = " ".join(outline(report.read_text(encoding="utf-8")).words.replace("\u00a0", " ").split())
-    assert "100.0 mof it failed 25.0 %of these may keep enough (95 %)" in words

@@ -11,8 +11,6 @@ from qgis.core import QgsGeometry
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.measure.delivery import SheetOutline
-from seam_inspector.plugin.acceptance.paper import acceptance_report
-from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS
 from seam_inspector.plugin.acceptance.paper.charts import seams_figure
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
 
@@ -67,19 +65,6 @@ def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     assert {one.get_text() for one in drawn.axes[0].texts} - {one.get_text() for one in plain.axes[0].texts} >= {"far"}
     ratio = np.ptp(drawn.axes[0].get_xlim()) / np.ptp(drawn.axes[0].get_ylim())
     assert ratio == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of seams 1 km high and 100 m wide
-
-
-def test_the_map_numbers_what_the_table_holds(tmp_path: Path) -> None:
-    decision = decided([f"sheet_{one}" for one in range(40)], failed=[(n, 4 * m) for n in range(40) for m in range(8)])
-    shown: list[int] = []
-
-    def drawn(_: Decision, defects: object, _mosaics: object) -> None:
-        shown.extend(defect.run.number for defect in defects)  # type: ignore[attr-defined]
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(acceptance_report, "seams_figure", drawn)
-        page_of(tmp_path, record_of(decision))
-    assert max(shown) == MOST_ROWS
 
 
 def judged() -> Decision:

@@ -12,7 +12,7 @@ from qgis.core import QgsGeometry, QgsProcessingContext, QgsRectangle
 
 from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
-from tests.qgis.runs import Log, algorithm, assert_refused, run
+from tests.qgis.runs import Log, algorithm, run
 from tests.qgis.scenes import layer
 from tests.qgis.seams.scan_scenes import Files, drawn_seam, write_scene
 
@@ -64,11 +64,6 @@ def test_missing_and_unordered_sheets_are_told(folder: Path, tmp_path: Path) -> 
         "sheet_a": None, "sheet_b": None, "sheet_c": "it was not ordered", "sheet_z": "the file is missing"
     }
     assert (made.results["MISSING_COUNT"], made.results["FAULTY_COUNT"], made.results["COMPLETE"]) == (1, 2, 0)
-
-
-def test_a_delivery_has_to_be_somewhere(tmp_path: Path) -> None:
-    assert_refused("checkdelivery", "Neither a folder nor sheets", VRT=str(tmp_path / "all.vrt"))
-    assert "holds no rasters" in str(run("checkdelivery", FOLDER=str(tmp_path), VRT="TEMPORARY_OUTPUT").complaint)
 
 
 def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files, tmp_path: Path) -> None:
@@ -174,11 +169,3 @@ def test_what_a_step_needs_of_another_has_not_to_be_asked_for(
     assert Path(results["check:mosaic"]).is_file()
     page = outline(report.read_text(encoding="utf-8"))
     assert {row[0]: row[1:] for row in page.rows if len(row) == 3}["completeness and form of the files"]
-
-
-def test_scripts_get_the_models_own_defaults() -> None:
-    model = algorithm("accept_delivery")
-    given = model._with_defaults({"piece": 5.0})
-    names = "piece", "min_kept", "max_share", "max_run", "min_measured"
-    assert [given[name] for name in names] == [5.0, 0.7, 2.0, 50.0, 90.0]
-    assert model._with_defaults({})["piece"] == 10.0

@@ -71,16 +71,6 @@ def test_the_table_of_keys_is_that_of_the_desk(repository: Path) -> None:
     assert page == keys.with_keys(page), RENEW
 
 
-def test_a_table_names_every_parameter_and_output(repository: Path, provider: QgsProcessingProvider) -> None:
-    for one in provider.algorithms():
-        made = algorithm(one.name())
-        page = (repository / "docs" / "algorithms" / f"{one.name()}.md").read_text("utf-8")
-        named = re.findall(r"^\| (?:.+? )?`([\w:]+)`(?: \(advanced\))? \|", page, re.MULTILINE)
-        wanted = [definition.name() for definition in made.parameterDefinitions()]
-        wanted += [output.name() for output in made.outputDefinitions()]
-        assert set(wanted) <= set(named), one.name()
-
-
 def test_the_help_is_that_of_the_guide(repository: Path) -> None:
     """`make help-pages` renews it."""
     help_pages = tool(repository, "help_pages")

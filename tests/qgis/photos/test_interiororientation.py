@@ -18,7 +18,7 @@ from seam_inspector.plugin.photos.measure.orientation_files import read_measures
 
 from tests.numbers.photos.photos import Look, Place
 from tests.numbers.synthetic import write_plain
-from tests.qgis.photos.photo_scenes import PhotoScene, make_photo, points, write_calibration
+from tests.qgis.photos.photo_scenes import PhotoScene, make_photo, points
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -120,12 +120,6 @@ def test_the_world_file_puts_the_photo_in_millimetres(scene: PhotoScene, tmp_pat
     assert again.column("column") == pytest.approx(outcome.column("column"), abs=1e-6)
 
 
-def test_where_qgis_shows_a_photo_without_a_place_on_the_map(scene: PhotoScene) -> None:
-    shown = QgsRasterLayer(str(scene.photo), "photo").extent()
-    assert (shown.xMinimum(), shown.xMaximum()) == (0, scene.frame.pixels.shape[1])
-    assert (shown.yMinimum(), shown.yMaximum()) == (-scene.frame.pixels.shape[0], 0)
-
-
 def test_a_mark_measured_by_hand_takes_the_place_of_a_failed_one(blotted: PhotoScene) -> None:
     first = run("interiororientation", **blotted.inputs, **CROSS)
     assert dict(zip(first.column("mark"), first.column("status"))) == {
@@ -145,23 +139,6 @@ def test_a_mark_measured_by_hand_takes_the_place_of_a_failed_one(blotted: PhotoS
     assert third.column("status") == second.column("status")
 
 
-def test_approximate_positions_are_measured(scene: PhotoScene) -> None:
-    near = {name: (column + 9, row - 7) for name, (column, row) in scene.frame.places.items()}
-    outcome = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points(near))
-    assert outcome.column("status") == ["measured"] * 4
-    assert max(distances(outcome, scene.frame.places).values()) < 0.1
-    single = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points({"3": near["3"]}))
-    assert max(distances(single, scene.frame.places).values()) < 0.1
-
-
-def test_a_template_cut_out_of_the_photo(scene: PhotoScene, tmp_path: Path) -> None:
-    column, row = (int(value) for value in scene.frame.places["1"])
-    cut = scene.frame.pixels[row - 24 : row + 21, column - 20 : column + 23]  # not in the middle
-    outcome = run("interiororientation", **scene.inputs, TEMPLATE=write_plain(tmp_path / "cut.tif", cut))
-    assert outcome.column("status") == ["measured"] * 4
-    assert max(distances(outcome, scene.frame.places).values()) < 0.3
-
-
 @pytest.mark.parametrize("words", [{"MODEL": "similarity"}, {"MODEL": "projective"}, {"SURFACE": "brightness"}])
 def test_choices(tmp_path: Path, words: dict[str, str]) -> None:
     scene = make_photo(tmp_path, Look("ring with dot", dots=True), seed=5)
@@ -170,19 +147,6 @@ def test_choices(tmp_path: Path, words: dict[str, str]) -> None:
     assert max(distances(outcome, scene.frame.places).values()) < 0.5
     if words.get("MODEL") == "projective":
         assert any("say nothing" in warning for warning in outcome.log.warnings)
-
-
-def test_without_numbers_it_says_that_it_assumes(tmp_path: Path) -> None:
-    scene = make_photo(tmp_path, Look(diagonal=True), seed=6)
-    outcome = run("interiororientation", **scene.inputs, **CROSS)
-    assert outcome.column("status") == ["measured"] * 4
-    assert any("How the photo lay in the scanner is not known" in warning for warning in outcome.log.warnings)
-    more = write_calibration(tmp_path / "strip.csv", more="data_strip,-125,0\n")
-    pixels = np.pad(scene.frame.pixels, ((0, 0), (0, 200)), constant_values=30)  # the strip is at the right
-    write_plain(scene.photo, pixels)
-    turned = run("interiororientation", PHOTO=str(scene.photo), CALIBRATION=str(more), **CROSS)
-    places = scene.frame.places
-    assert distances(turned, {"1": places["3"], "2": places["4"], "3": places["1"], "4": places["2"]})["1"] < 0.1
 
 
 # --- bad input -------------------------------------------------------------------------------------------------
@@ -203,16 +167,6 @@ def test_a_bad_calibration_is_refused(scene: PhotoScene, tmp_path: Path, rows: s
     path = tmp_path / "camera.csv"
     path.write_text("mark,x_mm,y_mm\n" + rows, encoding="utf-8")
     assert_refused("interiororientation", words, PHOTO=str(scene.photo), CALIBRATION=str(path))
-
-
-def test_other_files_are_refused(scene: PhotoScene, tmp_path: Path) -> None:
-    calibration = str(scene.calibration)
-    assert_refused("interiororientation", "does not exist", PHOTO="/nowhere/p.tif", CALIBRATION=calibration)
-    assert_refused("interiororientation", "not a raster", PHOTO=calibration, CALIBRATION=calibration)
-    assert_refused("interiororientation", "can't be read", PHOTO=str(scene.photo), CALIBRATION="/nowhere/c.csv")
-    assert_refused("interiororientation", "neither a CSV", PHOTO=str(scene.photo), CALIBRATION=str(scene.photo))
-    assert_refused("interiororientation", "too few pixels|needs at least", **scene.inputs,
-                   TEMPLATE=write_plain(tmp_path / "small.tif", scene.frame.pixels[:3, :3]))
 
 
 def complaint(scene: PhotoScene, **parameters: Any) -> str | None:
@@ -238,11 +192,6 @@ def test_a_photo_larger_than_any_scan(scene: PhotoScene, tmp_path: Path) -> None
         started = time.process_time()
         assert_refused(name, words, PHOTO=path, CALIBRATION=str(scene.calibration))
         assert time.process_time() - started < 5
-
-
-def test_a_template_larger_than_the_search_area(scene: PhotoScene, tmp_path: Path) -> None:
-    cut = write_plain(tmp_path / "cut.tif", scene.frame.pixels[:60, :60])
-    assert_sentence(complaint(scene, TEMPLATE=cut, SEARCH=2), "template is .* mm wide and the search area 4.0 mm")
 
 
 def test_bad_positions(scene: PhotoScene) -> None:
@@ -299,5 +248,3 @@ def test_too_few_marks_found_keep_what_was_measured(blotted: PhotoScene, tmp_pat
     assert not any(key in outcome.results for key in ("PARAMETERS", "WORLD_FILE"))
     assert_sentence(outcome.log.errors[0], "the affine model needs 3")
     assert report.is_file()
-
-

@@ -10,8 +10,8 @@ import pytest
 from qgis.core import QgsGeometry
 
 from tests.numbers.synthetic import ORIGIN, read_pixels, write_raster
-from tests.qgis.runs import Log, algorithm, assert_refused, assert_sentence, run, run_unchecked
-from tests.qgis.scenes import Scene, layer, line, windows
+from tests.qgis.runs import assert_refused, assert_sentence, run, run_unchecked
+from tests.qgis.scenes import layer, line, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -34,16 +34,6 @@ def mosaics(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
 
 def figures(rows: list[dict[str, Any]], raster: str) -> dict[tuple[str, str], Any]:
     return {(row["check"], row["band"]): row["value"] for row in rows if row["raster"] == raster}
-
-
-def test_parameters_and_outputs_are_those_promised() -> None:
-    job = algorithm("checkradiometry")
-    names = [definition.name() for definition in job.parameterDefinitions()]
-    wanted = "RASTERS SHEETS WINDOWS READY_RULES RULES VALUE_RANGE GREY_AREAS SEAMLINES OUTPUT MAYBE_GREY REPORT"
-    assert names == wanted.split()
-    required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
-    assert required == ["READY_RULES", "OUTPUT"]
-    assert {"OUTPUT", "REPORT", "MAYBE_GREY", "DECISION", "REASONS"} <= {one.name() for one in job.outputDefinitions()}
 
 
 def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
@@ -127,17 +117,6 @@ def test_own_rules(mosaics: list[str], tmp_path: Path) -> None:
     assert {row["source"] for row in outcome.rows()} == {"contract 12", "contract 13"}
 
 
-def test_windows_are_checked_for_themselves(mosaics: list[str]) -> None:
-    drawn = windows((0, 0, 128, 128), (300, 0, 100, 140), (9000, 0, 128, 128), window_id=("integer", [4, 5, 6]))
-    outcome = run("checkradiometry", RASTERS=mosaics, WINDOWS=drawn, READY_RULES="jrc_lpis_each_band")
-    assert sorted({row["window_id"] for row in outcome.rows()}) == [4, 5]
-    found = {(row["window_id"], row["check"]): row["value"] for row in outcome.rows() if row["band"] == "red"
-             and row["raster"] == "cut.tif"}
-    pixels = read_pixels(mosaics[0], 300, 0, 100, 140)
-    assert found[5, "contrast"] == pytest.approx(pixels[0].std() / 255)
-    assert any("Window 6 lies on none of the rasters" in said for said in outcome.log.warnings)
-
-
 def test_a_window_on_one_of_two_rasters_is_not_missed(mosaics: list[str], tmp_path: Path) -> None:
     pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
     beside = write_raster(tmp_path / "beside.tif", pixels, origin=(ORIGIN[0] + 51.2, ORIGIN[1]))
@@ -146,19 +125,6 @@ def test_a_window_on_one_of_two_rasters_is_not_missed(mosaics: list[str], tmp_pa
     assert {(row["raster"], row["window_id"]) for row in outcome.rows()} == {("cut.tif", 1), ("beside.tif", 2)}
     (said,) = outcome.log.warnings
     assert_sentence(said, "Window 3 is left out on cut.tif: The window covers 9 x 9 px")
-
-
-def test_what_can_not_be_measured_has_its_reason(tmp_path: Path) -> None:
-    path = write_raster(tmp_path / "empty.tif", np.zeros((3, 200, 200), np.uint8), nodata=0)
-    outcome = run("checkradiometry", RASTERS=[path], SEAMLINES=layer("LineString", [line(*SEAM)]))
-    rows = outcome.rows()
-    assert len(rows) == 4 + 3 * 3 + 1
-    assert {(row["value"], row["passed"]) for row in rows} == {(None, None)}
-    assert {row["reason"] for row in rows} == {
-        "not measurable: 0 pixels are valid and at least 4096 are needed; choose a larger part."
-    }
-    assert outcome.results["NOT_MEASURABLE_COUNT"] == len(rows)
-    assert outcome.results["DECISION"] == "undecided"
 
 
 def test_a_bad_raster_is_named_and_the_others_are_checked(mosaics: list[str], tmp_path: Path) -> None:
@@ -201,14 +167,6 @@ def test_bad_input_ends_with_a_sentence(
         given["SEAMLINES"] = layer("LineString", given["SEAMLINES"])
     for outcome in (run("checkradiometry", **given), run_unchecked("checkradiometry", **given)):
         assert_sentence(outcome.complaint, words)
-
-
-def test_it_stops_when_cancelled(scene: Scene) -> None:
-    log = Log()
-    log.cancel()
-    outcome = run("checkradiometry", log, RASTERS=scene.sources)
-    assert outcome.complaint is None
-    assert outcome.rows() == []
 
 
 def test_what_measured_nothing_leaves_no_file_and_an_older_one_as_it_was(mosaics: list[str], tmp_path: Path) -> None:

@@ -1,13 +1,11 @@
 """The decision of ``checkradiometry``, and what users give it for that: the range of values, grey areas, seams."""
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.radiometry import report as radiometry_report
 
 from tests.numbers.synthetic import ORIGIN, texture, write_raster
 from tests.qgis.runs import Log, assert_sentence, run
@@ -60,20 +58,6 @@ def test_one_bad_sheet_rejects_and_is_named(sheets: dict[str, str], tmp_path: Pa
     page = report.read_text(encoding="utf-8")
     assert "<b>'&.tif" not in page
     assert 'class="decision bad"' in page
-
-
-def test_of_very_many_images_the_doubtful_ones_have_their_histogram(
-    sheets: dict[str, str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(radiometry_report, "_MOST_HISTOGRAMS", 1)
-    pages = []
-    for rasters in ([sheets["good"], sheets["twelve"]], [sheets["twelve"]]):
-        decided(rasters, REPORT=str(tmp_path / "r.html"))
-        pages.append((tmp_path / "r.html").read_text(encoding="utf-8"))
-    some, alone = pages
-    assert "Histograms of 1 of the 2 images are drawn" in some
-    assert "are drawn" not in alone
-    assert some.count("The available range is not known.") == alone.count("The available range is not known.") > 0
 
 
 def test_a_name_that_turns_or_breaks_lines_is_made_plain(tmp_path: Path) -> None:
@@ -131,13 +115,6 @@ def test_grey_areas_tell_a_cast(sheets: dict[str, str]) -> None:
     assert outcome.results["DECISION"] == "rejected"
 
 
-def test_grey_areas_without_an_outline_are_no_measure(sheets: dict[str, str]) -> None:
-    outcome = run("checkradiometry", RASTERS=[sheets["soil"]], GREY_AREAS=layer("Polygon", [None, None]))
-    (row,) = [row for row in outcome.rows() if row["check"] == "colour_balance"]
-    assert row["reason"].startswith("not measurable: the grey areas show fewer than 256 valid pixels")
-    assert outcome.complaint is None
-
-
 def test_what_may_be_grey_can_be_looked_at_and_given(sheets: dict[str, str]) -> None:
     first = run("checkradiometry", RASTERS=[sheets["soil"]], MAYBE_GREY="memory:")
     found = first.features("MAYBE_GREY")
@@ -171,12 +148,3 @@ def test_the_worst_seam_is_named_with_its_features_and_its_place(tmp_path: Path,
     page = report.read_text(encoding="utf-8")
     assert said.partition(": ")[2] in page
     assert f">{row['place']}</td>" in page
-
-
-def test_rules_of_ones_own_count_before_the_ready_ones(sheets: dict[str, str], tmp_path: Path) -> None:
-    rules = tmp_path / "own.json"
-    rules.write_text(json.dumps({"name": "ours", "rules": [
-        {"check": "contrast", "band": "nir", "most": 1, "source": "contract 4"},
-    ]}))
-    word, why, _ = decided([sheets["good"]], RULES=str(rules), READY_RULES="jrc_lpis")
-    assert (word, why) == ("undecided", "Not measurable and required: contrast (near infrared); in good.tif.")

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
-from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
+from qgis.core import QgsVectorLayer
 from scipy import stats
 
 from tests.qgis.runs import Run, assert_refused, run
@@ -177,43 +176,6 @@ def test_what_an_eye_sees_of_a_loss_is_a_measure_too(tmp_path: Path) -> None:
     assert "visibility" in chart.read_text(encoding="utf-8")
 
 
-def test_where_no_seam_was_measured_the_numbers_are_of_the_ratio() -> None:
-    nothing = ("double", [None] * len(KEPT))
-    outcome = run("calibratethreshold", WINDOWS=judged(kept_1=nothing))
-    assert outcome.results["MAX_RATIO"] == summary(outcome, "ratio_1")["threshold"]
-    assert any("kept_1: left out" in warning for warning in outcome.log.warnings)
-
-
-def test_a_layer_with_one_measure_alone_will_do() -> None:
-    windows = judged(kept_1=("double", KEPT))
-    windows.dataProvider().deleteAttributes([windows.fields().indexOf("ratio_1")])
-    windows.updateFields()
-    outcome = run("calibratethreshold", WINDOWS=windows)
-    assert {row["measure"] for row in outcome.rows()} == {"kept_1"}
-    assert_refused("calibratethreshold", "no field 'ratio_1'", WINDOWS=windows, MEASURE="ratio_1")
-    assert_refused("calibratethreshold", "no field 'contrast_1'", WINDOWS=judged(), MEASURE="contrast_1")
-
-
-def test_windows_near_each_other_are_resampled_together() -> None:
-    random = np.random.default_rng(7)
-    shared = np.repeat(random.normal(0, 0.12, 10), 4)
-    kinds = np.arange(40) % 2 == 0
-    values = np.clip(np.where(kinds, 0.45, 0.75) + shared + random.normal(0, 0.04, 40), 0.05, 0.99)
-    words = np.where(kinds, "visible", "invisible").tolist()
-    widths, counts = [], []
-    for apart in (30, 3000):  # metres between the windows of a place
-        shapes = [outline((50_000 * (place // 4) + apart * (place % 4), 0, 100, 100)) for place in range(40)]
-        windows = layer(
-            "Polygon", shapes, window_id=("integer", list(range(1, 41))), ratio_1=("double", values.tolist()),
-            observer=("string", words),
-        )  # fmt: skip
-        row = summary(run("calibratethreshold", WINDOWS=windows))
-        widths.append(row["threshold_high"] - row["threshold_low"])
-        counts.append(row["neighbourhoods"])
-    assert counts == [10, 40]
-    assert widths[0] > 1.3 * widths[1]
-
-
 def test_only_judged_and_measured_windows_count() -> None:
     windows = judged((*VISIBLE, None), INVISIBLE)
     names = windows.fields().names()
@@ -243,24 +205,6 @@ def test_how_well_two_operators_agree_is_told() -> None:
     told = run("calibratethreshold", WINDOWS=judged(observer_2=("string", second))).log.infos
     assert any(one.startswith("Both operators judged 14 windows and agreed on 13. Cohen's kappa 0.85") for one in told)
     assert not any("operators" in info for info in run("calibratethreshold", WINDOWS=judged()).log.infos)
-
-
-def test_a_csv_file_will_do(tmp_path: Path) -> None:
-    path = str(tmp_path / "windows.csv")
-    options = QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName = "CSV"
-    QgsVectorFileWriter.writeAsVectorFormatV3(judged(), path, QgsCoordinateTransformContext(), options)
-    (tmp_path / "windows.csvt").unlink(missing_ok=True)
-    outcome = run("calibratethreshold", WINDOWS=path)
-    assert outcome.results["AUC"] == run("calibratethreshold", WINDOWS=judged()).results["AUC"]
-    assert any("without an outline: 15" in warning for warning in outcome.log.warnings)
-
-
-@pytest.mark.parametrize("ending", sorted(SIGNATURES))
-def test_the_charts_formats(ending: str, tmp_path: Path) -> None:
-    chart = tmp_path / f"roc{ending}"
-    run("calibratethreshold", WINDOWS=judged(), CHART=str(chart))
-    assert chart.read_bytes().startswith(SIGNATURES[ending])
 
 
 def test_bad_input_is_told(tmp_path: Path) -> None:

@@ -155,31 +155,6 @@ def test_a_bad_source_does_not_cost_the_good_ones(scene: Scene, good: Run, tmp_p
         assert_sentence(warning, BAD_SOURCES[kind])
 
 
-@pytest.mark.parametrize(
-    ("kind", "reason"),
-    [
-        ("missing", "No source covers the window"),
-        ("far_away", "No source covers the window"),
-        ("one_pixel", "No source covers the window|one_pixel.tif does not cover the whole window"),
-        ("nodata", r"100\.00\u00a0% of the pixels of nodata.tif are invalid"),
-        ("not_a_number", r"100\.00\u00a0% of the pixels of not_a_number.tif are invalid"),
-        ("constant", "constant.tif has no variance"),
-        ("one_band", "one_band.tif has no luminance"),
-    ],
-)
-def test_without_a_good_source_windows_are_not_comparable(
-    scene: Scene, tmp_path: Path, kind: str, reason: str
-) -> None:
-    outcome = inspect(scene, SOURCES=[getattr(Files(scene.west, tmp_path), kind)()])
-    assert outcome.column("verdict") == ["not_comparable"] * 2
-    assert outcome.column("sources") == [0, 0]
-    assert outcome.column("ratio_1") == [None, None]
-    for text in outcome.column("reason"):
-        assert_sentence(text, reason)
-    assert outcome.results["NOT_COMPARABLE_COUNT"] == 2
-    assert outcome.rows("PAIRS") == []
-
-
 @pytest.mark.parametrize("other", ["vector", "service"])
 def test_a_layer_that_is_no_file_among_the_sources_is_left_out(scene: Scene, good: Run, other: str) -> None:
     odd = (
@@ -236,18 +211,6 @@ def test_the_readable_part_of_a_truncated_mosaic_is_measured(scene: Scene, tmp_p
     assert_sentence(outcome.column("reason")[0], "half.tif can't be read; the file may be truncated")
 
 
-def test_a_few_invalid_pixels_are_filled_and_many_are_not(scene: Scene, tmp_path: Path) -> None:
-    pixels = whole(scene.mosaic).astype(np.float32)
-    pixels[:, 5, 5:20] = np.nan  # 15 of 16384 in the first window
-    pixels[0, 100, 330:345] = np.inf
-    pixels[:, 90, 330:345] = np.nan  # 30 in the second
-    outcome = inspect(scene, MOSAIC=write_raster(tmp_path / "holes.tif", pixels))
-    assert outcome.column("verdict")[0] != "not_comparable"
-    assert_sentence(
-        outcome.column("reason")[1], r"0\.18\u00a0% of the pixels of holes.tif are invalid .* 0\.1\u00a0% are allowed"
-    )
-
-
 # --- windows ---------------------------------------------------------------------------------------------------
 
 
@@ -285,19 +248,6 @@ def test_bad_windows_have_a_reason_and_the_good_ones_between_are_measured(scene:
     # As drawn where nothing could be measured, so that one can see it on the map.
     assert pixel_box(outcome.features()[8].geometry()) == (0, 0, 63, 128)
     assert outcome.features()[4].geometry().isNull()
-
-
-def test_a_part_of_one_is_no_multipart(scene: Scene) -> None:
-    shape = outline(SHARP)
-    assert shape.convertToMultiType()
-    outcome = inspect(scene, WINDOWS=layer("MultiPolygon", [shape]))
-    assert outcome.column("verdict") == ["preserved"]
-
-
-def test_levels_too_many_for_one_window(scene: Scene) -> None:
-    outcome = inspect(scene, WINDOWS=windows(SHARP, (0, 0, 256, 256)), LEVELS=8)
-    assert outcome.column("paper_verdict")[1] == "reduced"
-    assert_sentence(outcome.column("reason")[0], "8 levels need a window of at least 256 px a side .* 128 x 128 px")
 
 
 def test_a_triangle_is_measured_as_its_box_and_said_to_be(scene: Scene) -> None:
@@ -338,17 +288,3 @@ BAD_VALUES: list[tuple[dict[str, Any], str]] = [
 def test_bad_values_get_a_sentence(scene: Scene, parameters: dict[str, Any], words: str) -> None:
     values = {name: value() if callable(value) else value for name, value in parameters.items()}
     assert_refused("inspectwindows", words, **given(scene, **values))
-
-
-def test_a_refused_run_leaves_older_results_alone(scene: Scene, tmp_path: Path) -> None:
-    older = tmp_path / "older.gpkg"
-    inspect(scene, OUTPUT=str(older))
-    before = QgsVectorLayer(str(older), "older", "ogr").featureCount()
-    for parameters, words in (
-        ({"SOURCES": []}, "No sources"),
-        ({"WINDOWS": windows()}, "is empty"),
-        ({"MAX_RATIO": 2}, "from 0 to 1"),
-        ({"SCHEDULER": "nowhere"}, "Dask"),
-    ):
-        assert_refused("inspectwindows", words, **given(scene, OUTPUT=str(older), **parameters))
-        assert QgsVectorLayer(str(older), "older", "ogr").featureCount() == before == 2

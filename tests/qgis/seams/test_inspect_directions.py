@@ -46,16 +46,3 @@ def test_the_curves_hold_the_directions_of_pywavelets(scene: Scene) -> None:
                     assert row["relative_variance"] == pytest.approx(np.sum(part**2) / plane.size / variance, rel=1e-4)
                 three = [found[name, band, component, level]["relative_variance"] for component in ("LH", "HL", "HH")]
                 assert sum(three) == pytest.approx(found[name, band, "detail", level]["relative_variance"], rel=1e-4)
-
-
-def test_tables_with_directions_are_read_as_those_without(scene: Scene) -> None:
-    from seam_inspector.plugin.seams.tables.record_tables import read_curves
-
-    curves = []
-    for asked in (False, True):
-        outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=str(scene.mosaic), SOURCES=scene.sources,
-                      DIRECTIONS=asked)
-        table = outcome.layer("CURVES")
-        curves.append(read_curves(table.getFeatures(), table.fields().names()))
-    assert curves[0] == curves[1]
-    assert len(curves[0][1]) == 4

@@ -82,28 +82,6 @@ def test_a_hard_cut_has_lost_nothing_against_the_composite(cut: Scene) -> None:
     assert row["cause"] == "none"
 
 
-def test_ratios_are_those_of_the_curves(cut: Scene) -> None:
-    outcome = inspect(cut)
-    mosaic = luminance_shares(cut.mosaic, ACROSS)[:3]
-    against = [share / other for share, other in zip(mosaic, composite_curve(outcome))]
-    assert composite_ratios(outcome) == pytest.approx(against, rel=1e-4)
-    (pair,) = (row for row in outcome.rows("PAIRS") if (row["source"], row["band"]) == ("composite", "luminance"))
-    assert [pair[f"ratio_{level}"] for level in (1, 2, 3)] == pytest.approx(against, rel=1e-4)
-    assert pair["contrast_1"] == pytest.approx(1, abs=0.01)
-    assert pair["gain"] == pytest.approx(1, abs=0.02)
-    assert pair["gamma"] == 1
-
-
-@pytest.mark.parametrize(("box", "followed", "other"), [(WEST, "west.tif", "east.tif"), (EAST, "east.tif", "west.tif")])
-def test_beside_the_seam_the_composite_is_the_one_source(
-    cut: Scene, box: tuple[float, ...], followed: str, other: str
-) -> None:
-    outcome = inspect(cut, box)
-    ratios = {row["source"]: row["ratio_1"] for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
-    assert ratios["composite"] == pytest.approx(ratios[followed], abs=0.01)
-    assert abs(ratios["composite"] - ratios[other]) > 0.2
-
-
 # --- REFERENCE -------------------------------------------------------------------------------------------------
 
 
@@ -138,17 +116,6 @@ def test_the_reference_changes_the_verdict_and_nothing_else(cut: Scene) -> None:
         assert seam["paper_verdict"] == before["paper_verdict"] == after["paper_verdict"] == before["verdict"]
 
 
-@pytest.mark.parametrize("given", [{}, {"REFERENCE": None}, {"REFERENCE": "seam"}])
-def test_without_a_choice_it_is_the_seam(cut: Scene, given: dict[str, Any]) -> None:
-    assert inspect(cut, EAST, **given).rows() == inspect(cut, EAST, REFERENCE="seam").rows()
-
-
-def test_other_references_are_refused(cut: Scene) -> None:
-    assert run(
-        "inspectwindows", WINDOWS=windows(ACROSS), MOSAIC=str(cut.mosaic), SOURCES=cut.sources, REFERENCE="nothing"
-    ).complaint is not None
-
-
 # --- CELLS -----------------------------------------------------------------------------------------------------
 
 
@@ -165,38 +132,6 @@ def test_cells_of_the_true_cut(cut: Scene, names: tuple[str, str]) -> None:
     outcome = inspect(cut, CELLS=cells((names[0], LEFT), (names[1], RIGHT)))
     assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.mosaic, ACROSS).tolist(), rel=0.01)
     assert composite_ratios(outcome) == pytest.approx([1, 1, 1], abs=0.01)
-
-
-@pytest.mark.parametrize("epsg", [4326, 3857])
-def test_cells_in_any_reference_system(cut: Scene, epsg: int) -> None:
-    wide = inspect(cut, WEST, CELLS=cells(("east.tif", (-50, -50, 700, 400)), epsg=epsg))
-    assert composite_curve(wide) == pytest.approx(luminance_shares(cut.east, WEST).tolist(), rel=1e-3)
-
-
-def test_outside_the_cells_the_detail_decides(cut: Scene, tmp_path: Path) -> None:
-    outcome = inspect(cut, WEST, CELLS=cells(("east.tif", (0, 0, 64, ROWS))))  # the window's left half
-    expected = whole(cut.west)
-    expected[..., :64] = whole(cut.east)[..., :64]
-    shares = luminance_shares(write_raster(tmp_path / "expected.tif", expected), WEST)
-    assert composite_curve(outcome) == pytest.approx(shares.tolist(), rel=0.02)
-
-
-@pytest.mark.parametrize(
-    "useless",
-    [
-        lambda: cells(("north.tif", (-5, -5, 600, 300))),
-        lambda: cells((None, (-5, -5, 600, 300)), ("", (-5, -5, 600, 300))),
-        lambda: cells(("east.tif", (2000, 0, 100, 100))),
-        lambda: cells(),
-        lambda: layer("Polygon", [None], source=("string", ["east.tif"])),
-    ],
-    ids=["unknown source", "no name", "far away", "empty layer", "no outline"],
-)
-def test_cells_that_say_nothing_change_nothing(cut: Scene, useless: Any) -> None:
-    boxes = (ACROSS, WEST)
-    with_cells, without = inspect(cut, *boxes, CELLS=useless()), inspect(cut, *boxes)
-    for table in ("OUTPUT", "CURVES", "PAIRS"):
-        assert with_cells.rows(table) == without.rows(table)
 
 
 def test_a_layer_that_holds_no_cells_gets_a_sentence(cut: Scene) -> None:

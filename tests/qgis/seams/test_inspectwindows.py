@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import QgsGeometry, QgsProcessingParameterDefinition, QgsRectangle, QgsWkbTypes
+from qgis.core import QgsGeometry, QgsRectangle, QgsWkbTypes
 
 from tests.numbers.synthetic import UTM33, decompose, luminance, orthoimage, read_pixels, write_raster
-from tests.qgis.runs import Log, Run, algorithm, run
+from tests.qgis.runs import Log, Run, run
 from tests.qgis.scenes import (
     BLURRED,
     COLUMNS,
@@ -18,9 +18,7 @@ from tests.qgis.scenes import (
     Scene,
     layer,
     luminance_shares,
-    outline,
     pixel_box,
-    to_bytes,
     whole,
     windows,
 )
@@ -46,34 +44,6 @@ def layout(outcome: Run, name: str) -> list[tuple[str, str]]:
 
 
 # --- the contract ----------------------------------------------------------------------------------------------
-
-
-def test_parameters() -> None:
-    job = algorithm("inspectwindows")
-    definitions = {one.name(): one for one in job.parameterDefinitions()}
-    assert list(definitions) == (
-        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MIN_KEPT MAX_RATIO DIRECTIONS "
-        "SCHEDULER OUTPUT CURVES PAIRS PROFILES"
-    ).split()
-    flags = QgsProcessingParameterDefinition.Flag
-    optional = {name for name, definition in definitions.items() if definition.flags() & flags.FlagOptional}
-    advanced = {name for name, definition in definitions.items() if definition.flags() & flags.FlagAdvanced}
-    # Mandatory, REFERENCE and MIN_KEPT would make every model invalid that was drawn before there were such choices.
-    tables = {"CURVES", "PAIRS", "PROFILES"}
-    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "MIN_KEPT", "DIRECTIONS", "SCHEDULER", *tables}
-    assert advanced == {"CELLS", "MIN_KEPT", "MAX_RATIO", "DIRECTIONS", "SCHEDULER"}
-    named = ("WAVELET", "LEVELS", "REFERENCE", "MIN_KEPT", "MAX_RATIO")
-    defaults = {name: definitions[name].defaultValue() for name in named}
-    assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "REFERENCE": "seam", "MIN_KEPT": 0.7, "MAX_RATIO": 0.5}
-    assert definitions["WAVELET"].usesStaticStrings()
-    assert definitions["REFERENCE"].usesStaticStrings()
-    assert definitions["REFERENCE"].options() == ["seam", "composite", "sources"]
-    assert {"haar", "db4", "sym8", "coif3", "coif17"} <= set(definitions["WAVELET"].options())
-    for definition in definitions.values():
-        assert len(definition.help()) > 20
-        assert definition.help() in job.shortHelpString()
-    outputs = [one.name() for one in job.outputDefinitions() if one.type() == "outputNumber"]
-    assert outputs == ["WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"]
 
 
 @pytest.mark.parametrize("levels", [1, 3, 5])
@@ -196,15 +166,6 @@ def test_names_of_bands(tmp_path: Path, bands: int, names: list[str]) -> None:
     assert outcome.column("verdict") == ["preserved"]  # they are the same
 
 
-def test_tables_are_optional(scene: Scene, tmp_path: Path) -> None:
-    only = inspect(scene, CURVES=None, PAIRS="", PROFILES=None)
-    assert not {"CURVES", "PAIRS", "PROFILES"} & only.results.keys()
-    assert len(only.features()) == 2
-    paths = {name: tmp_path / f"{name}.gpkg" for name in ("OUTPUT", "CURVES", "PAIRS", "PROFILES")}
-    inspect(scene, **{name: str(path) for name, path in paths.items()})
-    assert all(path.exists() for path in paths.values())
-
-
 # --- the numbers -----------------------------------------------------------------------------------------------
 
 
@@ -296,14 +257,6 @@ def test_max_ratio_moves_the_limit(scene: Scene) -> None:
     assert inspect(scene, BLURRED, MAX_RATIO=ratio - 0.001).column("paper_verdict") == ["reduced"]
 
 
-def test_a_tone_change_leaves_the_curve(scene: Scene, tmp_path: Path) -> None:
-    pixels = read_pixels(str(scene.mosaic), 0, 0, COLUMNS, 256).astype(np.float32)
-    toned = write_raster(tmp_path / "toned.tif", 17 * pixels + 4000)
-    outcome = inspect(scene, SHARP, SOURCES=[toned])
-    assert outcome.column("ratio_1") == pytest.approx([1], rel=1e-4)
-    assert outcome.column("background_ratio") == pytest.approx([1], rel=1e-4)
-
-
 # --- windows ---------------------------------------------------------------------------------------------------
 
 
@@ -334,42 +287,12 @@ def test_windows_are_measured_on_whole_pixels(
     assert pixel_box(outcome.features()[0].geometry()) == measured
 
 
-def test_rows_come_in_the_order_of_the_windows(scene: Scene) -> None:
-    boxes = [(8 * index, 0, 64, 64) if index % 3 else (0, 0, 512, 256) for index in range(20)]
-    numbers = list(np.random.default_rng(3).permutation(1000)[:20])
-    outcome = inspect(scene, WINDOWS=windows(*boxes, window_id=("integer", [int(number) for number in numbers])))
-    assert outcome.column("window_id") == numbers
-    assert [pixel_box(feature.geometry()) for feature in outcome.features()] == boxes
-    assert list(dict.fromkeys(outcome.column("window_id", "CURVES"))) == numbers
-    assert list(dict.fromkeys(outcome.column("window_id", "PAIRS"))) == numbers
-
-
 def test_the_observers_word_and_the_numbers_are_carried_over(scene: Scene) -> None:
     words = ["visible", None, "invisible", ""]
     drawn = windows(*[SHARP] * 4, window_id=("integer", [7, 0, -2, 12]), observer=("string", words))
     outcome = inspect(scene, WINDOWS=drawn)
     assert outcome.column("observer") == ["visible", None, "invisible", None]
     assert outcome.column("window_id") == [7, 0, -2, 12]
-    assert not outcome.log.warnings
-
-
-def test_what_two_operators_said_is_carried_over(scene: Scene) -> None:
-    """Where the windows have it, and nothing more: all other windows have the usual fields."""
-    drawn = windows(
-        SHARP, BLURRED, observer_2=("string", ["unsure", None]), confidence=("integer", [70, None]),
-        remark=("string", [None, "haze"]),
-    )  # fmt: skip
-    outcome = inspect(scene, WINDOWS=drawn)
-    assert outcome.column("observer_2") == ["unsure", None]
-    assert outcome.column("confidence") == [70, None]
-    assert outcome.column("remark") == [None, "haze"]
-    assert "confidence_2" not in outcome.features()[0].fields().names()
-
-
-def test_windows_without_numbers_are_counted(scene: Scene) -> None:
-    outcome = inspect(scene, SHARP, BLURRED, SHARP)
-    assert outcome.column("window_id") == [1, 2, 3]
-    assert outcome.column("observer") == [None] * 3
     assert not outcome.log.warnings
 
 
@@ -386,13 +309,6 @@ def test_numbers_are_unique(scene: Scene, kind: str, given: list[Any], expected:
     outcome = inspect(scene, WINDOWS=windows(*[SHARP] * 5, window_id=(kind, given)))
     assert outcome.column("window_id") == expected
     assert [warning for warning in outcome.log.warnings if f"without a number of their own: {renumbered};" in warning]
-
-
-def test_other_fields_do_no_harm(scene: Scene) -> None:
-    drawn = windows(SHARP, verdict=("string", ["x"]), fid=("integer", [3]), observer=("integer", [1]))
-    outcome = inspect(scene, WINDOWS=drawn)
-    assert outcome.column("observer") == ["1"]
-    assert outcome.column("verdict") == ["preserved"]
 
 
 def test_inspected_windows_can_be_inspected_again(scene: Scene) -> None:
@@ -432,20 +348,3 @@ def test_what_was_measured_before_a_cancellation_stays(scene: Scene, tmp_path: P
     assert outcome.results["WINDOW_COUNT"] == len(measured)
     assert list(dict.fromkeys(outcome.column("window_id", "CURVES"))) == measured
     assert set(outcome.column("verdict")) == {"reduced"}
-
-
-def test_a_run_cancelled_before_it_began_leaves_an_empty_layer(scene: Scene) -> None:
-    log = Log()
-    log.cancel()
-    outcome = inspect(scene, log=log)
-    assert outcome.rows() == []
-    assert outcome.results["WINDOW_COUNT"] == 0
-
-
-def test_identical_images_are_preserved(tmp_path: Path) -> None:
-    image = to_bytes(orthoimage((128, 128)))
-    paths = [write_raster(tmp_path / name, image) for name in ("a.tif", "b.tif")]
-    outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=paths[0], SOURCES=paths[1:])
-    assert outcome.column("verdict") == ["preserved"]
-    assert outcome.column("ratio_1") == [1.0]
-    assert outcome.features()[0].geometry().equals(outline(SHARP))

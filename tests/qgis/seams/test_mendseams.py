@@ -13,7 +13,7 @@ from seam_inspector.plugin.imagery import raster_pool
 
 from tests.numbers.synthetic import texture, write_raster
 from tests.qgis.clusters import needs_dask, two_workers
-from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.runs import Log, Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import windows
 from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, cut, drawn_seam, seam_columns, write_scene
 
@@ -96,13 +96,6 @@ def patched(ended: Run) -> np.ndarray:
     return found
 
 
-def test_parameters_and_defaults() -> None:
-    job = algorithm("mendseams")
-    known = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
-    assert {"MOSAIC", "SOURCES", "SOURCE_INDEX", "SEAMS", "PATCHES", "MENDED", "CUTS"} <= known.keys()
-    assert (known["WHAT"], known["WIDTH"], known["BLEND"]) == ("failed", 20.0, 3)
-
-
 def test_failed_seams_keep_their_detail_again(scanned: Run, mended: Run) -> None:
     assert mended.complaint is None
     rows = mended.rows("CUTS")
@@ -137,12 +130,6 @@ def test_nothing_outside_the_patches_differs_and_inside_are_the_orthoimages(feat
     assert np.median(np.abs(fine[0] - own).mean(axis=0)[unmixed]) < 1.0
 
 
-def test_inputs_stay_as_they_were(feathered: Files, mended: Run) -> None:
-    inputs = [Path(one).read_bytes() for one in (feathered.mosaic, *feathered.sources)]
-    assert all(inputs)
-    assert not list(Path(feathered.mosaic).parent.glob("*patch*"))
-
-
 def test_images_three_pixels_apart_are_left_alone(tmp_path: Path) -> None:
     files = scene(tmp_path, shift_px=3)
     ended = mend(files, None, tmp_path)
@@ -173,19 +160,6 @@ def test_a_misfit_in_a_part_leaves_that_part_only(tmp_path: Path) -> None:
     assert sum(row["length"] for row in rows) == pytest.approx(scanned.results["FAILED_METRES"])
     made, before = pixels(ended.results["MENDED"]), pixels(files.mosaic)
     assert (made == before)[:, part].all()
-
-
-def test_a_band_that_an_orthoimage_does_not_show_is_not_put_into_the_mosaic(tmp_path: Path) -> None:
-    west, east = (in_type(one, np.uint16, 40.0) for one in fitting_images(bands=4))
-    files = write_scene(tmp_path, [west, east], FEATHER_PX)
-    scanned = scan(files)
-    east[3] = 4000
-    write_raster(Path(files.east), east)
-    ended = mend(files, scanned, tmp_path)
-    for row in ended.rows("CUTS"):
-        said = "shows [01]\u00a0% of the fine detail that the mosaic has beside the seam .band "
-        assert_sentence(row["reason"], said)
-    assert ended.results["MENDED_METRES"] == 0
 
 
 def feathered_cut(west: np.ndarray, east: np.ndarray) -> np.ndarray:
@@ -251,18 +225,6 @@ def test_where_a_band_is_saturated_no_patch_of_other_colours_is_made(tmp_path: P
     assert ended.rows("CUTS")
     for row in ended.rows("CUTS"):
         assert_sentence(row["reason"], "otherwise than the mosaic|fine detail that the mosaic has")
-
-
-def test_a_mosaic_of_jpeg_tiles(tmp_path: Path) -> None:
-    west, east = fitting_images()
-    files = write_scene(tmp_path, [in_type(west), in_type(east)], FEATHER_PX)
-    jpeg = str(tmp_path / "jpeg.tif")
-    options = ["COMPRESS=JPEG", "JPEG_QUALITY=75", "PHOTOMETRIC=YCBCR", "TILED=YES"]
-    gdal.Translate(jpeg, files.mosaic, creationOptions=options)
-    files = Files(jpeg, files.west, files.east)
-    ended = mend(files, None, tmp_path)
-    assert ended.results["LEFT_METRES"] == 0
-    assert all(row["kept_after"] > row["kept_before"] + 0.15 for row in ended.rows("CUTS"))
 
 
 def test_sixteen_bits_and_four_bands_in_one_file(tmp_path: Path) -> None:
@@ -336,11 +298,6 @@ def test_what_was_not_measured_is_not_written(feathered: Files, scanned: Run, tm
     assert any("Mending was stopped" in said for said in stopped.log.infos)
     assert not list(tmp_path.rglob("*.tif"))
     assert not list(tmp_path.glob("*.vrt"))
-
-
-def test_of_windows_all_means_the_seams_in_them(feathered: Files, scanned: Run, tmp_path: Path) -> None:
-    ended = mend(feathered, scanned, tmp_path, SEAMS=windows((0, 0, COLUMNS, 200)), WHAT="all")
-    assert sum(row["length"] for row in ended.rows("CUTS")) < 0.75 * scanned.results["SEAM_METRES"]
 
 
 def test_no_raster_stays_open(feathered: Files, scanned: Run, tmp_path: Path) -> None:

@@ -87,25 +87,6 @@ def test_the_chart_shows_what_the_table_says(qgis_app: object, known: float | No
     assert picture.svg.count("<rect") == 1 + len(MIDDLES)  # the paper and the intervals
 
 
-def test_the_mixture_is_drawn_beside_the_finest_level_alone(qgis_app: object) -> None:
-    chart, coarse = (painter(shown_profile(FEATHERED, rows(level), PIXEL, 0.7)) for level in (1, 2))
-    places = chart.mixture
-    assert places[0] == pytest.approx((chart.axes.left(), chart.y_of(0.5)), abs=0.1)
-    assert [y for _, y in places] == sorted(y for _, y in places)  # it falls with the distance
-    assert places[-1][1] == pytest.approx(chart.y_of(0), abs=0.1)
-    assert places[-1][0] < chart.axes.right()  # and ends where nothing was looked for
-    assert not coarse.mixture
-
-
-@pytest.mark.parametrize("share", [None, 0.02])
-def test_a_cut_shows_no_mixture(qgis_app: object, share: float | None) -> None:
-    table = [ProfileRecord(1, PIXEL * middle, 1.0, 0.9, 1.1, share) for middle in MIDDLES]
-    picture = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
-    assert picture is not None
-    assert "other image" not in picture.svg
-    assert not painter(shown_profile(WindowRecord(1, None), table, PIXEL, 0.7)).mixture
-
-
 def test_words_below_the_axis_never_run_into_each_other(qgis_app: object) -> None:
     for pixel in (0.003, 0.03, 0.1, 0.25, 5.0, 0.3048):
         chart = painter(shown_profile(FEATHERED, rows(pixel=pixel), pixel, 0.7))
@@ -121,14 +102,6 @@ def test_words_below_the_axis_never_run_into_each_other(qgis_app: object) -> Non
 )  # fmt: skip
 def test_a_table_that_says_nothing_gives_no_chart(qgis_app: object, table: list[ProfileRecord]) -> None:
     assert profile_picture(FEATHERED, table, PIXEL, 0.7) is None
-
-
-def test_an_interval_that_is_not_known_is_not_drawn(qgis_app: object) -> None:
-    table = [ProfileRecord(1, PIXEL * middle, 0.5, math.nan, math.nan) for middle in MIDDLES]
-    picture = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
-    assert picture is not None
-    assert picture.svg.count("<rect") == 1  # the paper
-    assert "nan" not in picture.svg
 
 
 # --- lost detail -----------------------------------------------------------------------------------------------

@@ -2,18 +2,15 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import NULL, QgsVectorLayer
-from seam_inspector.plugin.imagery.wavelets import Curve
+from qgis.core import NULL
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window import window_tables
-from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_layer
-from seam_inspector.plugin.seams.words import VERDICTS, verdict_sentence, verdict_word
+from seam_inspector.plugin.seams.tables import record_tables, window_layer
 from seam_inspector.plugin.toolkit.table_fields import column_features, column_fields
 
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, windows
@@ -73,15 +70,6 @@ def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
     assert (record.ratio, record.composite_ratio, record.is_compared) == (0.38, 0.38, True)
 
 
-def test_a_window_that_cant_be_compared_has_nothing_but_its_verdict(project: object) -> None:
-    unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,) * 3, None))
-    record = record_of(WindowResult(3, None, unknown, Verdict.NOT_COMPARABLE))
-    assert (record.ratios, record.expected_ratios, record.cause) == ((None,) * 3, (None,) * 3, "")
-    assert (record.ratio, record.is_compared, record.causes, record.explained) == (None, False, "", None)
-    assert (record.kept, record.kept_1, record.band_width, record.visibility) == ((None,) * 3, None, None, None)
-    assert (record.feather_width, record.misfit) == (None, None)
-
-
 def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> None:
     bins = window_tables.bins_of(result("feathering"))
     rows = [row.attributes() for row in column_features(window_tables.PROFILE_COLUMNS, bins)]
@@ -133,47 +121,3 @@ def test_a_pair_that_was_not_explained_has_its_ratios_alone(project: object) -> 
     ]  # fmt: skip
     assert [values.pop(name) for name in ("offset_x", "offset_y", "resampled")] == [0.0, 0.25, 1]
     assert set(values.values()) <= {None, NULL}
-
-
-def test_a_constant_clip_has_no_relative_variance(project: object) -> None:
-    clips = (ClipResult("m.tif", "mosaic", {"red": Curve((0.0,), 0.0, 0.0), "blue": Curve((0.25,), 0.75, 8.0)}),)
-    unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None))
-    found = WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE, clips)
-    made = column_features(window_tables.CURVE_COLUMNS, window_tables.curves_of(found))
-    rows = [row.attributes()[3:] for row in made]
-    assert [[None if value == NULL else value for value in row] for row in rows] == [
-        ["red", "detail", 1, None, 0.0], ["red", "background", 1, None, 0.0],
-        ["blue", "detail", 1, 0.25, 2.0], ["blue", "background", 1, 0.75, 6.0],
-    ]  # fmt: skip
-
-
-@pytest.mark.parametrize("levels", [1, 3])
-def test_columns_by_level_follow_their_count(project: object, levels: int) -> None:
-    names = column_fields(result_tables.FORECAST_COLUMNS, levels).names()
-    by_level = ("expected_ratio", "window_kept", "strip_kept")
-    assert names == [
-        "window_id", "reason", "sources", *(f"{name}_{level + 1}" for name in by_level for level in range(levels))
-    ]
-
-
-def test_every_verdict_is_registered_in_its_order() -> None:
-    assert list(VERDICTS) == [*(verdict.value for verdict in Verdict), ""]
-    assert len({verdict_word(verdict) for verdict in VERDICTS}) == len(VERDICTS)
-    compared = [WindowRecord(1, None, verdict).is_compared for verdict in VERDICTS]
-    assert compared == [True, True, True, False, False]
-
-
-@pytest.mark.parametrize(
-    ("verdict", "said"),
-    [("significant", "Significant loss."), ("reduced", "Reduced."), ("", "Not inspected yet."), ("odd", "Odd.")],
-)
-def test_what_a_verdict_says(qgis_app: object, verdict: str, said: str) -> None:
-    assert verdict_sentence(verdict) == said
-
-
-def test_the_map_has_the_colours_of_the_verdicts(project: object, repository: Path) -> None:
-    drawn = QgsVectorLayer("Polygon?field=verdict:string", "windows", "memory")
-    assert drawn.loadNamedStyle(str(repository / "resources" / "styles" / "windows.qml"))[1]
-    shown = {category.value(): category.symbol().color().name() for category in drawn.renderer().categories()}
-    assert list(shown) == list(VERDICTS)
-    assert shown == {verdict: look.colour for verdict, look in VERDICTS.items()}

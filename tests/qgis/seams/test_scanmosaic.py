@@ -18,7 +18,7 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
-from tests.qgis.runs import Log, Run, algorithm, assert_refused, run
+from tests.qgis.runs import Log, Run, assert_refused, run
 from tests.qgis.seams.scan_scenes import (
     COLUMNS,
     ROWS,
@@ -51,23 +51,6 @@ def scanned(provider: None, feathered: Files, tmp_path_factory: pytest.TempPathF
     made = run("scanmosaic", **feathered.given(LOSS=str(tmp_path_factory.mktemp("scanned") / "loss.tif")))
     yield made
     made.close()
-
-
-def test_parameters_and_defaults() -> None:
-    job = algorithm("scanmosaic")
-    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions() if not one.isDestination()}
-    assert defaults == {
-        "MOSAIC": None, "SOURCES": None, "SOURCE_INDEX": None, "SEAMLINES": None, "SOURCE_FIELD": None,
-        "CORRIDOR": 0.0, "DENSITY": "seams", "PIECE": 25.0, "CELL": 32, "WORST_COUNT": 50, "LEVELS": 3,
-        "WAVELET": "coif3", "SCHEDULER": None,
-    }
-    destinations = [one.name() for one in job.destinationParameterDefinitions()]
-    assert destinations == ["LOSS", "SEAMS", "CELLS", "WORST"]
-    numbers = {output.name() for output in job.outputDefinitions()} - set(destinations)
-    assert numbers == {"SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
-    density = job.parameterDefinition("DENSITY")
-    assert density.usesStaticStrings()
-    assert density.options() == ["seams", "full"]
 
 
 def test_fields_and_numbers(scanned: Run) -> None:
@@ -131,14 +114,6 @@ def test_the_picture_of_losses(scanned: Run) -> None:
     assert (source[:, -1] == 3 - west).all()
     assert float(bands["kept_1"].GetMetadataItem("STATISTICS_MINIMUM")) < 0.85
     assert gdal.Info(dataset, format="json")["cornerCoordinates"]["upperLeft"] == [500000.0, 5000000.0]
-
-
-def test_overviews_of_the_picture(hard: Files, tmp_path: Path) -> None:
-    """A long picture has them; a small one needs none."""
-    assert gdal.Open(hard.mosaic).GetRasterBand(1).GetOverviewCount() == 0
-    loss = tmp_path / "loss.tif"
-    assert run("scanmosaic", **hard.given(LOSS=str(loss), CELL=16)).complaint is None
-    assert gdal.Open(str(loss)).RasterXSize == -(-COLUMNS // 16)
 
 
 def test_a_sound_mosaic_has_no_failed_metre(hard: Files) -> None:
@@ -211,16 +186,6 @@ def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
 )
 def test_bad_values_end_with_a_sentence(hard: Files, values: dict[str, Any], words: str) -> None:
     assert_refused("scanmosaic", words, **hard.given(**values))
-
-
-def test_sources_elsewhere_are_refused(hard: Files, tmp_path: Path) -> None:
-    there = write_scene(tmp_path, origin=(700000.0, 5000000.0))
-    assert_refused("scanmosaic", "No orthoimage lies on the mosaic, of 2", **hard.given(SOURCES=there.sources))
-
-
-def test_the_output_is_never_an_input(hard: Files) -> None:
-    assert_refused("scanmosaic", "would be written over", **hard.given(LOSS=hard.mosaic))
-    assert_refused("scanmosaic", "would be written over", **hard.given(LOSS=hard.west))
 
 
 def test_only_the_wanted_layers_are_made(hard: Files, tmp_path: Path) -> None:

@@ -2,18 +2,17 @@
 from __future__ import annotations
 
 import shutil
-from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from osgeo import gdal, ogr, osr
+from osgeo import gdal
 from qgis.core import QgsGeometry
 from scipy import ndimage
 
-from tests.numbers.synthetic import UTM33, write_raster
+from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import Run, assert_sentence, run
 from tests.qgis.scenes import at, layer, line, moved
 from tests.qgis.seams.scan_scenes import (
@@ -110,11 +109,6 @@ def test_degrees_are_measured_on_the_ground(tmp_path: Path) -> None:
     assert_failed_along_the_seam(scan(files), float(steps.sum()), 0.03)
 
 
-def test_feet_are_told_as_metres(tmp_path: Path) -> None:
-    files = write_scene(tmp_path, width=FEATHER_PX, system=2263, gsd=1 / 3, origin=(9e5, 2e5))
-    assert_failed_along_the_seam(scan(files), SEAM_METRES / 0.3 * 1 / 3 * 0.3048 * 0.3 / 0.1)
-
-
 @pytest.mark.parametrize("by", ["alpha", "mask", "nodata"])
 def test_missing_pixels_are_no_seams(tmp_path: Path, by: str) -> None:
     west, east = images()
@@ -140,19 +134,6 @@ def test_missing_pixels_are_no_seams(tmp_path: Path, by: str) -> None:
     kept = gdal.Open(found.results["LOSS"]).ReadAsArray()[0]
     assert (kept[:, 0] == -1).all()
     assert (kept[20:25, 13:15] == -1).all()
-
-
-def test_mosaic_of_another_band_than_its_sources(tmp_path: Path, feathered: Files) -> None:
-    grey = write_scene(tmp_path, images(bands=1), FEATHER_PX)
-    found = run("scanmosaic", MOSAIC=grey.mosaic, SOURCES=feathered.sources)
-    assert found.complaint is None
-    assert found.results["SEAM_METRES"] == 0
-    assert len(found.log.warnings) == 3
-    for said in found.log.warnings[:2]:
-        assert_sentence(said, "takes no part")
-    assert "100 % of the mosaic's textured ground follow none of the orthoimages" in found.log.warnings[2]
-    assert gdal.Open(found.results["LOSS"]).GetMetadata("SEAM_INSPECTOR")["unexplained"] == "1.0000"
-    assert gdal.Open(found.results["LOSS"]).GetMetadata("SEAM_INSPECTOR")["seams"] == "found"
 
 
 # how large it is
@@ -188,14 +169,6 @@ def test_settings_change_how_it_is_told_alone(feathered: Files, settings: dict[s
     assert [f"kept_{level}" in found.layer("SEAMS").fields().names() for level in (levels, levels + 1)] == [True, False]
     cell = settings.get("CELL", 32)
     assert gdal.Open(found.results["LOSS"]).RasterXSize == -(-COLUMNS // cell)
-
-
-def test_tiny_pieces_are_made_as_long_as_they_have_to_be(feathered: Files) -> None:
-    found = scan(feathered, PIECE=0.5)
-    assert found.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
-    assert min(found.column("length", "SEAMS")) > 6
-    assert "preserved" not in set(found.column("verdict", "SEAMS"))
-    assert any("are made 7.8 m long" in line for line in found.log.warnings)
 
 
 # its sources
@@ -242,15 +215,6 @@ def test_a_mosaic_of_one_source(tmp_path: Path) -> None:
     assert found.results["FAILED_METRES"] == 0
     assert "WORST_KEPT" not in found.results
     assert found.column("source", "CELLS") == ["west.tif"]
-
-
-def test_what_no_source_explains_is_said(feathered: Files) -> None:
-    found = scan(feathered, SOURCES=[feathered.west])
-    assert found.complaint is None
-    assert found.column("source", "CELLS") == ["west.tif"]
-    (said,) = found.log.warnings
-    share = float(said.partition(" %")[0])
-    assert 55 < share < 75
 
 
 def _copy(files: Files, folder: Path) -> str:
@@ -313,50 +277,6 @@ def test_a_truncated_source_costs_its_own_ground_only(tmp_path: Path, feathered:
     assert missing.results["FAILED_METRES"] > 0
 
 
-def footprints(path: Path, rows: Iterable[tuple[str, tuple[float, float, float, float]]]) -> str:
-    """An index as gdaltindex writes it."""
-    dataset = ogr.GetDriverByName("GPKG").CreateDataSource(str(path))
-    system = osr.SpatialReference()
-    system.ImportFromEPSG(UTM33)
-    index = dataset.CreateLayer("index", system, ogr.wkbPolygon)
-    index.CreateField(ogr.FieldDefn("location", ogr.OFTString))
-    index.StartTransaction()
-    for location, (left, bottom, right, top) in rows:
-        feature = ogr.Feature(index.GetLayerDefn())
-        feature["location"] = location
-        places = f"{left} {bottom}, {right} {bottom}, {right} {top}, {left} {top}, {left} {bottom}"
-        feature.SetGeometry(ogr.CreateGeometryFromWkt(f"POLYGON(({places}))"))
-        index.CreateFeature(feature)
-    index.CommitTransaction()
-    return str(path)
-
-
-OWN_EXTENT = (500000.0, 5000000.0 - ROWS / 10, 500000.0 + COLUMNS / 10, 5000000.0)
-
-
-def test_an_index_of_very_many_opens_what_it_needs_alone(
-    tmp_path: Path, feathered: Files, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    far = ((f"/nowhere/{i}.tif", (6e5 + i % 400 * 60, 5.1e6 + i // 400 * 60, 6e5 + i % 400 * 60 + 90,
-                                  5.1e6 + i // 400 * 60 + 90)) for i in range(20_000))
-    index = footprints(tmp_path / "index.gpkg", [*far, *((path, OWN_EXTENT) for path in feathered.sources)])
-    opened: Counter[str] = Counter()
-
-    def counting(real: Callable[..., Any]) -> Callable[..., Any]:
-        def counted(path: str, *more: Any, **named: Any) -> Any:
-            opened[str(path)] += 1
-            return real(path, *more, **named)
-
-        return counted
-
-    for name in ("Open", "OpenEx"):
-        monkeypatch.setattr(gdal, name, counting(getattr(gdal, name)))
-    found = run("scanmosaic", MOSAIC=feathered.mosaic, SOURCE_INDEX=index, PIECE=20.0)
-    assert_failed_along_the_seam(found)
-    assert not [path for path in opened if "nowhere" in path]
-    assert max(opened[path] for path in feathered.sources) <= 8  # half of them to see which files it is
-
-
 def test_more_sources_than_can_be_told_apart_are_named(tmp_path: Path, feathered: Files) -> None:
     """A block takes 255 of them, those that cover most of it."""
     slivers = []
@@ -384,14 +304,6 @@ def test_seamlines_that_leave_the_mosaic(feathered: Files) -> None:
     found = scan(feathered, SEAMLINES=drawn)
     assert_sentence(found.log.warnings[0], "94 m of the 151 m of seamlines lie outside the mosaic")
     assert found.results["FAILED_METRES"] == pytest.approx(SEAM_METRES, rel=0.05)
-
-
-def test_seamlines_that_cross_themselves_are_measured(feathered: Files) -> None:
-    places = line((100, 100), (300, 400), (300, 100), (100, 400))
-    drawn = layer("LineString", [places], left=("string(9)", ["west.tif"]), right=("string(9)", ["east.tif"]))
-    found = scan(feathered, SEAMLINES=drawn)
-    assert_sentence(found.log.warnings[0], "cross themselves: 1")
-    assert found.results["SEAM_METRES"] == pytest.approx(102.1, rel=0.01)
 
 
 def test_seamlines_in_another_reference_system(feathered: Files) -> None:
@@ -433,4 +345,3 @@ def test_ground_without_a_seam_is_no_seam(feathered: Files) -> None:
     """A line where the mosaic goes on with the same image: nothing is lost there."""
     found = scan(feathered, SEAMLINES=layer("LineString", [line((500, 0), (500, 520))]))
     assert found.results["SEAM_METRES"] == found.results["FAILED_METRES"] == 0
-

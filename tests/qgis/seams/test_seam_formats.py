@@ -75,13 +75,6 @@ def test_mosaic_elements_of_inspire(tmp_path: Path) -> None:
     assert [notice.values for notice in given.notices] == [{"fields": "imageSourceReference"}]
 
 
-def test_the_graph_of_packo(data_folder: Path) -> None:
-    path = data_folder / "seams" / "packo" / "regress_graphe.gpkg"
-    given = given_by(f"{path}|layername=graphe", 2154, Grid(230745.6, 6759654.4, 0.05, 0.05, 256, 256))
-    assert len(given.seams) == 2
-    assert {cell.source for cell in given.cells} == {f"19FD5606Ax00020_1637{number}" for number in (1, 2, 3)}
-
-
 def test_what_cannot_be_transformed_is_told() -> None:
     layer = QgsVectorLayer("Point?crs=EPSG:4326&field=source:string", "seams", "memory")
     for wkt in ("POINT (3 46)", "POINT (0 -91)", ""):

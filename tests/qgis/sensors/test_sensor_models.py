@@ -101,17 +101,6 @@ def test_the_bias_of_an_rpc_is_the_result(tmp_path: Path) -> None:
     assert any(words in line for line in outcome.log.infos)
 
 
-@pytest.mark.parametrize("model", ["polynomial_2d", "polynomial_3d", "dlt", "pushbroom"])
-def test_every_model_runs_and_no_roles_mean_a_share(model: str) -> None:
-    image, ground = scene()
-    outcome = run("fitsensormodel", GCPS=gcps(image, ground), MODEL=model, CHECK_SHARE=0.5, HEIGHTS="ellipsoid")
-    assert outcome.complaint is None
-    assert (outcome.results["CONTROL_COUNT"], outcome.results["CHECK_COUNT"]) == (30, 30)
-    none = run("fitsensormodel", GCPS=gcps(image, ground), MODEL=model, CHECK_SHARE=0, HEIGHTS="ellipsoid")
-    assert "CHECK_RMSE_X" not in none.results
-    assert any("no check points" in line for line in none.log.warnings)
-
-
 @pytest.mark.parametrize("header", ["mapX,mapY,pixelX,pixelY,enable,dX", "mapX,mapY,sourceX,sourceY,enable"])
 def test_points_files_take_heights_from_the_terrain_model(tmp_path: Path, header: str, data_folder: Path) -> None:
     dem = data_folder / "sensors" / "pleiades" / "N44E005.hgt"

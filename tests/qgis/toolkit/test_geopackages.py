@@ -82,7 +82,3 @@ def test_a_new_file_with_another_system_is_not_left(tmp_path: Path) -> None:
         write_table(tmp_path / "a.gpkg", "lines", FIELDS, LINE, "nothing that means any")
     assert_sentence(str(raised.value), "a.gpkg")
     assert not list(tmp_path.iterdir())
-
-
-def test_what_can_not_be_written_is_told(tmp_path: Path) -> None:
-    assert write_table(tmp_path / "missing" / "a.gpkg", "lines", FIELDS, LINE, wkt(UTM33))

@@ -70,14 +70,6 @@ def test_the_legend_is_in_the_users_language(shouted: None) -> None:
     assert layer.renderer().categories()[0].value() == "significant"
 
 
-def test_so_are_the_rules_of_a_forecast(shouted: None) -> None:
-    layer = QgsVectorLayer("Polygon?field=expected_ratio_1:double", "forecast", "memory")
-    load_style(layer, "predicted_windows")
-    labels = [rule.label() for rule in layer.renderer().rootRule().children()]
-    assert len(labels) == 4
-    assert labels == [label.upper() for label in labels]
-
-
 def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
     layer = windows()
     load_style(layer, "windows")
@@ -89,16 +81,6 @@ def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
     assert tip(layer, window_id=8) == "<b>Window 8</b>: not inspected"
     reason = "Pick another place."
     assert tip(layer, window_id=9, verdict="not_comparable", reason=reason).endswith(f"not comparable<br>{reason}")
-
-
-def test_a_map_tip_is_in_the_users_language(shouted: None) -> None:
-    layer = windows()
-    load_style(layer, "windows")
-    assert tip(layer, **FOUND) == (
-        "<b>WINDOW 7</b>: SIGNIFICANT LOSS<br>KEPT ALONG THE SEAM: 43 % (30\u201356 %), IN A WIDTH OF 1.5 m"
-        "<br>VISIBILITY AT 2X (JND): 1.4<br>IMAGES APART IN THE MOSAIC (PX): 2.0"
-        "<br>FEATHERING; BLUR<br>OBSERVER: NOT SURE"
-    )
 
 
 def test_a_map_tip_of_a_layer_that_lacks_fields_stays_short(qgis_app: QgsApplication) -> None:
@@ -123,19 +105,6 @@ def test_the_table_is_in_the_users_language_and_its_fields_keep_their_names(shou
     shown = formatter.representValue(layer, names.index("verdict"), words.config(), None, "significant")
     assert shown == "SIGNIFICANT LOSS"
     assert layer.editorWidgetSetup(names.index("kept_1")).isNull()
-
-
-def test_a_window_is_called_by_its_number_and_its_verdict_in_words(shouted: None) -> None:
-    layer = windows()
-    load_style(layer, "windows")
-    feature = QgsFeature(layer.fields())
-    context = QgsExpressionContext(layer.createExpressionContext())
-    called = []
-    for verdict in ("not_comparable", None, "of a later version"):
-        feature["window_id"], feature["verdict"] = 7, verdict
-        context.setFeature(feature)
-        called.append(QgsExpression(layer.displayExpression()).evaluate(context))
-    assert called == ["WINDOW 7: NOT COMPARABLE", "WINDOW 7: NOT INSPECTED", "WINDOW 7: of a later version"]
 
 
 def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplication) -> None:

@@ -95,10 +95,6 @@ def test_a_charts_axes_are_numbered_as_the_user_writes(polish: None) -> None:
     assert ">0.2<" not in words
 
 
-def test_messages_of_errors_stay_english() -> None:
-    assert str(SHARE(share=0.5, name="a.tif", count=1, most=2.0)) == "A share of 50.0% in a.tif, 1 of 2.0."
-
-
 @pytest.mark.parametrize(
     ("value", "limit", "decimals"),
     [(0.503, 0.5, 3), (0.5, 0.5, 2), (0.56, 0.5, 2), (0.0004, 0.05, 2), (0.054, 0.05, 3), (0.05004, 0.05, 5)],

@@ -49,8 +49,3 @@ def test_the_ready_model_speaks_polish(polish: object, provider: QgsProcessingPr
     names = {one.name(): one.description() for one in copy.parameterDefinitions()}
     assert names["mosaic"] == "Ortofotomapa"
     assert names["inspect:windows"] == "Skontrolowane okna"
-
-
-def test_the_ready_model_in_english(provider: QgsProcessingProvider) -> None:
-    model = provider.algorithm("inspect_mosaic")
-    assert (model.displayName(), model.group()) == ("Inspect mosaic", "Seam inspection")

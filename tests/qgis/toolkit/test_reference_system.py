@@ -30,10 +30,6 @@ def _forgotten() -> Iterator[None]:
     QgsCoordinateReferenceSystem.invalidateCache()
 
 
-def test_a_text_is_known_by_its_code() -> None:
-    assert reference_system(wkt(UTM33)).authid() == f"EPSG:{UTM33}"
-
-
 @pytest.mark.parametrize("text", ["", "nothing that means any"])
 def test_what_means_nothing_is_invalid(text: str) -> None:
     assert not reference_system(text).isValid()

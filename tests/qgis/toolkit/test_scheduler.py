@@ -8,7 +8,6 @@ import subprocess
 import sys
 import threading
 import venv
-import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -74,42 +73,6 @@ def test_bad_rasters_cost_no_window_on_a_cluster(cluster: str, scene: Scene, tmp
     assert len(dask.log.warnings) == 2
     for warning in dask.log.warnings:
         assert_sentence(warning, "broken.tif can't be read|mosaic.tif is the mosaic itself")
-
-
-@needs_dask
-def test_workers_take_the_core_of_an_updated_plugin(
-    cluster: str, scene: Scene, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from seam_inspector.plugin.toolkit import executors
-
-    before = inspect(scene, SCHEDULER=cluster).rows()
-    archive = executors._measuring_archive
-
-    def updated(folder: Path) -> str:
-        """The archive with red and blue changed over."""
-        current = Path(archive(folder))
-        current.rename(folder / "current")
-        with zipfile.ZipFile(folder / "current") as old, zipfile.ZipFile(current, "w") as new:
-            for name in old.namelist():
-                new.writestr(name, old.read(name).replace(b"0.299, 0.587, 0.114", b"0.114, 0.587, 0.299"))
-        return str(current)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(executors, "_measuring_archive", updated)
-        after = inspect(scene, SCHEDULER=cluster).rows()
-    assert [row["ratio_1"] for row in after] != [row["ratio_1"] for row in before]
-    assert inspect(scene, SCHEDULER=cluster).rows() == before
-
-
-@needs_dask
-def test_workers_that_lack_a_package_are_told(
-    cluster: str, scene: Scene, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from seam_inspector.plugin.toolkit import executors
-
-    monkeypatch.setattr(executors, "_NEEDED", (*executors._NEEDED, "nowhere_installed"))
-    outcome = inspect(scene, SCHEDULER=cluster)
-    assert_sentence(outcome.complaint, f"workers of the Dask scheduler at {cluster} lack nowhere_installed in .*; inst")
 
 
 @needs_dask
@@ -179,15 +142,6 @@ def test_a_silent_port_is_left_when_the_run_is_cancelled() -> None:
     asked = iter([False, False, True])
     with port_that_says(b"") as address:
         assert_not_opened(address, CancelledError, "cancelled", lambda: next(asked))
-
-
-@needs_dask
-def test_a_worker_in_place_of_its_scheduler_gets_a_sentence(cluster: str) -> None:
-    from distributed import Client
-
-    with Client(cluster) as client:
-        worker = next(iter(client.nthreads()))
-    assert_not_opened(worker, SettingsError, "is not a Dask scheduler")
 
 
 @needs_dask

@@ -1,15 +1,12 @@
 """What the desk suggests for a decision is there when QGIS is closed, and takes the place of no earlier document."""
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
-from qgis.gui import QgisInterface, QgsProcessingAlgorithmDialogBase
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QTimer
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.desk import accepting
@@ -84,43 +81,6 @@ def test_nothing_is_left_in_the_profile_or_where_nothing_can_be_written(
 
 
 # The page
-
-
-@pytest.fixture
-def page(delivery: Delivery, tmp_path: Path) -> Iterator[AcceptPage]:
-    delivery.scan(tmp_path / "scans")
-    delivery.save(tmp_path / "project")
-    dock = QWidget()
-    made = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock)
-    made.show()
-    yield made
-    dock.deleteLater()
-    settle()
-
-
-def test_all_settings_are_those_of_the_algorithm(page: AcceptPage, qgis_iface: QgisInterface,
-                                                 monkeypatch: pytest.MonkeyPatch) -> None:
-    """In QGIS's own form, which is gone once it is closed."""
-    from processing.gui import AlgorithmDialog, ParametersPanel
-    from processing.tools import general
-
-    for module in (general, AlgorithmDialog):
-        monkeypatch.setattr(module, "iface", qgis_iface)
-    monkeypatch.setattr(ParametersPanel, "iface", None)
-    forms, reports = [], []
-
-    def close() -> None:
-        for form in QgsApplication.instance().topLevelWidgets():
-            if isinstance(form, QgsProcessingAlgorithmDialogBase):
-                forms.append(form)
-                reports.append(form.createProcessingParameters()["REPORT"])
-                form.close()
-
-    QTimer.singleShot(0, close)
-    page._open_form()
-    settle()
-    assert [Path(report).name for report in reports] == ["ortho_5_report.html"]
-    assert [sip.isdeleted(form) for form in forms] == [True]
 
 
 def decided(page: AcceptPage) -> str:

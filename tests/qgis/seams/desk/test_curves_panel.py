@@ -1,9 +1,6 @@
 """The curves panel shows the selected windows, draws no more than it must, and saves what it shows."""
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -17,13 +14,10 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.charts.chart_curves import (
     ChartCurve,
-    numbered,
     point_words,
-    share_text,
-    share_ticks,
     significance_limit,
 )
-from seam_inspector.plugin.seams.charts.curves_painter import COMPOSITE_DASHES, CurvesPainter, curve_look
+from seam_inspector.plugin.seams.charts.curves_painter import CurvesPainter
 from seam_inspector.plugin.seams.desk.charts.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
@@ -88,10 +82,6 @@ class FakeSession(QObject):
 
     def row(self, fid: int) -> WindowRecord | None:
         return self.rows_by_fid.get(fid)
-
-
-def make_row(window_id: int) -> WindowRecord:
-    return WindowRecord(window_id, None)
 
 
 def make_curve(level_1: float) -> Curve:
@@ -244,17 +234,6 @@ def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: Fake
     assert text_of(panel) == "No source here."
 
 
-def test_it_needs_no_matplotlib(repository: Path) -> None:
-    code = (
-        "import sys, qgis.core, qgis.gui; qgis_has = set(sys.modules); "  # newer ones bring numpy
-        "import seam_inspector.plugin.seams.desk.charts.curves_panel; "
-        "print([m for m in ('matplotlib', 'numpy', 'pywt') if m in sys.modules and m not in qgis_has])"
-    )
-    environment = {**os.environ, "PYTHONPATH": str(repository / "build" / "plugins")}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
-    assert done.stdout.strip() == "[]"
-
-
 # the chart
 
 
@@ -297,15 +276,6 @@ def test_values_under_the_mouse(session: FakeSession, panel: CurvesPanel) -> Non
     assert panel._status.text() == "Window 12"
 
 
-def test_where_it_is_narrow_the_name_is_elided_and_not_the_value(session: FakeSession, panel: CurvesPanel) -> None:
-    panel.resize(330, 240)
-    select_one(session)
-    point_at(panel, (1, 0))
-    assert panel._status.text().endswith(", level 1: 0.0390 (mosaic: 41 % of it)")
-    assert "ortho_2024_flight_0412_0031.tif" not in panel._status.text()
-    assert "ortho_2024_flight_0412_0031.tif" in panel._status.toolTip()
-
-
 def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
     name = "ortho_2024_flight_0412_0031.tif"
@@ -323,15 +293,6 @@ def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: C
     panel._legend.itemClicked.emit(panel._legend.item(1))
     settle()
     assert name in labels(panel)
-
-
-def test_the_limit_in_the_legend_cannot_be_hidden(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    last = panel._legend.item(panel._legend.count() - 1)
-    assert last.text() == "limit"
-    panel._legend.itemClicked.emit(last)
-    settle()
-    assert len(labels(panel)) == 4
 
 
 def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, panel: CurvesPanel) -> None:
@@ -362,14 +323,6 @@ def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, 
     settle()
     assert panel._bands.currentData() == "green"
     assert panel._bands.itemText(4) == "near infrared"
-
-
-def test_of_several_windows_nothing_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
-    for fid in (1, 2):
-        session.add(fid, make_result(fid))
-    session.select([1, 2])
-    settle()
-    assert text_of(panel) == "Select one window to see its curves."
 
 
 def test_constant_clips_and_sources_without_detail_are_drawn_as_far_as_they_go(
@@ -408,41 +361,6 @@ def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel
     assert painter(panel).axes == axes
 
 
-def test_out_of_sight_nothing_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    settle(8)
-    panel.hide()
-    before = panel._chart.chart
-    session.add(1, make_result(level_1=0.03))
-    settle()
-    assert panel._chart.chart is before
-    panel.show()
-    settle()
-    assert panel._chart.chart.curves[0].detail[0] == 0.03
-
-
-def test_it_can_be_deleted_while_the_session_goes_on(session: FakeSession) -> None:
-    panel = CurvesPanel(session)
-    panel.show()
-    select_one(session)
-    panel.close()
-    panel.deleteLater()
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    session.add(1, make_result(level_1=0.03))
-    session.select([])
-    settle()
-
-
-def test_the_curve_under_the_mouse_stands_out(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    plain = panel._chart.grab().toImage()
-    point_at(panel, (1, 0))
-    assert panel._chart.grab().toImage() != plain
-    QApplication.sendEvent(panel._chart, QEvent(QEvent.Type.Leave))
-    settle()
-    assert panel._chart.grab().toImage() == plain
-
-
 def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert seen(panel, (2, 1)) == QColor(PAPER.sources[1])
@@ -454,33 +372,6 @@ def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: Curv
     assert seen(panel, (2, 1)) == QColor(DARK.sources[1])
     image = panel._chart.grab().toImage()
     assert image.pixelColor(1, 1).name() == "#232629"
-
-
-def test_at_any_size_the_axes_are_inside(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session, make_result(sources=10))
-    for width, height in ((420, 240), (300, 200), (1600, 240), (420, 900)):
-        panel.resize(width, height)
-        settle()
-        placed = painter(panel)
-        assert placed.axes.width() > 60
-        assert placed.axes.height() > 40
-        last = placed.x_of(3) + placed.metrics.horizontalAdvance("background") / 2
-        assert last <= panel._chart.width()
-
-
-@pytest.mark.parametrize("width", [420, 1000])
-def test_the_legend_is_below_the_chart(session: FakeSession, panel: CurvesPanel, width: int) -> None:
-    font = panel.font()
-    font.setPixelSize(12)
-    panel.setFont(font)
-    panel.resize(width, 400)
-    select_one(session, make_result(sources=5))
-    chart, legend = panel._chart.geometry(), panel._legend.geometry()
-    assert legend.top() > chart.bottom()
-    assert chart.width() * chart.height() > 0.6 * panel._pages.width() * panel._pages.height()
-    columns = {panel._legend.visualItemRect(panel._legend.item(row)).left() for row in range(panel._legend.count())}
-    assert len(columns) > 1
-    assert panel._legend.verticalScrollBar().maximum() == 0
 
 
 # save
@@ -519,36 +410,7 @@ def test_pictures(
     assert said == [f"The picture was saved to {path}."]
 
 
-def test_a_folder_that_is_not_there_is_said(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    select_one(session)
-    (said,) = save(panel, monkeypatch, tmp_path / "gone" / "curves.png")
-    assert "not saved" in said
-
-
 # words and numbers
-
-
-@pytest.mark.parametrize(
-    ("low", "room", "ticks"),
-    [
-        (0.01, 20, [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1]), (0.01, 7, [0.01, 0.03, 0.1, 0.3, 1]),
-        (0.01, 5, [0.01, 0.1, 1]), (1e-6, 2, [1e-5, 0.01]),
-    ],
-)  # fmt: skip
-def test_ticks_are_round_and_no_more_than_there_is_room_for(
-    low: float, room: float, ticks: list[float]
-) -> None:
-    assert share_ticks(low, 1.25, room) == pytest.approx(ticks)
-
-
-@pytest.mark.parametrize(
-    ("share", "text"),
-    [(0.016, "0.0160"), (0.412, "0.412"), (0.000521, "0.000521"), (1.0, "1.00"), (0.0, "0"), (float("nan"), "nan")],
-)
-def test_shares_have_three_digits_that_count(share: float, text: str) -> None:
-    assert share_text(share) == text
 
 
 def test_the_limit_is_that_of_the_least_sharp_source_with_detail() -> None:
@@ -571,14 +433,3 @@ def test_the_composite_is_the_limit_where_the_verdict_is_taken_against_it() -> N
     judged = [mosaic, source, replace(beside, is_reference=True)]
     assert significance_limit(judged, 0.5) == pytest.approx(0.1)
     assert point_words(judged, 0, 0)[1].endswith("(50 % of the composite)")
-
-
-def test_the_composite_is_dashed_in_the_colour_of_words() -> None:
-    curves = [
-        ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7), ChartCurve("b", False, (0.3,), 0.7),
-        ChartCurve("c", False, (0.2,), 0.8, is_composite=True),
-    ]  # fmt: skip
-    looks = [curve_look(curve, number, PAPER) for number, curve in numbered(curves)]
-    assert looks[0] == (PAPER.text, Qt.PenStyle.SolidLine)
-    assert [look[0] for look in looks[1:3]] == list(PAPER.sources[:2])
-    assert looks[3] == (PAPER.text, COMPOSITE_DASHES)

@@ -12,7 +12,7 @@ from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QColor, QPalette
-from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QStyleOptionViewItem
+from qgis.PyQt.QtWidgets import QApplication, QStyleOptionViewItem
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.toolkit.desk.theme import contrast
@@ -20,8 +20,6 @@ from seam_inspector.plugin.toolkit.desk.theme import contrast
 from tests.numbers.synthetic import ORIGIN, write_raster
 from tests.qgis.scenes import PIXEL, Scene, layer, line, outline, whole
 from tests.qgis.seams.desk.fake_session import FakeSession
-
-GONE = "sheet_144_c0ffcfeb_70d2_4cb8_bb70_bc0774454265"  # the id of a layer that was removed
 
 
 def noisy(scene: Scene) -> list[np.ndarray]:
@@ -146,16 +144,6 @@ def test_sources_that_somebody_set_stay_whatever_is_suggested(desk: Desk, scene:
     assert desk.sources == {"east", "west"}
 
 
-def test_another_mosaic_of_the_same_block_keeps_the_sources(desk: Desk, scene: Scene) -> None:
-    other = QgsRasterLayer(str(scene.mosaic), "other")
-    QgsProject.instance().addMapLayer(other)
-    desk.set_all()
-    desk.check("west", False)
-    desk.choose("mosaic", other.id())
-    assert desk.session.inputs.mosaic == other.id()
-    assert desk.sources == {"east"}
-
-
 def test_sources_are_checked_one_by_one_all_and_none(desk: Desk) -> None:
     desk.set_all()
     desk.check("west", False)
@@ -177,17 +165,6 @@ def test_rasters_loaded_later_become_sources_unless_the_operator_chose(desk: Des
     assert desk.sources == {"east", "west"}
 
 
-def test_missing_source_is_shown_in_italics_until_it_is_unchecked(desk: Desk) -> None:
-    desk.set_all()
-    desk.session.set_inputs(replace(desk.session.inputs, sources=(*desk.session.inputs.sources, GONE)))
-    assert desk.listed() == {"missing: sheet_144": True, "east": True, "west": True}
-    assert desk.panel.sources.list.item(0).font().italic()
-    assert desk.panel.box.toolTip() == "mosaic · 2 sources · 1 missing"
-    desk.check("missing: sheet_144", False)
-    assert desk.sources == {"east", "west"}
-    assert desk.listed() == {"east": True, "west": True}
-
-
 def test_layers_that_are_removed_stay_in_the_inputs_as_missing(desk: Desk) -> None:
     seams = vector("LineString", "seams").id()
     vector("LineString", "others")
@@ -204,17 +181,6 @@ def test_layers_that_are_removed_stay_in_the_inputs_as_missing(desk: Desk) -> No
     desk.panel.seamlines.setCurrentIndex(0)
     desk.panel.seamlines.activated.emit(0)
     assert desk.session.inputs.seamlines == ""
-
-
-def test_boxes_offer_what_fits(desk: Desk) -> None:
-    vector("Polygon", "cells")
-    vector("Polygon", "tiles", location=("string", ["a.tif"]))
-    vector("LineString", "seams")
-    vector("Point", "points")
-    assert offered(desk.panel.mosaic) == ["choose the mosaic", "east", "mosaic", "west"]
-    assert offered(desk.panel.index) == ["none", "tiles"]
-    assert offered(desk.panel.seamlines) == ["none", "cells", "seams", "tiles"]
-    assert offered(desk.panel.windows) == ["new layer", "cells", "tiles"]
 
 
 def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
@@ -254,17 +220,6 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
     more["cells"].setLayer(seam_cells)
     more["cells"].activated.emit(more["cells"].currentIndex())
     assert desk.session.inputs == replace(expected, cells=seam_cells.id())
-
-
-def test_following_the_session_changes_nothing(desk: Desk) -> None:
-    inputs = Inputs(desk.id("mosaic"), (desk.id("west"), GONE), side_m=51.25, spacing_m=0.04, wavelet="db2", levels=5,
-                    reference="composite", cells=GONE)
-    desk.session.set_inputs(inputs)
-    assert desk.session.settings == [inputs]
-    assert desk.panel.more.boxes["wavelet"].currentText() == "db2"
-    assert desk.panel.more.boxes["levels"].value() == 5
-    assert desk.panel.more.boxes["reference"].currentText() == "the composite"
-    assert desk.panel.more.boxes["cells"].currentText() == "missing: sheet_144"
 
 
 @pytest.mark.parametrize(
@@ -322,46 +277,6 @@ def test_folds_once_set_and_then_stays_as_it_is_left(desk: Desk) -> None:
     assert not box.isCollapsed()
 
 
-def test_does_not_fold_under_the_operator_s_hands(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(QApplication, "focusWidget", lambda: desk.panel.mosaic)
-    desk.choose("mosaic", desk.id("mosaic"))
-    assert not desk.panel.box.isCollapsed()
-    elsewhere = QLineEdit()
-    monkeypatch.setattr(QApplication, "focusWidget", lambda: elsewhere)
-    QApplication.instance().focusChanged.emit(desk.panel.mosaic, elsewhere)
-    assert desk.panel.box.isCollapsed()
-
-
-def test_unfolds_for_a_new_project(desk: Desk) -> None:
-    desk.set_all()
-    desk.session.set_inputs(Inputs())
-    assert not desk.panel.box.isCollapsed()
-    desk.set_all()
-    assert desk.panel.box.isCollapsed()
-
-
-def test_folded_while_hidden_is_folded_when_shown(desk: Desk) -> None:
-    desk.panel.show()
-    desk.panel.hide()
-    desk.set_all()
-    desk.panel.show()
-    QApplication.processEvents()
-    assert desk.panel.box.isCollapsed()
-    assert not desk.panel.mosaic.isVisible()
-    assert desk.panel.box.height() < 3 * desk.panel.fontMetrics().height()
-
-
-def test_sources_stand_beside_the_rest_where_there_is_room(desk: Desk) -> None:
-    def beside() -> bool:
-        desk.panel.grab()
-        return bool(desk.panel.sources.x() > desk.panel.mosaic.geometry().right())
-
-    for width, expected in ((1500, True), (420, False), (1500, True)):
-        desk.panel.resize(width, 500)
-        assert beside() == expected
-    assert desk.panel.minimumSizeHint().width() <= 420
-
-
 def test_tab_goes_through_all_fields(desk: Desk) -> None:
     panel = desk.panel
     widget, seen = panel.mosaic, []
@@ -404,8 +319,3 @@ def test_names_can_be_read_in_a_theme_of_style_sheets(desk: Desk) -> None:
         option = QStyleOptionViewItem()
         sources.list.itemDelegate().initStyleOption(option, sources.list.model().index(row, 0))
         assert contrast(option.palette.color(QPalette.ColorRole.Text), QColor("#323232")) >= 3
-
-
-def test_rows_of_sources_have_air_between_their_boxes(desk: Desk) -> None:
-    listed = desk.panel.sources.list
-    assert listed.sizeHintForRow(0) >= listed.fontMetrics().height() + 2

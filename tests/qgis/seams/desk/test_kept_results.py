@@ -10,8 +10,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from qgis.core import QgsVectorLayer
-from seam_inspector.plugin.seams.desk.windows import window_results
-from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 from tests.qgis.scenes import outline
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle
@@ -98,14 +96,3 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
     reopen(desk, tmp_path)
     assert desk.session.result(desk.rows()[1].fid) is not None
     assert not any("windows" in message for message in desk.messages)
-
-
-def test_only_some_results_are_held_and_others_read_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(window_results, "MOST_HELD", 1)
-    results: dict[int, WindowResult | None] = {}
-    for window in (None, SHARP_WINDOW):
-        fid = desk.add(*[window] if window else [])
-        results[fid] = desk.session.result(fid)
-    assert [desk.session.result(fid) == result for fid, result in results.items()] == [True, True]
-    assert [desk.session.result(fid) is result for fid, result in results.items()].count(True) < 2
-    assert len(desk.session.source_uses()) == 2  # what they say of the sources stays

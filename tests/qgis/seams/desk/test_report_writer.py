@@ -60,11 +60,6 @@ def test_windows_that_were_measured_elsewhere_have_no_curves(
     assert (tmp_path / "report.html").exists()
 
 
-def test_a_folder_that_is_not_there_is_told(desk: Desk, writer: Writer, tmp_path: Path) -> None:
-    desk.add()
-    assert "can't be written" in writer.write(tmp_path / "gone" / "report.html")
-
-
 def test_the_file_is_asked_for(
     desk: Desk, writer: Writer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

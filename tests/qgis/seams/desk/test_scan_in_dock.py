@@ -64,15 +64,6 @@ def test_the_button_waits_for_something_to_scan(plugin: Any, scan_scene: ScanSce
     assert dock.scan_progress.isHidden()
 
 
-def test_stop_stops_the_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
-    dock = opened(plugin, scan_scene, tmp_path)
-    dock.scan.trigger()
-    dock.stop.trigger()
-    wait_until(lambda: not dock.scans.is_at_work, "for the end")
-    assert not list(tmp_path.glob("*.gpkg"))
-    assert dock.scan.isEnabled()
-
-
 def test_the_worst_places_are_inspected_and_the_first_is_shown(
     plugin: Any, qgis_iface: QgisInterface, scan_scene: ScanScene, tmp_path: Path
 ) -> None:
@@ -97,16 +88,6 @@ def test_the_worst_places_are_inspected_and_the_first_is_shown(
     assert dock.steps.undo.toolTip().startswith("Undo judging window 1")
     settle(0.1)
     assert judge_buttons(qgis_iface) == []
-
-
-def test_pictures_of_losses_do_not_become_sources(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
-    dock = opened(plugin, scan_scene, tmp_path)
-    before = dock.session.inputs
-    scan(dock)
-    assert dock.session.inputs == before
-    rows = range(dock.inputs.sources.list.count())
-    listed = [dock.inputs.sources.list.item(row).text().split()[0] for row in rows]  # and what is said of it
-    assert sorted(listed) == ["north", "south"]
 
 
 def test_unloading_while_it_scans_leaves_nothing(

@@ -6,9 +6,6 @@ from qgis.core import NULL, QgsApplication, QgsVectorLayer, QgsVectorLayerUtils
 from qgis.PyQt.QtCore import QEventLoop
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.statistics import OPERATORS, Operator
-from seam_inspector.plugin.seams.desk.charts.curves_panel import shown_window
-from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging import Judging
 
 from tests.qgis.runs import run
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, pixel_box, windows
@@ -43,23 +40,6 @@ def test_a_new_window_is_inspected_in_the_background(desk: Desk) -> None:
     assert desk.messages == []
 
 
-def test_the_curves_come_ahead_of_the_rest(desk: Desk) -> None:
-    told: list[tuple[str, int, bool]] = []
-    session = desk.session
-    session.curvesArrived.connect(lambda fid: told.append(("curves", fid, session.result(fid) is None)))
-    session.resultArrived.connect(lambda fid: told.append(("result", fid, session.clips(fid) is session.result(fid))))
-    first = []
-    session.curvesArrived.connect(lambda fid: first.append(session.clips(fid)))
-    session.add_window(BLURRED_WINDOW)
-    desk.wait()
-    fid = desk.rows()[1].fid
-    assert told == [("curves", fid, True), ("result", fid, True)]
-    result = session.result(fid)
-    assert result is not None
-    assert first[0].clips == result.clips
-    assert first[0].paper.verdict == result.paper_verdict
-
-
 def test_undo_takes_a_drawn_window_and_its_result_back_together(desk: Desk) -> None:
     fid = desk.add()
     desk.undo()
@@ -78,16 +58,6 @@ def test_windows_get_the_next_number_and_none_twice(desk: Desk) -> None:
     desk.session.remove([second])
     third = desk.add(SHARP_WINDOW)
     assert {row.window_id: row.fid for row in desk.session.windows()} == {1: first, 3: third}
-
-
-def test_a_window_drawn_where_there_is_one_is_that_one(desk: Desk) -> None:
-    fid = desk.add()
-    desk.session.judge([fid], "visible")
-    desk.add(SHARP_WINDOW)
-    desk.session.add_window(BLURRED_WINDOW)
-    desk.wait()
-    assert [row.observer for row in desk.session.windows()] == ["visible", ""]
-    assert desk.session.selected() == [fid]
 
 
 @pytest.mark.parametrize("operator", OPERATORS)
@@ -157,15 +127,6 @@ def test_results_selection_and_steps_outlast_edits_with_the_tools_of_qgis(desk: 
     assert desk.steps() == []  # what they would take back is gone already
 
 
-def test_windows_that_are_drawn_while_the_layer_is_made_wait_for_it(desk: Desk) -> None:
-    for window in (BLURRED_WINDOW, SHARP_WINDOW):
-        desk.session.add_window(window)
-    assert desk.session.window_layer() is None
-    desk.wait()
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
-    assert len([layer for layer in desk.project.mapLayers().values() if layer.name() == "Windows"]) == 1
-
-
 @pytest.mark.parametrize("danger", ["close the project", "close the session", "choose another layer"])
 def test_dangers_while_the_layer_is_made(desk: Desk, danger: str) -> None:
     for steps in range(5):
@@ -231,15 +192,6 @@ def test_windows_placed_by_the_algorithm_can_be_inspected(desk: Desk, provider: 
     assert all(row.seam_id is not None and row.station is not None for row in desk.session.windows())
 
 
-def test_a_window_without_outline_says_so(desk: Desk) -> None:
-    desk.use(layer("Polygon", [None, outline(BLURRED)]))
-    desk.session.inspect_pending()
-    desk.wait()
-    nowhere, blurred = desk.session.windows()
-    assert (nowhere.verdict, nowhere.reason) == ("not_comparable", "The window has no outline; draw it anew.")
-    assert blurred.verdict == "significant"
-
-
 @pytest.mark.parametrize("is_saved", [True, False])
 def test_windows_drawn_by_hand_can_be_inspected(desk: Desk, is_saved: bool) -> None:
     drawn = desk.use(layer("Polygon", []))
@@ -291,25 +243,3 @@ def test_the_window_layer_may_have_another_reference_system(desk: Desk, epsg: in
 
 
 # What is said meanwhile
-
-
-def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None:
-    desk.use(windows(BLURRED, SHARP))
-    judging = Judging(desk.session)
-    bar = JudgeBar(desk.session, judging)
-    desk.session.inspect([1])
-    assert [desk.session.is_pending(fid) for fid in (1, 2, 99)] == [True, False, False]
-    said = {}
-    for fid in (1, 2):
-        desk.session.select([fid])
-        settle(0.01)  # fields were added, and windows are told before what is selected of them
-        said[fid] = (shown_window(desk.session)[1], bar.sentence())
-    assert said == {1: ("Measuring ...", "Measuring ..."), 2: ("Not inspected yet", "Not inspected yet.")}
-    desk.session.select([1])
-    desk.wait()
-    assert not desk.session.is_pending(1)
-    assert "Significant loss" in bar.sentence()
-    desk.session.inspect([2])
-    desk.session.stop()
-    desk.wait()
-    assert not desk.session.is_pending(2)

@@ -6,13 +6,11 @@ from dataclasses import replace
 from pathlib import Path
 from threading import Event
 
-import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer
+from qgis.core import QgsProject, QgsRasterLayer
 from seam_inspector.plugin.imagery import messages as imagery_messages
 from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
-from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.desk.inputs import block_cache as block_files
@@ -81,14 +79,6 @@ def test_vanished_layers_do_no_harm(desk: Desk) -> None:
     assert load_inputs(desk.project) == before
 
 
-@pytest.mark.parametrize(
-    "stored", ["", "no json", "[]", "3", '{"sources": 5}', '{"side_m": "wide", "levels": null}', '{"reference": "x"}']
-)
-def test_inputs_that_make_no_sense_are_left_out(project: QgsProject, stored: str) -> None:
-    project.writeEntry("SeamInspector", "inputs", stored)
-    assert load_inputs(project) == Inputs()
-
-
 # Seams
 
 
@@ -117,14 +107,6 @@ def test_the_nearest_seam_is_known_once_it_is_found(desk: Desk) -> None:
     assert desk.session.seam_point_near(x, y, 1.0) is None
 
 
-def test_seams_are_found_whatever_is_chosen_first(scene: Scene, project: QgsProject, tmp_path: Path) -> None:
-    desk = Desk(scene, tmp_path)
-    desk.session.set_inputs(desk.inputs(sources=()))
-    desk.session.set_inputs(desk.inputs())
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
-    desk.session.close()
-
-
 def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
     wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
     desk.seamlines.startEditing()
@@ -135,14 +117,6 @@ def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
     desk.seamlines.rollBack()
     wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
     assert desk.session.seam_point_near(*at(300, 100), 1.0) is None
-
-
-def test_seams_follow_the_reference_system_of_their_layer(desk: Desk) -> None:
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
-    desk.seamlines.setCrs(QgsCoordinateReferenceSystem("EPSG:32632"))
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is None)
-    desk.seamlines.setCrs(desk.mosaic.crs())
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
 
 
 # Opening the mosaic
@@ -263,45 +237,6 @@ def test_a_mosaic_that_cant_be_used_is_told_and_another_one_can_be_chosen(
     desk.set(desk.inputs())
     assert desk.session.mosaic_grid() is not None
     panel.close()
-
-
-def test_opening_that_was_cancelled_is_told(desk: Desk, gate: Event) -> None:
-    desk.session.set_inputs(desk.inputs())
-    QgsApplication.taskManager().cancelAll()
-    gate.set()
-    desk.wait_for_opening()
-    desk.session.add_window(BLURRED_WINDOW)
-    assert_sentence(desk.messages.pop().split("; ")[0] + ".", "cancelled")
-    desk.session.set_inputs(Inputs())
-    desk.set(desk.inputs())
-    assert desk.session.mosaic_grid() is not None
-
-
-def test_sources_are_counted_by_their_pixels(desk: Desk, scene: Scene, tmp_path: Path) -> None:
-    west = np.array(whole(scene.west))
-    west[..., 300:] = 0  # no data, inside its footprint
-    half = desk.raster(Path(write_raster(tmp_path / "half.tif", west, nodata=0)))
-    desk.set(desk.inputs(sources=(half.id(), desk.sources[1].id())))
-    session = desk.session
-    wait_until(lambda: session.coverage(BLURRED_WINDOW).unread == 0, "for the validity")
-    assert len(session.block().sources_over(BLURRED_WINDOW)) == 2
-    assert session.coverage(BLURRED_WINDOW).sources == 1
-    assert session.coverage(SHARP_WINDOW).sources == 2
-    assert session.coverage(SHARP_WINDOW).can_be_judged
-
-
-def test_the_nearest_place_that_can_be_judged(desk: Desk, scene: Scene, tmp_path: Path) -> None:
-    pixels = np.array(whole(scene.mosaic))
-    pixels[:, :100] = 0
-    mosaic = desk.raster(Path(write_raster(tmp_path / "holed.tif", pixels, nodata=0)))
-    desk.set(desk.inputs(mosaic=mosaic.id()))
-    session, window = desk.session, PixelWindow(192, 20, 128, 128)
-    wait_until(lambda: session.coverage(window).missing is not None, "for the validity of the mosaic")
-    assert session.coverage(window).missing == pytest.approx(80 / 128)
-    assert not session.coverage(window).can_be_judged
-    assert session.nearest_judgeable(window, on_seam=False) == PixelWindow(192, 100, 128, 128)
-    wait_until(lambda: session.nearest_judgeable(window, on_seam=True) is not None, "for the seams")
-    assert session.nearest_judgeable(window, on_seam=True) == PixelWindow(192, 100, 128, 128)
 
 
 def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(

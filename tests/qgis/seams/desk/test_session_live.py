@@ -78,14 +78,6 @@ def test_files_are_let_go_with_their_layers_and_the_project(desk: Desk) -> None:
     assert session.live is None
 
 
-def test_files_are_let_go_when_nobody_moves_the_mouse(desk: Desk) -> None:
-    live = desk.session._live
-    live._idle.setInterval(500)
-    desk.session.hover(BLURRED_WINDOW, is_live=True)
-    wait_until(lambda: desk.session.live is not None)
-    wait_until(lambda: open_count() == 0)
-
-
 def test_the_charts_show_what_is_live_then_the_selected_window_again(desk: Desk) -> None:
     session, panel = desk.session, CurvesAndProfile(desk.session)
     panel.resize(400, 700)

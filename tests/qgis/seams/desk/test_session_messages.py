@@ -76,14 +76,6 @@ def test_a_file_that_cant_be_written_to_is_told_and_stops_the_run(desk: Desk) ->
     assert not desk.session.is_busy
 
 
-def test_a_folder_that_cant_be_written_to_is_told(desk: Desk) -> None:
-    desk.project.setPresetHomePath("/nowhere/at/all")
-    desk.session.add_window(BLURRED_WINDOW)
-    assert not desk.session.is_busy
-    assert len(desk.messages) == 1
-    assert_sentence(desk.messages[0], "/nowhere/at/all")
-
-
 # Speed
 
 

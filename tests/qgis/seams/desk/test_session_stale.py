@@ -12,9 +12,8 @@ from qgis.core import (
     QgsVectorFileWriter,
     QgsVectorLayer,
 )
-from seam_inspector.plugin.seams.desk.session import Session
 
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, saved, windows
+from tests.qgis.scenes import SHARP, Scene, layer, outline, saved, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 
@@ -47,25 +46,6 @@ def test_windows_are_still_stale_when_one_comes_back_to_their_layer(desk: Desk) 
     assert not desk.rows()[1].stale  # those that it was measured by
 
 
-def test_stale_marks_are_kept_of_a_layer_that_was_left(desk: Desk, tmp_path: Path) -> None:
-    desk.add()
-    own = desk.layer().id()
-    desk.session.set_inputs(replace(desk.session.inputs, sources=desk.session.inputs.sources[:1]))
-    desk.session.set_inputs(replace(desk.session.inputs, windows=""))
-    path = str(tmp_path / "project.qgz")
-    assert desk.project.write(path)
-    desk.project.clear()
-    assert desk.project.read(path)
-    desk.session.set_inputs(replace(desk.session.inputs, windows=own))
-    assert desk.rows()[1].stale
-
-
-def test_other_inputs_do_not(desk: Desk) -> None:
-    desk.add()
-    desk.session.set_inputs(replace(desk.session.inputs, side_m=50.0, spacing_m=3.0, seamlines=""))
-    assert not desk.rows()[1].stale
-
-
 def test_a_window_that_is_moved_becomes_stale_alone_until_it_is_back(desk: Desk) -> None:
     fid, other = desk.add(), desk.add(SHARP_WINDOW)
     before = desk.layer().getFeature(fid).geometry()
@@ -88,15 +68,6 @@ def test_stale_marks_come_back_with_the_project(desk: Desk, tmp_path: Path) -> N
     desk.project.clear()
     assert desk.project.read(path)
     assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
-
-
-def test_what_arrives_after_a_change_is_stale_at_once(desk: Desk) -> None:
-    desk.add(SHARP_WINDOW)
-    desk.session.add_window(BLURRED_WINDOW)
-    desk.session.set_inputs(replace(desk.session.inputs, max_ratio=0.1))
-    desk.wait()
-    assert desk.rows()[2].verdict
-    assert desk.rows()[2].stale
 
 
 def test_the_result_of_another_place_is_stale_where_the_window_comes_back(desk: Desk) -> None:
@@ -173,25 +144,6 @@ def test_windows_of_other_formats_are_copied_with_what_they_say(desk: Desk, tmp_
 # Layers that change
 
 
-def test_a_mosaic_that_vanishes_makes_nothing_stale(desk: Desk) -> None:
-    desk.add()
-    desk.project.removeMapLayers([desk.mosaic.id()])
-    settle()
-    assert not desk.rows()[1].stale
-
-
-def test_a_source_that_is_removed_makes_windows_stale_until_it_is_added_again(desk: Desk, scene: Scene) -> None:
-    desk.add()
-    before = desk.session.inputs
-    desk.project.removeMapLayers([desk.sources[0].id()])
-    settle()
-    assert desk.rows()[1].stale
-    again = desk.raster(scene.west)  # the same file under another id
-    settle()
-    assert desk.session.inputs.sources == (again.id(), before.sources[1])
-    assert not desk.rows()[1].stale
-
-
 def test_layers_that_are_added_again_are_found_also_in_a_project_opened_since(
     desk: Desk, scene: Scene, tmp_path: Path
 ) -> None:
@@ -209,22 +161,6 @@ def test_layers_that_are_added_again_are_found_also_in_a_project_opened_since(
     desk.project.addMapLayer(lines)
     assert desk.session.inputs.seamlines == lines.id()
     desk.wait_for_opening()
-
-
-def test_another_mosaic_instead_of_one_that_vanished_makes_inspected_windows_stale(desk: Desk, tmp_path: Path) -> None:
-    desk.add()
-    desk.project.removeMapLayers([desk.mosaic.id()])
-    path = str(tmp_path / "project.qgz")
-    assert desk.project.write(path)
-    desk.project.clear()
-    desk.session.close()
-    session = Session()  # one that never saw it
-    assert desk.project.read(path)
-    (row,) = session.windows()
-    assert (row.verdict, row.stale) == ("significant", False)
-    session.set_inputs(replace(session.inputs, mosaic=session.inputs.sources[0]))
-    assert [row.stale for row in session.windows()] == [True]
-    session.close()
 
 
 def test_another_data_source_or_reference_system_makes_inspected_windows_stale(desk: Desk, scene: Scene) -> None:
@@ -247,25 +183,6 @@ def test_another_data_source_or_reference_system_makes_inspected_windows_stale(d
     desk.session.inspect_pending()
     desk.wait()
     assert desk.session.result(desk.rows()[1].fid).clips[0].raster == "east.tif"  # type: ignore[union-attr]
-
-
-def test_the_window_layer_in_another_reference_system_makes_them_stale(desk: Desk) -> None:
-    desk.add()
-    crs = desk.layer().crs()
-    desk.layer().setCrs(QgsCoordinateReferenceSystem("EPSG:32634"))
-    assert desk.rows()[1].stale
-    desk.layer().setCrs(crs)
-    assert not desk.rows()[1].stale
-
-
-def test_a_window_layer_with_another_data_source_is_read_anew(desk: Desk) -> None:
-    fid, own = desk.add(), desk.layer()
-    assert desk.session.result(fid) is not None
-    source = desk.use(windows(SHARP, BLURRED)).source()
-    desk.set(desk.inputs(windows=own.id()))
-    own.setDataSource(source, "other", "ogr")
-    assert [row.verdict for row in desk.session.windows()] == ["", ""]
-    assert desk.session.result(fid) is None
 
 
 def test_an_edited_source_index_makes_inspected_windows_stale(desk: Desk, scene: Scene) -> None:
@@ -316,15 +233,6 @@ def test_seam_cells_decide_and_make_inspected_windows_stale(desk: Desk) -> None:
     desk.project.removeMapLayers([cells.id()])
     settle()
     assert not desk.rows()[1].stale
-
-
-def test_cells_without_the_field_are_told(desk: Desk) -> None:
-    cells = layer("Polygon", [outline((0, 0, 512, 256))])
-    desk.project.addMapLayer(cells)
-    desk.set(desk.inputs(cells=cells.id()))
-    desk.session.add_window(BLURRED_WINDOW)
-    desk.wait()
-    assert "no field 'source'" in desk.messages.pop()
 
 
 def test_the_verdict_against_the_composite(desk: Desk) -> None:

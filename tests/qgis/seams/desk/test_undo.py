@@ -37,16 +37,6 @@ def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) ->
     assert desk.session.selected() == [row.fid]
 
 
-def test_a_new_number_is_none_that_was_removed(desk: Desk) -> None:
-    desk.add()
-    desk.session.remove([desk.add(SHARP_WINDOW)])
-    layer, watch = desk.layer(), desk.session._watch
-    watch.watch(None)
-    watch.watch(layer)  # as it is opened anew
-    desk.add(SHARP_WINDOW)
-    assert sorted(desk.rows()) == [1, 3]
-
-
 def test_an_inspection_is_undone_with_what_it_measured(desk: Desk) -> None:
     fid = desk.add()
     desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))

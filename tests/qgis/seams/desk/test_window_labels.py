@@ -96,14 +96,6 @@ def test_from_far_away_the_selected_one_wins_and_none_is_over_another(windows: Q
     assert not any(rect.intersects(other) for place, rect in enumerate(rects) for other in rects[:place])
 
 
-@pytest.mark.parametrize("selected", [1, 2])
-def test_at_twofold_magnification_the_label_is_that_of_the_selected_window(
-    windows: QgsVectorLayer, selected: int
-) -> None:
-    """Both fill the view, so both labels belong into its corner."""
-    assert set(labels(windows, box(65, 165, 95, 185), [selected])) == {selected}
-
-
 @pytest.fixture
 def own_locale(qgis_app: QgsApplication) -> Iterator[None]:
     """How numbers are written, to be changed."""

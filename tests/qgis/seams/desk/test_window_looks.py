@@ -113,27 +113,7 @@ def test_the_worst_lies_on_top_and_a_selected_one_above_it(project: QgsProject) 
         assert found[kept] == 0
 
 
-def test_outlines_are_thinner_where_windows_are_small(project: QgsProject) -> None:
-    near, far = (colours(drawn(project, {"verdict": "preserved"}, view_m=view)) for view in (160.0, 8000.0))
-    around = 4 * 640 / 160 * SIDE_M, 4 * 640 / 8000 * SIDE_M
-    colour = VERDICTS["preserved"].colour
-    assert 0 < far[colour] / around[1] < 0.6 * near[colour] / around[0]
-
-
 # A layer that the desk takes for its windows
-
-
-def test_windows_removed_and_added_again_show_verdicts(desk: Desk) -> None:
-    desk.add()
-    made = desk.layer()
-    path = made.source()
-    desk.project.removeMapLayer(made.id())
-    again = QgsVectorLayer(path, "windows", "ogr")
-    assert again.renderer().type() == "singleSymbol"
-    desk.project.addMapLayer(again)
-    assert desk.layer() is again
-    assert again.renderer().type() == "categorizedSymbol"
-    assert again.labelsEnabled()
 
 
 def test_a_layer_drawn_elsewhere_shows_windows_though_it_has_none_of_our_fields(desk: Desk) -> None:

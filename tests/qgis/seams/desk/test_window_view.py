@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsRectangle
+from qgis.core import QgsCoordinateReferenceSystem
 from qgis.gui import QgsMapCanvas
 from seam_inspector.plugin.seams.desk.map.window_view import WindowView
 
@@ -56,16 +56,3 @@ def test_the_map_goes_to_a_window_that_is_selected_elsewhere(desk: Desk, canvas:
     desk.session.select([second.fid])
     view.follow()
     assert view.is_seen(second.fid)
-
-
-def test_a_window_among_a_whole_mosaic_is_shown_and_not_seen(desk: Desk, canvas: QgsMapCanvas) -> None:
-    desk.use(windows(BLURRED, SHARP))
-    view = WindowView(canvas, desk.session)
-    row = desk.session.windows()[0]
-    whole = QgsRectangle(desk.mosaic.extent())
-    whole.scale(5)
-    canvas.setExtent(whole)
-    desk.session.select([row.fid])
-    view.follow()
-    assert canvas.extent().contains(desk.mosaic.extent())  # a click on the map does not move it
-    assert not view.is_seen(row.fid)

@@ -10,7 +10,6 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.desk.map import lost_detail as loss_overlay
 from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay, ProfileOnMap
 from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
@@ -124,27 +123,6 @@ def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis
     overlay.close()
 
 
-def test_thousands_of_windows_are_painted_in_turns_with_the_operator(
-    qgis_app: QApplication, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(loss_overlay, "_SLICE_S", 0.0)  # one window a turn
-    canvas, session, asked = QgsMapCanvas(), ProfileSession(), []
-    row, found = session.rows[1], session.results[1]
-    session.rows = {fid: replace(row, fid=fid, window_id=fid) for fid in range(1, 9)}
-    session.results = {fid: replace(found, window_id=fid) for fid in session.rows if fid != 4}  # one has none yet
-    monkeypatch.setattr(session, "result", lambda fid: asked.append(fid) or session.results.get(fid))
-    overlay = LossOverlay(canvas, session)
-    session.loss_view.show(True)
-    assert len(overlay.pictures) == 1
-    wait_until(lambda: len(overlay.pictures) == 7)
-    asked.clear()
-    session.results[4] = replace(found, window_id=4)
-    session.resultArrived.emit(4)
-    wait_until(lambda: len(overlay.pictures) == 8)
-    assert set(asked) == {4}  # what is painted is not read again
-    overlay.close()
-
-
 def test_the_ground_of_a_bin_is_marked_on_the_map(canvas: QgsMapCanvas) -> None:
     session = ProfileSession()
     before = len(canvas.scene().items())
@@ -161,15 +139,3 @@ def test_the_ground_of_a_bin_is_marked_on_the_map(canvas: QgsMapCanvas) -> None:
     on.follow(result(Explained()))
     on.close()
     assert len(canvas.scene().items()) == before
-
-
-def test_the_hard_cut_in_place_of_the_mosaic_has_none_of_its_lost_detail(qgis_app: QApplication) -> None:
-    canvas = QgsMapCanvas()
-    overlay = PictureOverlay(canvas)
-    overlay.show([PlacedPicture(rgba_image(np.full((2, 2, 4), 255, np.uint8)), (0, 0, 1, 1), (0, 0, 1, 1))], UTM33)
-    assert overlay._item is not None
-    overlay.set_visible(False)
-    assert not overlay._item.isVisible()
-    overlay.close()
-    canvas.close()
-    canvas.deleteLater()

@@ -6,17 +6,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtCore import QPoint
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, bin_words, level_colour, summary_words
+from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
 from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
-from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
 from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
@@ -76,14 +75,6 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     assert 0 < len(dashes) < len(row)
 
 
-def test_what_the_ground_has_is_said_in_a_narrow_panel(panel: ProfilePanel) -> None:
-    """In a dock at the side of a low screen the line has room for some 25 characters."""
-    shown = ShownProfile(replace(PROFILE, measure=Measure.ENERGY), PIXEL, 0.7, ground_left=0.66)
-    shortest = summary_words(shown)[-1]
-    assert len(shortest) <= 25
-    assert shortest.endswith("66 %")
-
-
 def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -> None:
     bins = (replace(PROFILE.bins[0], mixture=0.4), replace(PROFILE.bins[1], mixture=0.1), *PROFILE.bins[2:])
     mixed = replace(PROFILE, bins=bins, feather_width_px=15.0)
@@ -104,12 +95,6 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
     panel.show_profile(mixed, PIXEL, 0.7)
     panel.chart.show_levels(frozenset({2}))
     assert not panel.chart.painter().mixture
-
-
-def test_distance_and_place_are_each_others_inverse(panel: ProfilePanel) -> None:
-    placed = panel.chart.painter()
-    for distance in (0.0, 0.3, 1.0, 7.7, 25.0):
-        assert placed.distance_at(placed.x_of(distance)) == pytest.approx(distance, abs=1e-6)
 
 
 def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -> None:
@@ -216,8 +201,3 @@ def test_its_picture_is_saved(panel: ProfilePanel, tmp_path: Path, monkeypatch: 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(chosen), ""))
     panel._save.click()
     assert chosen.read_bytes().startswith(b"\x89PNG")
-
-
-def test_it_is_high_enough_on_a_small_screen(panel: ProfilePanel) -> None:
-    assert panel.chart.minimumHeight() >= 150
-    assert panel.focusPolicy() == Qt.FocusPolicy.NoFocus
