@@ -1,21 +1,28 @@
 """Windows of 1024 px: how long the interface stands still while they are drawn, inspected and judged.
 
-Then hundreds of others are placed.
+Then hundreds of others are placed, and the curve under the mouse is drawn anew while it moves and drags.
 
 Parameters: ``rasters`` (the mosaic first, then its sources), ``boxes`` (windows in pixels), ``screenshots`` (folder).
 """
 from __future__ import annotations
 
+import time
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import cycle
 from pathlib import Path
 
 from qgis.core import QgsFeature, QgsGeometry, QgsPointXY, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtTest import QTest
 
-from demo.desk import Desk
+from demo.desk import Desk, Point
 from demo.gaps import Gaps
 
 AGAIN = 10
 """How many are inspected once more, and how many of them judged meanwhile."""
+LIVE_S = 4.0
+FRAME_S = 0.016
 
 
 def play(desk: Desk) -> None:
@@ -66,6 +73,51 @@ def play(desk: Desk) -> None:
     session.select(fids[:1])
     desk.wait(lambda: desk.curves_of(fids[0]), 30, "curves")
     desk.screenshot(Path(desk.parameters["screenshots"]) / "stalls.png")
+    follow_the_mouse(desk, mosaic)
+
+
+def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer) -> None:
+    """The window under the mouse has its curve and its profile; then one is dragged; and what stays open."""
+    session, box, view = desk.session, mosaic.extent(), desk.canvas.viewport()
+    session.set_inputs(replace(session.inputs, side_m=512 * mosaic.rasterUnitsPerPixelX()))
+    desk.dock.draw.trigger()
+    start, step = box.xMinimum() + 0.3 * box.width(), 0.002 * box.width()
+    steps = [(start + number * step, box.center().y()) for number in range(200)]
+    points = cycle([*steps, *reversed(steps)])
+    move(desk, points, 1.0)  # blocks are read the first time
+    with Gaps() as moving:
+        move(desk, points, LIVE_S)
+    note(desk, "moving", moving)
+    desk.wait(lambda: session.live is not None and session.live.profile is not None, 20, "profile of the live window")
+    desk.report["live_profile"] = True
+    QTest.mousePress(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, desk.pixel(steps[0]))
+    with Gaps() as dragging:
+        move(desk, cycle([(x, y - 0.1 * box.height()) for x, y in steps[60:]]), LIVE_S)
+    note(desk, "dragging", dragging)
+    QTest.keyClick(desk.canvas, Qt.Key.Key_Escape)
+    QTest.mouseRelease(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, desk.pixel(steps[0]))
+    for count in (20, 200):
+        move(desk, points, count * FRAME_S)
+        desk.report[f"files_after_{count}"] = open_files()
+    desk.dock.draw.trigger()
+    desk.rest_mouse()
+    before = open_files()
+    desk.new_project()
+    desk.pause(1)
+    desk.report["files_released"] = before - open_files()
+
+
+def move(desk: Desk, points: Iterator[Point], seconds: float) -> None:
+    """Move the mouse from point to point."""
+    end = time.perf_counter() + seconds
+    while time.perf_counter() < end:
+        QTest.mouseMove(desk.canvas.viewport(), desk.pixel(next(points)))
+        desk.pause(FRAME_S)
+
+
+def open_files() -> int:
+    """How many files this process has open."""
+    return len(list(Path("/proc/self/fd").iterdir()))
 
 
 def place(desk: Desk, mosaic: QgsRasterLayer) -> None:
