@@ -9,81 +9,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from osgeo import gdal
 from qgis.core import (
     QgsProcessingOutputLayerDefinition,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterRasterDestination,
     QgsProject,
     QgsVectorLayer,
 )
 
 from tests.numbers.disks import full_disk
-from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.runs import Log, Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, saved, windows
-from tests.qgis.test_provider import NAMES
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
-
-LAYERS = (QgsProcessingParameterFeatureSink, QgsProcessingParameterRasterDestination)
-
-
-def places(folder: Path, ending: str) -> dict[str, str]:
-    """Where nothing can be written, and the words that say so."""
-    (folder / f"folder.{ending}").mkdir()
-    (folder / "file.txt").touch()
-    (folder / f"loop.{ending}").symlink_to(folder / f"loop.{ending}")
-    (folder / f"dangling.{ending}").symlink_to(folder / "nowhere" / "x")
-    return {
-        f"{folder}/gone/x.{ending}": "No such file or directory",
-        f"{folder}/dangling.{ending}": "No such file or directory",
-        f"{folder}/folder.{ending}": "Is a directory",
-        f"{folder}/": "Is a directory",
-        f"{folder}/file.txt/x.{ending}": "Not a directory",
-        f"{folder}/loop.{ending}": "symbolic links",
-        f"{folder}/{'x' * 260}.{ending}": "name too long",
-        f"{folder}/a\0b.{ending}": "is not a file on a disk",
-        f"/vsizip/{folder}/a.zip/x.{ending}": "is not a file on a disk",
-        f"/vsicurl/http://127.0.0.1:9/x.{ending}": "is not a file on a disk",
-        "/dev/null": "not permitted",
-        "/dev/full": "not permitted",
-        " ": "is not a file on a disk",
-    }
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_what_can_not_be_written_is_refused_first(name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    """Before anything is read: the other parameters may hold nothing."""
-    job = algorithm(name)
-    for output in job.destinationParameterDefinitions():
-        if not isinstance(output, LAYERS):
-            continue
-        folder = tmp_path / output.name().replace(":", "_")
-        folder.mkdir()
-        is_raster = isinstance(output, QgsProcessingParameterRasterDestination)
-        refused = places(folder, "tif" if is_raster else "gpkg")
-        if is_raster:
-            refused |= dict.fromkeys(["postgres:dbname=x", "ogr:dbname='x.gpkg'", "http://x/y.tif"], "not a file on")
-        before = sorted(folder.rglob("*"))
-        for path, words in refused.items():
-            assert_refused(name, words, **{output.name(): path})
-            assert sorted(folder.rglob("*")) == before
-    assert not capfd.readouterr().err
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_a_raster_is_no_jpeg(name: str, tmp_path: Path) -> None:
-    """Every one is a GeoTIFF, and a file's name doesn't say otherwise; QGIS offers no other."""
-    job = algorithm(name)
-    rasters = [one for one in job.destinationParameterDefinitions() if isinstance(one, LAYERS[1])]
-    for output in rasters:
-        assert output.defaultFileExtension() == "tif"
-        assert set(output.supportedOutputRasterLayerExtensions()) == {"tif", "tiff"}
-        for ending in ("jpg", "PNG", "img", "vrt", "xyzzy"):
-            assert_refused(name, r"GeoTIFF \(\*\.tif \*\.tiff\)", **{output.name(): str(tmp_path / f"out.{ending}")})
-    if name == "fitsensormodel":
-        assert_refused(name, r"GeoTIFF files \(\*\.tif", RPC_IMAGE=str(tmp_path / "out.jpg"))
-    assert not list(tmp_path.iterdir())
 
 
 def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
@@ -172,15 +108,6 @@ def test_a_layer_that_can_not_be_written_costs_no_other(scene: Scene, tmp_path: 
     assert "CURVES" not in found.results
     assert_sentence(log.errors[0], "curves.csv can't be written")
     assert not list(tmp_path.iterdir())
-
-
-def test_an_older_layer_is_replaced_with_its_parts(scene: Scene, tmp_path: Path) -> None:
-    for ending in ("gpkg", "shp"):
-        output = saved(windows(SHARP, name=("string", ["older"])), tmp_path / f"made.{ending}")
-        assert inspected(scene, OUTPUT=output).complaint is None
-        assert QgsVectorLayer(output, "made", "ogr").featureCount() == 6
-        assert not [one.name for one in tmp_path.iterdir() if one.name.startswith(".")]
-    assert gdal.OpenEx(str(tmp_path / "made.gpkg")) is not None
 
 
 # --- runs that do not come to their end --------------------------------------------------------------------------

@@ -15,7 +15,6 @@ from osgeo import gdal, ogr
 from qgis.core import (
     QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputLayerDefinition,
-    QgsProcessingParameterDefinition,
     QgsProject,
     QgsProperty,
     QgsVectorLayer,
@@ -27,47 +26,10 @@ from seam_inspector.plugin.toolkit.algorithms import base
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, saved, windows
-from tests.qgis.test_provider import NAMES
 
 pytestmark = pytest.mark.usefixtures("provider")
 
-INPUTS = {"raster", "multilayer", "source", "vector", "file"}
-WITHOUT_FILES = {"number", "range", "enum", "string", "boolean", "crs", "extent", "field"}
 REFUSED = "which belongs to an input; choose another file"
-
-
-def an_input(definition: QgsProcessingParameterDefinition, folder: Path) -> tuple[Any, Path]:
-    """A value for a parameter, and its file. What it says does not matter: nothing is to be read of it."""
-    name = definition.name().replace(":", "_")
-    if definition.type() in ("raster", "multilayer"):
-        path = Path(write_raster(folder / f"{name}.tif", np.full((8, 8), 9, np.uint8)))
-    elif definition.type() == "file":
-        path = folder / f"{name}.json"
-        path.write_text("{}", encoding="utf-8")
-    else:
-        path = Path(saved(windows(SHARP), folder / f"{name}.gpkg"))
-    return [str(path)] if definition.type() == "multilayer" else str(path), path
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_no_output_takes_the_place_of_an_input(name: str, tmp_path: Path) -> None:
-    job = algorithm(name)
-    asked = [one for one in job.parameterDefinitions() if not one.isDestination()]
-    assert {one.type() for one in asked} <= INPUTS | WITHOUT_FILES  # another type may name files too
-    made = {one.name(): an_input(one, tmp_path) for one in asked if one.type() in INPUTS}
-    values = {name: value for name, (value, _) in made.items()}
-    before = {path: path.read_bytes() for _, path in made.values()}
-    assert made
-    assert job.destinationParameterDefinitions()
-    for output in job.destinationParameterDefinitions():
-        for path in before:
-            for outcome in (
-                run(name, **values, **{output.name(): str(path)}),
-                run_unchecked(name, **values, **{output.name(): str(path)}),
-            ):
-                assert_sentence(outcome.complaint, REFUSED)
-                assert output.description() in str(outcome.complaint)
-            assert {path: path.read_bytes() for path in before} == before
 
 
 def test_what_is_refused_holds_nothing_that_qgis_deletes(tmp_path: Path) -> None:
