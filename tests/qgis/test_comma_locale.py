@@ -2,8 +2,6 @@
 from __future__ import annotations
 
 import csv
-import os
-import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -68,15 +66,3 @@ def test_tables_have_points(
     expected = numbers(tmp_path / "points")
     assert any(map(len, expected.values()))
     assert numbers(tmp_path / "commas") == expected
-
-
-@pytest.mark.parametrize(("mask", "mode"), [(0o022, 0o644), (0o077, 0o600)])
-def test_files_have_the_rights_that_the_user_asks_for(
-    mask: int, mode: int, scene: Scene, given: dict[str, Any], tmp_path: Path
-) -> None:
-    before = os.umask(mask)
-    try:
-        written("checkradiometry", tmp_path / "out", calls(scene, given)["checkradiometry"]).close()
-    finally:
-        os.umask(before)
-    assert {stat.S_IMODE(one.stat().st_mode) for one in (tmp_path / "out").iterdir()} == {mode}

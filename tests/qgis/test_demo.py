@@ -76,6 +76,7 @@ def test_an_algorithms_own_error_is_shown(repository: Path, folder: Path, tmp_pa
 
 
 @pytest.mark.usefixtures("qgis_app")
+@pytest.mark.release
 def test_brighton(repository: Path, data_folder: Path, tmp_path: Path) -> None:
     finished = demo(repository, data_folder / "seams" / "brighton", tmp_path, "--spacing", "40")
     assert finished.returncode == 0, finished.stdout + finished.stderr

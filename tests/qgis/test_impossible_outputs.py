@@ -37,14 +37,6 @@ def test_a_name_that_qgis_reads_otherwise(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-def test_names_with_other_signs_are_names(scene: Scene, tmp_path: Path) -> None:
-    for name in ("ä, b;c=d 100% #1?.gpkg", "a%20b.shp", "it's.gpkg"):
-        found = inspected(scene, OUTPUT=str(tmp_path / name))
-        assert found.complaint is None
-        assert len(found.rows()) == 6
-        assert (tmp_path / name).exists()
-
-
 def test_a_database_that_others_write_is_left_to_them(tmp_path: Path) -> None:
     path = saved(windows(SHARP, name=("string", ["older"])), tmp_path / "made.gpkg")
     with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as other:
@@ -82,14 +74,6 @@ def test_a_full_disk_keeps_what_was_there(
     with full_disk(room):
         assert_sentence(inspected(scene, OUTPUT=str(output)).complaint, "can't be written")
     assert not output.exists()
-
-
-def test_an_empty_layer_that_is_not_there_is_no_result(scene: Scene, tmp_path: Path) -> None:
-    """These windows are too small for a profile: of a disk that is full, nothing is left to go on with."""
-    with full_disk(1):
-        found = inspected(scene, OUTPUT=str(tmp_path / "a.gpkg"), PROFILES=str(tmp_path / "b.gpkg"))
-    assert_sentence(found.complaint, "can't be written")
-    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("ending", ["gpkg", "shp", "geojson", "csv", "kml", "fgb", "sqlite", "ods", "gml"])
@@ -154,21 +138,6 @@ def test_a_layer_that_can_not_be_replaced_gets_a_name_beside_it(
     assert found.results["OUTPUT"] == str(tmp_path / "made_2.gpkg")
     assert QgsVectorLayer(output, "made", "ogr").featureCount() == 1
     assert_sentence(log.warnings[-1], "made.gpkg is open in another program")
-
-
-def test_a_run_that_is_killed_leaves_the_older_layer(scene: Scene, tmp_path: Path) -> None:
-    output = Path(saved(windows(SHARP, name=("string", ["older"])), tmp_path / "made.gpkg"))
-    before = output.read_bytes()
-    seen: list[bool] = []
-
-    class Looking(Log):
-        def setProgress(self, progress: float) -> None:
-            seen.append(output.read_bytes() == before)
-
-    assert inspected(scene, Looking(), OUTPUT=str(output)).complaint is None
-    assert seen
-    assert all(seen)  # nothing is put aside meanwhile, so a kill finds it
-    assert output.read_bytes() != before
 
 
 def test_qgis_loads_the_layer_from_its_place(scene: Scene, tmp_path: Path) -> None:

@@ -138,39 +138,6 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
     assert not free.exists()
 
 
-@pytest.mark.parametrize("beside", ["image.tfw", "image.tif.aux.xml"])
-def test_sidecars_are_kept(image: Path, beside: str) -> None:
-    before = (image.parent / beside).read_bytes()
-    given = {"RASTERS": [str(image)], "REPORT": str(image.parent / beside)}
-    assert_refused("checkradiometry", REFUSED, **given)
-    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(image.parent / beside))
-    assert (image.parent / beside).read_bytes() == before
-
-
-@pytest.mark.parametrize("ending", [".ovr", ".msk", ".aux.xml"])
-def test_nothing_becomes_a_part_of_an_input(image: Path, ending: str) -> None:
-    """Though there is none yet: the image would be read otherwise from then on."""
-    beside = Path(f"{image}{ending}")
-    beside.unlink(missing_ok=True)
-    assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], REPORT=str(beside))
-    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(beside))
-    assert not beside.exists()
-
-
-def test_the_rasters_of_a_virtual_one_are_kept(image: Path, tmp_path: Path) -> None:
-    inner, outer = str(tmp_path / "inner.vrt"), str(tmp_path / "outer.vrt")
-    gdal.BuildVRT(inner, [str(image)]).FlushCache()
-    gdal.BuildVRT(outer, [inner]).FlushCache()
-    for output in (image, inner, outer):
-        assert_refused("simulatebayer", REFUSED, RASTER=outer, OUTPUT=str(output))
-
-
-def test_a_raster_in_an_archive_keeps_the_archive(image: Path, tmp_path: Path) -> None:
-    archive = shutil.make_archive(str(tmp_path / "packed"), "zip", image.parent, image.name)
-    given = {"RASTERS": [f"/vsizip/{archive}/image.tif"], "REPORT": archive}
-    assert_refused("checkradiometry", REFUSED, **given)
-
-
 def test_the_sources_of_an_index_are_kept(scene: Scene, tmp_path: Path) -> None:
     for path in (scene.west, scene.east):
         shutil.copy(path, tmp_path / path.name)
@@ -289,11 +256,3 @@ def test_the_layers_of_a_query_are_kept(image: Path, tmp_path: Path, project: Qg
         queried = QgsVectorLayer(address.replace(" ", "%20"), "queried", "virtual")
         assert queried.isValid()
         assert_refused("placewindows", REFUSED, SEAMLINES=queried, MOSAIC=str(image), SIDE=7, OUTPUT=str(seam))
-
-
-def test_a_query_that_is_called_as_what_it_asks_has_an_end(image: Path, tmp_path: Path, project: QgsProject) -> None:
-    lines = QgsVectorLayer(str(seamlines_file(tmp_path)), "lines", "ogr")
-    queried = QgsVectorLayer(f"?query=select%20*%20from%20%22{lines.name()}%22", "lines", "virtual")
-    project.addMapLayers([lines, queried])
-    given = {"SEAMLINES": queried, "MOSAIC": str(image), "SIDE": 7}
-    assert_refused("placewindows", REFUSED, **given, OUTPUT=lines.source())

@@ -70,16 +70,6 @@ def test_nothing_of_a_closed_project_reaches_the_next_one(scene: Scene, busy: De
     assert not any(busy.session.result(row.fid) for row in busy.session.windows())
 
 
-def test_choosing_another_window_layer_under_way(busy: Desk) -> None:
-    before = busy.layer()
-    busy.use(windows(*BOXES, window_id=("integer", list(range(1, len(BOXES) + 1)))))
-    assert not busy.session.is_busy
-    wait_for_tasks()
-    assert not any(verdicts(busy))
-    busy.session.set_inputs(busy.inputs(windows=before.id()))
-    assert verdicts(busy)[0]  # what had arrived was written
-
-
 @pytest.mark.parametrize("name", ["mosaic", "source", "windows", "seamlines"])
 def test_removing_a_layer_under_way(busy: Desk, name: str) -> None:
     layers = {"mosaic": busy.mosaic, "source": busy.sources[0], "windows": busy.layer(), "seamlines": busy.seamlines}
@@ -105,16 +95,6 @@ def test_moving_and_deleting_windows_under_way(busy: Desk) -> None:
     assert len(rows) == len(BOXES) - 2
     assert all(row.verdict for row in rows.values())
     assert [number for number, row in rows.items() if row.stale] == [len(BOXES)]
-
-
-def test_saving_and_discarding_edits_under_way(busy: Desk) -> None:
-    busy.layer().startEditing()
-    settle(0.2)
-    assert busy.layer().commitChanges(False)
-    settle(0.2)
-    busy.layer().rollBack()
-    busy.wait()
-    assert all(row.verdict for row in busy.session.windows()[-10:])
 
 
 def test_closing_the_session_under_way_keeps_what_is_done(busy: Desk) -> None:

@@ -108,24 +108,6 @@ def test_dates_causes_and_remarks_come_along(tmp_path: Path) -> None:
     assert first["right_source"].startswith("right_source")
 
 
-def test_as_csv_it_has_places_and_pictures(tmp_path: Path, mosaic: str) -> None:
-    path = tmp_path / "failures.csv"
-    accept(DEFECTS=str(path), MOSAIC=[mosaic])
-    lines = path.read_text(encoding="utf-8").splitlines()
-    assert lines[0] == ",".join(FIELDS)
-    assert len(lines) == 3
-    assert "failures_pictures/defect_002.jpg" in lines[2]
-    assert (tmp_path / "failures_pictures" / "defect_002.jpg").is_file()
-
-
-def test_a_second_run_leaves_no_picture_of_the_first(tmp_path: Path, mosaic: str) -> None:
-    path = tmp_path / "failures.gpkg"
-    accept(DEFECTS=str(path), MOSAIC=[mosaic])
-    (tmp_path / "failures_pictures" / "mine.jpg").write_bytes(b"mine")
-    accept(seams([P, F, P]), DEFECTS=str(path), MOSAIC=[mosaic])
-    assert sorted(one.name for one in (tmp_path / "failures_pictures").iterdir()) == ["defect_001.jpg", "mine.jpg"]
-
-
 def test_wrong_rasters_are_told_and_left_out(tmp_path: Path, mosaic: str, loss: str) -> None:
     given = {"DEFECTS": str(tmp_path / "d.gpkg"), "REPORT": None, "QUALITY": str(tmp_path / "q.xml")}
     outcome = accept(**given, MOSAIC=[loss], LOSS=mosaic)
@@ -199,14 +181,3 @@ def test_a_mosaic_that_shows_nothing_costs_the_pictures_only(tmp_path: Path, bro
     assert_sentence(said, "mosaic|picture")
     assert len(rows(tmp_path / "failures.gpkg")) == 2
     assert "data:image/jpeg" not in (tmp_path / "decision.html").read_text(encoding="utf-8")
-
-
-def test_a_delivery_without_a_failure_has_an_empty_layer(tmp_path: Path, mosaic: str) -> None:
-    outcome = run(
-        "acceptmosaic", SEAMS=[seams([P] * 8)], MOSAIC=[mosaic], DEFECTS=str(tmp_path / "failures.gpkg"),
-        REPORT=str(tmp_path / "decision.html"), QUALITY=str(tmp_path / "quality.xml"),
-    )  # fmt: skip
-    assert outcome.results["ACCEPTED"] == 1
-    assert rows(tmp_path / "failures.gpkg") == []
-    assert not (tmp_path / "failures_pictures").exists()
-    assert "No piece of seam" in (tmp_path / "decision.html").read_text(encoding="utf-8")

@@ -2,18 +2,14 @@
 from __future__ import annotations
 
 import json
-import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
-from osgeo import gdal
-from qgis.core import QgsGeometry, QgsPointXY, QgsRectangle, QgsVectorLayer
-from scipy import stats
+from qgis.core import QgsGeometry, QgsRectangle, QgsVectorLayer
 
-from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
-from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
+from tests.qgis.acceptance.seam_scenes import UTM33, file, seams, straight
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import layer
 
@@ -76,26 +72,6 @@ def test_what_could_not_be_measured_is_not_passed() -> None:
     nothing = decide(seams([None] * 3))
     assert nothing.results["DECISION"] == "undecided"
     assert nothing.results.keys().isdisjoint({"ACCEPTED", "FAILED_SHARE"})
-
-
-@pytest.mark.parametrize(("failed", "accepted"), [(1, 1), (2, 0)])
-@pytest.mark.parametrize("stated", [{"PLAN": "iso2859_2", "LQ": 5}, {"READY_RULES": "iso2859_2_lq_5"}])
-def test_an_isolated_lot_has_a_plan_of_its_own(
-    failed: int, accepted: int, stated: dict[str, object], tmp_path: Path
-) -> None:
-    made = seams([F] * failed + [P] * (80 - failed))
-    paper = {"REPORT": str(tmp_path / "r.html"), "QUALITY": str(tmp_path / "q.xml"), "CHART": str(tmp_path / "c.svg")}
-    outcome = decide(made, LOT_SIZE=1000, **stated, **paper)
-    assert outcome.results["ACCEPTED"] == accepted
-    assert f"{failed} of 80 inspected pieces failed" in decision(outcome)
-    risk = stats.hypergeom.cdf(1, 1000, 50, 80)
-    assert f"the limiting quality of 5 %, {100 * risk:.1f}\u00a0% are accepted" in decision(outcome)
-    for name in ("r.html", "q.xml"):
-        text = (tmp_path / name).read_text(encoding="utf-8")
-        assert "ISO 2859-2:1985" in text
-        assert "ISO 2859-1" not in text
-        assert "AQL" not in text
-    assert not faults((tmp_path / "q.xml").read_text(encoding="utf-8"))
 
 
 def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
@@ -166,18 +142,6 @@ def test_a_key_that_stands_twice_is_refused(text: str, tmp_path: Path) -> None:
 # --- layers of all kinds ---------------------------------------------------------------------------------------
 
 
-def test_degrees_and_mixed_systems() -> None:
-    degrees = seams([P, F, F], epsg=4326, with_length=False, name="degrees")
-    outcome = decide(degrees)
-    assert outcome.results["TOTAL_METRES"] == pytest.approx(75, rel=1e-3)
-    assert outcome.results["LONGEST_FAILURE"] == pytest.approx(50, rel=1e-3)
-    assert "The layers are in degrees; places and lengths are given in WGS 84 / UTM zone 33N." in outcome.log.infos
-    mixed = decide(degrees, seams([F, P], start=75, epsg=25833, name="other"))
-    assert mixed.results["LONGEST_FAILURE"] == pytest.approx(75, rel=1e-3)
-    feet = decide(seams([F, F, P], epsg=2264, with_length=False, name="feet"))
-    assert feet.results["LONGEST_FAILURE"] == pytest.approx(50, rel=0.1)
-
-
 def test_a_layer_given_twice_counts_once(tmp_path: Path) -> None:
     made = seams([P] * 4)
     outcome = decide(made, made)
@@ -185,24 +149,6 @@ def test_a_layer_given_twice_counts_once(tmp_path: Path) -> None:
     assert_sentence(outcome.log.warnings[0], "given twice and counts once")
     path = file(made, tmp_path / "seams.gpkg")
     assert decide(path, path).results["TOTAL_METRES"] == 100
-
-
-def test_sheets_of_one_name_are_told_apart(tmp_path: Path) -> None:
-    paths = [file(seams([F], y=100 * number), tmp_path / f"sheet_{number}" / "seams.gpkg") for number in (1, 2)]
-    report = tmp_path / "r.html"
-    assert decide(*paths, REPORT=str(report)).results["TOTAL_METRES"] == 50
-    page = report.read_text(encoding="utf-8")
-    assert "sheet_1/seams" in page
-    assert "sheet_2/seams" in page
-
-
-def test_a_file_of_several_tables_gives_its_seams(tmp_path: Path) -> None:
-    path = tmp_path / "scan.gpkg"
-    worst = layer("Polygon", [QgsGeometry.fromWkt("POLYGON((0 0, 1 0, 1 1, 0 0))")], kept_1=("double", [0.1]))
-    shutil.copy(file(worst, tmp_path / "worst_windows.gpkg"), path)
-    seam_file = file(seams([P] * 4), tmp_path / "seams.gpkg")
-    gdal.VectorTranslate(str(path), seam_file, layerName="seams", accessMode="append")
-    assert decide(str(path)).results["TOTAL_METRES"] == 100
 
 
 def empty(kind: str = "LineString", **fields: tuple[str, list[Any]]) -> QgsVectorLayer:
@@ -225,14 +171,6 @@ def test_bad_layers_are_refused() -> None:
     assert_sentence(outcome.log.warnings[0], "made is empty")
 
 
-@pytest.mark.parametrize("number", [float("nan"), float("inf")])
-def test_a_sheet_whose_corner_is_no_number_is_named(number: float, capfd: pytest.CaptureFixture[str]) -> None:
-    corners = [QgsPointXY(*place) for place in ((0, 0), (9, 0), (number, 9))]
-    index = layer("Polygon", [QgsGeometry.fromPolygonXY([corners])], UTM33, name=("string", ["north"]))
-    assert_refused("acceptmosaic", "sheet north has coordinates that are no numbers", SEAMS=[seams([P])], SHEETS=index)
-    assert "GEOS" not in capfd.readouterr().err
-
-
 def test_a_piece_over_a_border_counts_in_the_sheet_of_its_middle(tmp_path: Path) -> None:
     """390 m in pieces of 30 m, sheets of 100 m."""
     pieces = seams([F if place in (2, 3, 9) else P for place in range(13)], length=30)
@@ -251,16 +189,3 @@ def test_a_piece_over_a_border_counts_in_the_sheet_of_its_middle(tmp_path: Path)
     assert [failed[name] for name in "abcd"] == [
         ("30.0 m", "1 / 3"), ("30.0 m", "1 / 4"), ("30.0 m", "1 / 3"), ("0.0 m", "0 / 3")
     ]  # fmt: skip
-
-
-def test_a_piece_whose_middle_lies_on_a_border_makes_no_sheet_of_its_own(tmp_path: Path) -> None:
-    """Three pieces of 30 m, two sheets of 45 m."""
-    pieces = seams([P] * 3, length=30)
-    squares = [QgsGeometry.fromRect(QgsRectangle(X + left, Y - 50, X + left + 45, Y + 50)) for left in (0, 45)]
-    outlines = layer("Polygon", squares, UTM33, name=("string", ["a", "b"]))
-    outcome = decide(pieces, SHEETS=outlines, REPORT=str(tmp_path / "decision.html"))
-    assert not any("none of the sheets" in text for text in outcome.log.warnings)
-    rows = outline((tmp_path / "decision.html").read_text(encoding="utf-8")).rows
-    metres = {row[0]: row[2].replace("\u00a0", " ") for row in rows if len(row) > 5}
-    assert [metres[name] for name in "ab"] == ["60.0 m", "30.0 m"]
-    assert "seams" not in metres

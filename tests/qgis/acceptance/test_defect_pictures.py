@@ -119,21 +119,6 @@ def test_the_sheet_that_shows_it_is_taken(tmp_path: Path) -> None:
     assert DefectPictures([other], decision).of(defects_of(decision)[0]) is None
 
 
-def test_a_mosaic_that_is_gone_or_broken_gives_none(tmp_path: Path) -> None:
-    mosaic = flat(tmp_path / "mosaic.tif")
-    (tmp_path / "mosaic.tif").write_bytes((tmp_path / "mosaic.tif").read_bytes()[:5000])
-    decision = decided(failed=[(0, 4)])
-    assert DefectPictures([mosaic], decision).of(defects_of(decision)[0]) is None
-    (tmp_path / "mosaic.tif").unlink()
-    assert DefectPictures([mosaic], decision).of(defects_of(decision)[0]) is None
-
-
-def test_a_mosaic_in_another_system_is_found(tmp_path: Path) -> None:
-    gdal.Warp(str(tmp_path / "moved.tif"), flat(tmp_path / "mosaic.tif").ref.path, dstSRS="EPSG:3857")
-    found = picture_of(decided(failed=[(0, 4)]), describe_mosaic(RasterRef(str(tmp_path / "moved.tif"))))
-    assert len(dashes(found.around.astype(int))) > 50
-
-
 def test_pictures_take_the_place_of_older_ones_but_of_no_sheet(tmp_path: Path) -> None:
     decision = decided(failed=[(0, 4)])
     mosaic, folder = flat(tmp_path / "mosaic.tif"), tmp_path / "failures_pictures"

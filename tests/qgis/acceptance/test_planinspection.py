@@ -1,15 +1,14 @@
 """``planinspection`` as QGIS runs it: how many, which, and that the sample goes on into the decision and the desk."""
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsProcessingContext, QgsProject, QgsVectorLayer
+from qgis.core import QgsVectorLayer
 
 from tests.qgis.acceptance.seam_scenes import UTM33, seams, straight
-from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
-from tests.qgis.scenes import PIXEL, Scene, layer, line, pixel_box
+from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.scenes import Scene, layer, line
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -99,33 +98,6 @@ def test_plain_seamlines_are_cut() -> None:
         assert feature.geometry().length() == pytest.approx(row["length"] * 0.9996)
 
 
-def test_windows_open_in_the_desk(scene: Scene) -> None:
-    seam = layer("LineString", [line((200, 0), (300, 256))])
-    outcome = plan(
-        seam, PLAN="count", COUNT=4, UNIT="windows", MOSAIC=str(scene.mosaic), SIDE=64 * PIXEL, PIECE=5,
-    )
-    rows = outcome.rows()
-    assert list(rows[0]) == ["window_id", "seam_id", "station", "sheet", "sample", "lot_size"]
-    assert [row["window_id"] for row in rows] == [1, 2, 3, 4]
-    for feature in outcome.features():
-        column, row, width, height = pixel_box(feature.geometry())
-        assert (width, height) == (64, 64)
-        assert column == round(column)
-        assert 0 <= column <= 512 - 64
-        assert 0 <= row <= 256 - 64
-    inspected = run("inspectwindows", WINDOWS=outcome.layer(), MOSAIC=str(scene.mosaic), SOURCES=scene.sources)
-    assert inspected.results["WINDOW_COUNT"] == 4
-
-
-def test_pieces_off_the_mosaic_are_told(scene: Scene) -> None:
-    here, far = layer("LineString", [line((200, 0), (200, 256))]), layer("LineString", [line((900, 0), (900, 256))])
-    given = {"PLAN": "count", "UNIT": "windows", "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "PIECE": 5}
-    outcome = plan(here, far, **given)
-    assert_sentence(outcome.log.warnings[0], "5 pieces do not lie on the mosaic")
-    assert outcome.results["LOT_SIZE"] == 5
-    assert_sentence(plan(far, **given).complaint, "None of the seams lies on the mosaic")
-
-
 def test_a_field_of_sheets() -> None:
     lines = [straight(25 * number, 25) for number in range(100)]
     fields = {"kept_1": ("double", [P] * 100), "tile": ("string", ["a"] * 80 + ["b"] * 20)}
@@ -154,18 +126,3 @@ def test_a_sample_larger_than_what_is_given_is_told() -> None:
     outcome = plan(seams([P] * 40), LOT_SIZE=1000)
     assert outcome.results["SAMPLE_SIZE"] == 40
     assert_sentence(outcome.log.warnings[0], "The plan needs 80 pieces and the layers hold 40")
-
-
-@pytest.mark.parametrize("unit", ["pieces", "windows"])
-def test_the_two_samples_have_names_of_their_own(scene: Scene, unit: str, tmp_path: Path) -> None:
-    context, output = QgsProcessingContext(), str(tmp_path / "sample.gpkg")
-    context.setProject(QgsProject.instance())
-    details = QgsProcessingContext.LayerDetails("Sample", QgsProject.instance(), "OUTPUT")
-    context.addLayerToLoadOnCompletion(output, details)
-    made = layer("LineString", [line((200, 0), (300, 256))])
-    parameters = {
-        "SEAMS": [made], "PLAN": "count", "COUNT": 2, "UNIT": unit, "MOSAIC": str(scene.mosaic), "PIECE": 5,
-        "SIDE": 64 * PIXEL, "OUTPUT": output,
-    }  # fmt: skip
-    assert algorithm("planinspection").run(parameters, context, Log())[1]
-    assert context.layerToLoadOnCompletionDetails(output).name == f"Sample ({unit})"

@@ -19,14 +19,12 @@ from tests.qgis.acceptance.planted import (
     SHAPE,
     STRIPS,
     Block,
-    cell_layer,
     make_block,
     planted_metres,
     seam_metres,
 )
 from tests.qgis.acceptance.seam_scenes import seams
 from tests.qgis.runs import Run, run
-from tests.qgis.scenes import saved
 
 pytestmark = [pytest.mark.usefixtures("provider"), pytest.mark.slow]
 
@@ -166,21 +164,6 @@ def test_5_a_missing_orthoimage(spoilt: Block, tmp_path: Path) -> None:
     assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
 
 
-def test_5_a_missing_orthoimage_inside_of_others(tmp_path: Path) -> None:
-    """Some 5 % of the mosaic, whose border is no seam that the others show; all that they show was measured."""
-    block = make_block(tmp_path / "block", foreign=slice(440, 720))
-    made = scan(block, tmp_path / "found", SEAMLINES=None)
-    found = decide(tmp_path, made.results["SEAMS"])
-    assert found.results["MEASURED_METRES"] > 0.9 * found.results["TOTAL_METRES"]
-    assert found.results["DECISION"] == "undecided"
-    (border,) = re.findall(r"and (\d+) m of border around them may be seams", decision(found))
-    assert float(border) == pytest.approx(4 * 280 * GSD, rel=0.1)
-    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
-    made = scan(block, tmp_path / "given")
-    found = decide(tmp_path, made.results["SEAMS"])
-    assert "found no orthoimage behind" in said(found)
-
-
 def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:
     """What a filter hides may be the failures: refused. Where they are deleted the scan's totals tell."""
     path = scanned.results["SEAMS"]
@@ -199,25 +182,6 @@ def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:
     assert found.results["DECISION"] == "undecided"
     assert f"the layers lack {scanned.results['FAILED_METRES']:.0f} m of seam" in decision(found)
     assert_all_say_the_same(tmp_path, found, copied)
-
-
-def test_7_two_orthoimages_of_one_name(tmp_path: Path) -> None:
-    """The polygons of two strips name 'o.tif', which two folders have: their border stays a seam."""
-    block = make_block(tmp_path / "block", PLANTED, names=("a", "A/o", "B/o", "d"))
-    words = saved(cell_layer(["a.tif", "o.tif", "o.tif", "d.tif"]), tmp_path / "cells.gpkg")
-    made = scan(block, tmp_path / "scan", SEAMLINES=words)
-    assert made.results["SEAM_METRES"] == pytest.approx(seam_metres(), rel=0.01)
-    assert any("fit several of those given: 1 (such as o.tif)" in text for text in made.log.warnings)
-    assert {"A/o.tif", "B/o.tif"} <= {*made.column("left_source", "SEAMS"), *made.column("right_source", "SEAMS")}
-    found = decide(tmp_path, made.results["SEAMS"])
-    assert found.results["DECISION"] == "rejected"
-    assert found.results["FAILED_METRES"] == made.results["FAILED_METRES"]
-    assert found.results["FAILED_METRES"] == pytest.approx(planted_metres(PLANTED), rel=0.08)
-    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
-    paths = saved(cell_layer(["a.tif", "A/o.tif", "B/o.tif", "d.tif"]), tmp_path / "paths.gpkg")
-    told = scan(block, tmp_path / "told", SEAMLINES=paths)
-    assert told.results["FAILED_METRES"] == pytest.approx(made.results["FAILED_METRES"], rel=0.05)
-    assert not any("fit several" in text for text in told.log.warnings)
 
 
 def test_8_sheet_by_sheet_or_as_one(spoilt: Block, scanned: Run, tmp_path: Path) -> None:
@@ -258,28 +222,4 @@ def test_9_without_orthoimages(spoilt: Block, tmp_path: Path) -> None:
     assert found.results["DECISION"] == "undecided"
     assert found.results["FAILED_METRES"] == made.results["FAILED_METRES"]
     assert "What would decide it: figures of at least" in said(found)
-    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
-
-
-@pytest.mark.parametrize(("planted", "wrong"), [((), "rejected"), (PLANTED, "accepted")])
-def test_10_jpeg_60(planted: tuple[Any, ...], wrong: str, tmp_path: Path) -> None:
-    block = make_block(tmp_path / "block", planted, jpeg=60)
-    made = scan(block, tmp_path / "scan")
-    found = decide(tmp_path, made.results["SEAMS"])
-    assert found.results["DECISION"] != wrong
-    if found.results["DECISION"] == "undecided":
-        assert "What would decide it" in said(found)
-    assert found.results["FAILED_METRES"] == pytest.approx(planted_metres(planted), abs=2 * PIECE)
-    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
-
-
-def test_11_one_of_four_orthoimages(spoilt: Block, tmp_path: Path) -> None:
-    """No seam lies on two of them, so that they tell nothing: no worse than none."""
-    made = scan(spoilt, tmp_path / "scan", SOURCES=[spoilt.sources[0]])
-    assert any("are measured as without orthoimages" in text for text in made.log.warnings)
-    none = scan(spoilt, tmp_path / "none", SOURCES=[])
-    columns = [[row[name] for row in one.rows("SEAMS")] for one in (made, none) for name in ("verdict",)]
-    assert columns[0] == columns[1]
-    found = decide(tmp_path, made.results["SEAMS"])
-    assert found.results["DECISION"] == "undecided"
     assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])

@@ -9,16 +9,11 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
-from seam_inspector.plugin.acceptance.paper.inspection_record import described_bands, scan_settings
-from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
-from seam_inspector.plugin.imagery.open_raster import describe_placed
-from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.scan.loss_raster import loss_raster
+from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
 
-from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
+from tests.numbers.acceptance.made_decisions import PLAN, decided
 from tests.numbers.acceptance.public_schemas import NAMESPACES, faults
-from tests.qgis.acceptance.papers import EVIL, ground, record_of
+from tests.qgis.acceptance.papers import ground, record_of
 
 SHEETS = ("sheet_1", "sheet_2")
 FAILED = [(0, 3), (0, 4), (1, 20)]
@@ -129,18 +124,6 @@ def test_a_plan_is_told_with_its_risks() -> None:
     assert values(found["sampling_risk"]) == pytest.approx([100 * risks.producers_risk, 100 * risks.limiting_quality])
 
 
-@pytest.mark.parametrize("name", [EVIL, "]]>", "Łódź 東京", "\ud800", "a" * 300])
-def test_any_name_is_text(name: str, tmp_path: Path) -> None:
-    decision = decided([name, "other"], failed=FAILED, images=(name, name))
-    seen = with_windows(decision, window_on(decision, 3, name, cause=name, remark=name))
-    record = record_of(seen, windows=name, rules=name, report=name, scan={name: name})
-    save_quality_document(tmp_path / "quality.xml", record)
-    document = (tmp_path / "quality.xml").read_text(encoding="utf-8")
-    assert faults(document) == []
-    shown = name.replace("\x07", "\ufffd").replace("\u202e", "\ufffd").replace("\ud800", "\ufffd")
-    assert shown in [one.text for one in ET.fromstring(document.encode()).iter()]
-
-
 def nothing_measured() -> Decision:
     decision = decided()
     pieces = tuple(replace(piece, kept_1=None, kept_low=None, kept_high=None) for piece in decision.delivery.pieces)
@@ -152,31 +135,3 @@ def test_what_was_not_measured_has_no_number() -> None:
     assert "failed_share" not in found
     assert "kept" not in found
     assert passed(found["acceptance"]) == ""  # undecided: neither true nor false
-
-
-def test_a_delivery_without_a_place_has_no_extent() -> None:
-    decision = decided(failed=FAILED[:1])
-    lost = replace(decision, delivery=replace(decision.delivery, wkt=""))
-    document = quality_document(record_of(lost))
-    assert faults(document) == []
-    assert "EX_Extent" not in document
-    assert "MD_ReferenceSystem" not in document
-
-
-def test_how_the_scan_measured_is_read_from_its_picture_of_losses(tmp_path: Path) -> None:
-    mosaic, settings = ground(tmp_path / "mosaic.tif"), ScanSettings(wavelet="haar", piece_m=12.5)
-    with loss_raster(str(tmp_path / "loss.tif"), mosaic, 32, settings.told) as raster:
-        raster.close([])
-    told = scan_settings(RasterRef(str(tmp_path / "loss.tif")))
-    assert told == {"wavelet": "haar", "levels": "3", "density": "seams", "piece_m": "12.5"}
-    assert scan_settings(RasterRef(mosaic.ref.path)) == {}
-
-
-def test_the_coverage_s_attributes_are_those_of_the_picture_of_losses(tmp_path: Path) -> None:
-    path = str(tmp_path / "loss.tif")
-    with loss_raster(path, ground(tmp_path / "mosaic.tif"), 32, ScanSettings().told) as raster:
-        raster.close([])
-    loss = describe_placed(RasterRef(path))
-    document = quality_document(record_of(decided(), loss=loss, loss_bands=described_bands(loss.ref)))
-    told = text(elements(document)["kept"], ".//mrc:attributeDescription/gco:RecordType")
-    assert told == "kept_1, contrast_1, added_1, source, mixture"

@@ -20,7 +20,7 @@ from tests.pages import outline
 from tests.qgis.acceptance.papers import record_of
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
 from tests.qgis.acceptance.test_acceptance_report import page_of
-from tests.qgis.runs import assert_refused, run
+from tests.qgis.runs import run
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -91,22 +91,3 @@ def test_a_sample_is_not_the_delivery(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=pieces, lot_size=400), plain.rules)))
     assert "of seam in the sample" in page.words
     assert "seams of all sheets" not in page.words
-
-
-@pytest.mark.parametrize(("output", "name"), [
-    ("REPORT", "decision.pdf"), ("REPORT", "decision"), ("REPORT", "decision.txt"), ("QUALITY", "quality.html"),
-])
-def test_a_file_is_what_its_name_says(output: str, name: str, tmp_path: Path) -> None:
-    wanted = {"DEFECTS": None, "REPORT": None, output: str(tmp_path / name)}
-    assert_refused("acceptmosaic", f"{name} has the wrong ending", SEAMS=[seams([0.5])], **wanted)
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_layer_in_memory_is_called_that(tmp_path: Path) -> None:
-    page, record = tmp_path / "decision.html", tmp_path / "quality.xml"
-    made = run("acceptmosaic", SEAMS=[seams([0.5])], DEFECTS=None, REPORT=str(page), QUALITY=str(record))
-    assert made.complaint is None
-    for path in (page, record):
-        text = path.read_text(encoding="utf-8")
-        assert "temporary layer" in text
-        assert "LineString?" not in text

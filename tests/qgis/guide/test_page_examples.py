@@ -167,6 +167,7 @@ def test_no_page_with_commands_is_left_out() -> None:
     assert "..." in "".join(commands(DOCS / OPEN))
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("folder", "page"), READ_PAGES)
 def test_the_commands_of_a_page_run(
     folder: str, page: str, reader: Path, calls: list[Call], monkeypatch: pytest.MonkeyPatch

@@ -27,6 +27,7 @@ def demo(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[st
     return ran.stdout, folder
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["start/own_rasters.md", "method/curves.md"])
 def test_the_tables_are_those_that_are_printed(repository: Path, demo: tuple[str, Path], name: str) -> None:
     printed, _ = demo
@@ -47,6 +48,7 @@ def _is_same(line: str, other: str) -> bool:
     return all(abs(float(a) - float(b)) <= 2.5 * 10.0 ** -len(a.partition(".")[2]) for a, b in zip(numbers, others))
 
 
+@pytest.mark.release
 def test_the_first_window_of_the_readme_is_that_of_the_report(repository: Path, demo: tuple[str, Path]) -> None:
     printed, folder = demo
     readme = (repository / "README.md").read_text("utf-8")

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tests.numbers.synthetic import decompose, luminance, patchy_texture, read_pixels, write_raster
-from tests.qgis.runs import Log, Run, assert_refused, assert_sentence, run
+from tests.qgis.runs import Log, Run, assert_sentence, run
 from tests.qgis.scenes import windows
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -97,12 +97,6 @@ def test_windows_are_grouped_by_a_field(pictures: dict[str, str], tmp_path: Path
     page = report.read_text(encoding="utf-8")
     assert "Groups" in page
     assert page.index(">field</td>") < page.index(">forest</td>") < page.index(">no value</td>")
-
-
-def test_a_field_without_windows_or_that_they_do_not_have_is_refused(pictures: dict[str, str]) -> None:
-    assert_refused("checknoise", "give WINDOWS", RASTERS=[pictures["clean"]], GROUP_FIELD="scale")
-    drawn = windows((0, 0, 128, 128))
-    assert_refused("checknoise", "scale", RASTERS=[pictures["clean"]], WINDOWS=drawn, GROUP_FIELD="scale")
 
 
 def test_two_groups_on_the_same_ground_are_compared_window_by_window(pictures: dict[str, str]) -> None:

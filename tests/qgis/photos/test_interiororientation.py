@@ -4,7 +4,6 @@ from __future__ import annotations
 import json
 import math
 import re
-import time
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -178,43 +177,6 @@ def test_a_photo_without_marks(scene: PhotoScene, tmp_path: Path) -> None:
     assert_sentence(complaint(scene, PHOTO=white), "All pixels of white.tif are alike")
     noise = np.random.default_rng(1).integers(0, 255, (600, 600)).astype(np.uint8)
     assert_sentence(complaint(scene, PHOTO=write_plain(tmp_path / "noise.tif", noise)), "No mark was found")
-
-
-def test_a_photo_larger_than_any_scan(scene: PhotoScene, tmp_path: Path) -> None:
-    """Some kilobytes that declare 10^12 pixels, all of which marks would be looked for in."""
-    for kind, name, words in (
-        (gdal.GDT_Byte, "interiororientation", r"sparse\.tif has 900000 x 900000 px and no scanned photo has more"),
-        (gdal.GDT_Float32, "enhancephoto", r"sparse\.tif is 900000 px wide and 250000 are the most"),
-    ):
-        options = ["SPARSE_OK=TRUE", "TILED=YES", "BLOCKXSIZE=4096", "BLOCKYSIZE=4096", "BIGTIFF=YES"]
-        path = str(tmp_path / "sparse.tif")
-        gdal.GetDriverByName("GTiff").Create(path, 900_000, 900_000, 1, kind, options).FlushCache()
-        started = time.process_time()
-        assert_refused(name, words, PHOTO=path, CALIBRATION=str(scene.calibration))
-        assert time.process_time() - started < 5
-
-
-def test_bad_positions(scene: PhotoScene) -> None:
-    places = scene.frame.places
-    swapped = {"1": places["2"], "2": places["1"], "3": places["3"], "4": places["4"]}
-    for given, words in (
-        (points({"9": places["1"]}), "a mark '9' that the calibration does not have"),
-        (points({"1": places["1"], "2": places["1"]}), "'1' and '2' are at one place"),
-        (points(swapped), "from where the calibration places them"),
-        (points({"": places["1"]}), "no point with a name"),
-    ):
-        assert_sentence(complaint(scene, POSITIONS=given), words)
-
-
-def test_positions_on_a_photo_whose_pixels_lie_on_one_line(scene: PhotoScene, tmp_path: Path) -> None:
-    """It is on its own pixels, as one that was never georeferenced."""
-    wrapped = tmp_path / "photo.vrt"
-    gdal.Translate(str(wrapped), str(scene.photo), format="VRT").FlushCache()
-    text = wrapped.read_text().replace("<VRTRasterBand", "<GeoTransform>5,1,2,7,2,4</GeoTransform><VRTRasterBand", 1)
-    wrapped.write_text(text)
-    outcome = run("interiororientation", **{**scene.inputs, "PHOTO": str(wrapped)}, **CROSS,
-                  POSITIONS=points(dict(scene.frame.places)))
-    assert outcome.complaint is None
 
 
 def test_the_report_shows_where_a_failed_mark_should_be(blotted: PhotoScene, tmp_path: Path) -> None:

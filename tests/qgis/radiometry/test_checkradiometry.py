@@ -7,10 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import QgsGeometry
 
-from tests.numbers.synthetic import ORIGIN, read_pixels, write_raster
-from tests.qgis.runs import assert_refused, assert_sentence, run, run_unchecked
+from tests.numbers.synthetic import read_pixels, write_raster
+from tests.qgis.runs import assert_sentence, run, run_unchecked
 from tests.qgis.scenes import layer, line, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -61,16 +60,6 @@ def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
     assert outcome.results["NOT_MEASURABLE_COUNT"] == 2
 
 
-def test_an_index_names_rasters_too(mosaics: list[str]) -> None:
-    square = [QgsGeometry.fromWkt("POLYGON((0 0,1 0,1 1,0 0))")] * 3
-    index = layer("Polygon", square, location=("string", [mosaics[1], None, mosaics[0]]))
-    rows = run("checkradiometry", RASTERS=mosaics[:1], SHEETS=index).rows()
-    assert list(dict.fromkeys(row["raster"] for row in rows)) == ["cut.tif", "balanced.tif"]
-    assert_refused("checkradiometry", "No raster", SHEETS=layer("Polygon", square[:1], location=("string", [None])))
-    wrong = layer("Polygon", square[:2], name=("string", mosaics))
-    assert "no field 'location'" in str(run("checkradiometry", SHEETS=wrong).complaint)
-
-
 def test_the_ready_rules_judge_luminosity(mosaics: list[str]) -> None:
     outcome = run("checkradiometry", RASTERS=mosaics)
     bands = {row["check"]: [] for row in outcome.rows()}
@@ -115,16 +104,6 @@ def test_own_rules(mosaics: list[str], tmp_path: Path) -> None:
     assert passed["balanced.tif", "seam_step"] == 1
     assert passed["cut.tif", "signal_to_noise"] == 1
     assert {row["source"] for row in outcome.rows()} == {"contract 12", "contract 13"}
-
-
-def test_a_window_on_one_of_two_rasters_is_not_missed(mosaics: list[str], tmp_path: Path) -> None:
-    pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
-    beside = write_raster(tmp_path / "beside.tif", pixels, origin=(ORIGIN[0] + 51.2, ORIGIN[1]))
-    drawn = windows((0, 0, 128, 128), (600, 0, 128, 128), (0, 0, 9, 9), window_id=("integer", [1, 2, 3]))
-    outcome = run("checkradiometry", RASTERS=[mosaics[0], beside], WINDOWS=drawn)
-    assert {(row["raster"], row["window_id"]) for row in outcome.rows()} == {("cut.tif", 1), ("beside.tif", 2)}
-    (said,) = outcome.log.warnings
-    assert_sentence(said, "Window 3 is left out on cut.tif: The window covers 9 x 9 px")
 
 
 def test_a_bad_raster_is_named_and_the_others_are_checked(mosaics: list[str], tmp_path: Path) -> None:

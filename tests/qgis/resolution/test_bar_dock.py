@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsPointXY,
     QgsProject,
     QgsRasterLayer,
     QgsRectangle,
@@ -18,14 +17,14 @@ from qgis.core import (
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapTool
 from qgis.PyQt.QtCore import QEvent, Qt
 from qgis.PyQt.QtGui import QColor, QKeyEvent
-from qgis.PyQt.QtWidgets import QAction, QApplication
+from qgis.PyQt.QtWidgets import QAction
 from seam_inspector.plugin.resolution.desk import bar_dock
 from seam_inspector.plugin.resolution.desk.bar_dock import BarDock
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.resolution.bar_operator import RIGHT, Operator
 from tests.qgis.resolution.bar_scenes import COARSEST_CM, bar_layer, make_bar_scene
-from tests.qgis.scenes import at, layer
+from tests.qgis.scenes import layer
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
 
 
@@ -149,22 +148,6 @@ def test_an_image_that_can_not_be_opened_says_why(operator: Operator, tmp_path: 
     assert not operator.dock.draw.isChecked()
 
 
-def test_two_clicks_draw_as_well_as_a_drag(operator: Operator) -> None:
-    start, end = operator.ends(2)
-    operator.press(start)
-    operator.release(start)
-    operator.move(end)
-    operator.press(end)
-    operator.release(end)
-    assert operator.rows() == [(1, "along")]
-    lines = operator.dock.line_layer()
-    assert lines is not None
-    (row,) = lines.getFeatures()
-    drawn = row.geometry().asPolyline()
-    assert drawn[0].distance(QgsPointXY(*at(*start))) < 0.03
-    assert drawn[1].distance(QgsPointXY(*at(*end))) < 0.03
-
-
 def test_a_typed_group_and_the_other_direction(operator: Operator) -> None:
     operator.dock.lines.setLayer(None)
     existing = bar_layer([operator.scene.geometry(4, "across")], [4], ["across"])
@@ -177,15 +160,6 @@ def test_a_typed_group_and_the_other_direction(operator: Operator) -> None:
     operator.draw(5, "across")
     assert sorted(operator.rows()) == [(2, "along"), (4, "across"), (5, "across")]
     existing.rollBack()
-
-
-def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
-    operator.press((5, 3))
-    operator.move((25, 3))
-    wait_until(lambda: "No bars stand out" in operator.dock.verdict.text())
-    operator.move((7, 3))
-    wait_until(lambda: "px long" in operator.dock.verdict.text())
-    assert operator.dock.profile.bands_shown == 0
 
 
 def test_the_profile_is_painted_and_goes_with_its_line(operator: Operator) -> None:
@@ -222,20 +196,6 @@ def test_a_closed_dock_gives_the_map_its_former_tool_back(operator: Operator) ->
     assert not dock.draw.isChecked()
 
 
-def test_a_layer_without_the_fields_is_told(operator: Operator, qgis_iface: QgisInterface,
-                                            monkeypatch: pytest.MonkeyPatch) -> None:
-    told: list[str] = []
-    monkeypatch.setattr(qgis_iface.messageBar(), "pushMessage", lambda _title, text, *_rest: told.append(text))
-    other = layer("LineString", [], group=("integer", []))
-    QgsProject.instance().addMapLayer(other)
-    operator.dock.lines.setLayer(other)
-    other.dataProvider().deleteAttributes([0])
-    other.updateFields()
-    operator.draw(1)
-    assert told == ["The layer has no field 'group'; add it and fill it in."]
-    assert operator.rows() == []
-
-
 def test_escape_and_the_right_button(operator: Operator) -> None:
     start, end = operator.ends(1)
     operator.press(start)
@@ -267,19 +227,6 @@ def test_the_previous_tool_comes_back_and_nothing_stays(operator: Operator) -> N
         assert canvas.mapTool() is previous
         assert len(canvas.scene().items()) == items
     canvas.unsetMapTool(previous)
-
-
-def test_an_image_that_vanishes(operator: Operator) -> None:
-    start, end = operator.ends(1)
-    operator.press(start)
-    operator.move(end)
-    QgsProject.instance().removeMapLayer(operator.dock.image.currentLayer().id())
-    QApplication.processEvents()
-    operator.move(end)
-    operator.release(end)
-    wait_for_tasks()
-    assert not operator.dock.draw.isEnabled()
-    assert operator.rows() == []
 
 
 def test_the_plugin_shows_the_dock_and_takes_it_along(qgis_iface: QgisInterface, project: QgsProject) -> None:

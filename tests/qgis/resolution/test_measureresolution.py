@@ -74,20 +74,6 @@ def test_lines_in_another_reference_system(target: BarScene) -> None:
     assert [row["resolved"] for row in made.rows()] == [1] * 6
 
 
-def test_chart_and_report(target: BarScene, tmp_path: Path) -> None:
-    chart, report = tmp_path / "chart.svg", tmp_path / "report.html"
-    made = measure(
-        RASTER=target.path, GROUPS=target.lines(), CHART=str(chart), REPORT=str(report), **TARGET
-    )
-    assert made.complaint is None
-    drawn, page = chart.read_text(encoding="utf-8"), report.read_text(encoding="utf-8")
-    for words in ("group 1, 100.00 cm: resolved", "group 5, 39.69 cm: not resolved", "along the flight"):
-        assert words in drawn
-    assert f"{made.results['GRD_ALONG']:.2f} ± {made.results['GRD_ALONG_ERROR']:.2f} cm" in page
-    assert page.count("data:image/svg+xml") == 1 + 5  # the target, and a row for each group
-    assert "http" not in page.replace("http://www.w3.org", "").replace("http-equiv", "")
-
-
 def test_a_distance_has_its_uncertainty_in_table_log_and_report(target: BarScene, tmp_path: Path) -> None:
     log, report = Log(), tmp_path / "report.html"
     made = measure(log, RASTER=target.path, GROUPS=target.lines(), REPORT=str(report), **TARGET)
@@ -100,22 +86,6 @@ def test_a_distance_has_its_uncertainty_in_table_log_and_report(target: BarScene
     words = f"{grd:.2f} ± {error:.2f} cm"
     assert f"along the flight: {words}" in log.infos
     assert words in report.read_text(encoding="utf-8")
-
-
-def test_distances_of_one_bar_and_the_coarsest_groups_amplitude(target: BarScene) -> None:
-    """Where 50 cm are one bar of the first group, all is as where 100 cm are its bar and gap, and half as wide."""
-    both, one = (
-        measure(RASTER=target.path, GROUPS=target.lines(), **{**TARGET, **other})
-        for other in ({}, {"REFERENCE_GRD": COARSEST_CM / 2, "GRD_OF": "bar"})
-    )
-    assert one.column("resolved") == both.column("resolved")
-    assert one.results["GRD_ALONG"] == pytest.approx(both.results["GRD_ALONG"] / 2)
-    strict = measure(RASTER=target.path, GROUPS=target.lines(), FULL_AMPLITUDE="coarsest", **TARGET)
-    assert sum(strict.column("resolved")) < sum(both.column("resolved"))
-    full = {(row["direction"], row["band"]): set() for row in strict.rows()}
-    for row in strict.rows():
-        full[row["direction"], row["band"]].add(round(row["full_amplitude"], 6))
-    assert all(len(values) == 1 for values in full.values())
 
 
 def test_several_observers_of_each_line(target: BarScene, tmp_path: Path) -> None:
@@ -172,17 +142,6 @@ def test_lines_that_show_nothing_at_all_are_no_success(target: BarScene, places:
     assert f"None of the {len(shapes)} lines shows bars" in str(made.complaint)
     told = " ".join([*log.infos, *log.warnings])
     assert "leaves target.tif" in told or "No bars stand out" in told
-
-
-@pytest.mark.parametrize(
-    ("fields", "words"),
-    [({"direction": ("string", ["along"])}, "no field 'group'"), ({"group": ("integer", [1])}, "no field 'direction'")],
-)
-def test_missing_fields(target: BarScene, fields: dict[str, object], words: str) -> None:
-    made = measure(
-        RASTER=target.path, GROUPS=layer("LineString", [target.geometry(1)], **fields), **TARGET
-    )
-    assert words in str(made.complaint)
 
 
 # the real photograph of a USAF-1951 target

@@ -10,7 +10,7 @@ import pytest
 from qgis.core import QgsVectorLayer
 from scipy import stats
 
-from tests.qgis.runs import Run, assert_refused, run
+from tests.qgis.runs import Run, run
 from tests.qgis.scenes import layer, outline
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -135,60 +135,6 @@ def test_the_numbers_are_of_what_the_seam_kept_where_that_is_known() -> None:
     assert outcome.results["MAX_RATIO"] == summary(outcome, "kept_1")["threshold"]
 
 
-def test_numbers_that_no_measurement_gives_are_left_out_and_told() -> None:
-    spoilt = [1e308, -3.5, float("nan"), float("inf"), -1.0]
-    visible, invisible = (*VISIBLE, 0.3, 0.4), (*INVISIBLE, 0.8, 0.9, 1.0)
-    words = ["visible"] * len(visible) + ["invisible"] * len(invisible)
-    kept = [*[value * 0.9 for value in VISIBLE], *spoilt[:2], *[value * 0.8 for value in INVISIBLE], *spoilt[2:]]
-    seen = [2.0] * len(words)
-    seen[0], seen[1] = -0.5, 1e30
-    windows = judged(visible, invisible, kept_1=("double", kept), visibility=("double", seen))
-    table = pairs([(1, "a.tif", "red", 1e308), (2, "a.tif", "red", 1)])
-    outcome = run("calibratethreshold", WINDOWS=windows, PAIRS=table)
-    assert outcome.complaint is None
-    gaps = [None if value in spoilt or value != value else value for value in kept]
-    sound = run("calibratethreshold", WINDOWS=judged(visible, invisible, kept_1=("double", gaps)))
-    assert {name: outcome.results[name] for name in NUMBERS} == {name: sound.results[name] for name in NUMBERS}
-    assert (outcome.results["VISIBLE_COUNT"], outcome.results["INVISIBLE_COUNT"]) == (6, 9)
-    told = outcome.log.warnings
-    assert "kept_1 of 3 windows is a number that no measurement gives; it is left out." in told
-    assert "visibility of 2 windows is a number that no measurement gives; it is left out." in told
-    assert "kept_1: left out because nothing was measured there: 5 judged windows." in told
-    assert "contrast_1: left out because nothing was measured there: 19 judged windows." in told
-
-
-def test_what_an_eye_sees_of_a_loss_is_a_measure_too(tmp_path: Path) -> None:
-    """It is high where a loss was seen, so windows at or above its threshold are flagged."""
-    seen = [2.5 - 2 * value for value in KEPT]
-    chart = tmp_path / "roc.svg"
-    outcome = run(
-        "calibratethreshold", WINDOWS=judged(kept_1=("double", KEPT), visibility=("double", seen)),
-        MEASURE="visibility", CHART=str(chart),
-    )  # fmt: skip
-    assert outcome.complaint is None
-    assert outcome.results["AUC"] == pytest.approx(summary(outcome, "kept_1")["auc"])
-    threshold = outcome.results["MAX_RATIO"]
-    assert threshold == pytest.approx(2.5 - 2 * summary(outcome, "kept_1")["threshold"], abs=0.1)
-    row = summary(outcome, "visibility")
-    assert row["flagged_visible"] == sum(value >= threshold for value in seen[: len(VISIBLE)])
-    (standard,) = (row for row in outcome.rows() if (row["measure"], row["row"]) == ("visibility", "standard"))
-    assert standard["threshold"] == 1
-    assert "visibility" in chart.read_text(encoding="utf-8")
-
-
-def test_only_judged_and_measured_windows_count() -> None:
-    windows = judged((*VISIBLE, None), INVISIBLE)
-    names = windows.fields().names()
-    words = [feature["observer"] for feature in windows.getFeatures()]
-    for place, word in ((1, "Visible "), (8, ""), (9, None), (10, "perhaps")):
-        windows.dataProvider().changeAttributeValues({place: {names.index("observer"): word}})
-        words[place - 1] = word
-    outcome = run("calibratethreshold", WINDOWS=windows)
-    assert (outcome.results["VISIBLE_COUNT"], outcome.results["INVISIBLE_COUNT"]) == (6, 6)
-    assert any("neither 'visible' nor 'invisible': 1" in warning for warning in outcome.log.warnings)
-    assert any("ratio_1: left out because nothing was measured there: 1" in warning for warning in outcome.log.warnings)
-
-
 def test_who_is_not_sure_did_not_judge() -> None:
     """No number changes, and nobody is warned of a word that the desk itself writes."""
     windows = judged((*VISIBLE, 0.9), INVISIBLE)
@@ -205,13 +151,3 @@ def test_how_well_two_operators_agree_is_told() -> None:
     told = run("calibratethreshold", WINDOWS=judged(observer_2=("string", second))).log.infos
     assert any(one.startswith("Both operators judged 14 windows and agreed on 13. Cohen's kappa 0.85") for one in told)
     assert not any("operators" in info for info in run("calibratethreshold", WINDOWS=judged()).log.infos)
-
-
-def test_bad_input_is_told(tmp_path: Path) -> None:
-    bare = layer("Polygon", [outline((0, 0, 9, 9))], window_id=("integer", [1]))
-    for words, parameters in {
-        "no field 'observer'": {"WINDOWS": bare},
-        "PNG, SVG or PDF": {"WINDOWS": judged(), "CHART": str(tmp_path / "roc.bmp")},
-        "table of pairs has no field": {"WINDOWS": judged(), "PAIRS": bare},
-    }.items():
-        assert_refused("calibratethreshold", words, **parameters)

@@ -67,33 +67,6 @@ def test_a_source_that_covers_some_of_it_is_shown_with_squares(tmp_path: Path) -
     assert set(np.unique(partly[:, 40:])) == {88, 104}
 
 
-def test_a_mosaic_with_holes_is_shown(tmp_path: Path) -> None:
-    pixels = orthoimage((256, 512))
-    pixels[:, 60:100, 60:120] = 0
-    write_raster(tmp_path / "0.tif", pixels, nodata=0)
-    (picture,) = make_pictures(request(paths(tmp_path, 1)))[0]
-    assert set(np.unique(picture.pixels[36:76, 20:80])) == {88, 104}
-    assert np.array_equal(picture.pixels[:30], np.moveaxis(pixels[PART], 0, -1)[:30])
-
-
-@pytest.mark.parametrize("bands", [1, 3, 4])
-def test_8_bit_is_shown_as_it_is(tmp_path: Path, bands: int) -> None:
-    """Without near infrared; one band in grey."""
-    made = rasters(tmp_path, "u1", bands=bands)
-    for picture, pixels in zip(make_pictures(request(paths(tmp_path)))[0], made):
-        wanted = np.moveaxis(pixels[PART][:3], 0, -1)
-        assert np.array_equal(picture.pixels, wanted.repeat(3 // wanted.shape[2], axis=2))
-
-
-def test_real_numbers_and_other_ranges_have_a_cut_of_their_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also when a raster is so large that it is sampled in pieces."""
-    made = rasters(tmp_path, "f4")
-    wanted = np.percentile(made[0].astype(float), (2, 98))
-    assert make_pictures(request(paths(tmp_path)))[1]["float32"] == pytest.approx(wanted, rel=1e-3)
-    monkeypatch.setattr(picture_stretch, "_MOST_DECODED", 1)
-    assert make_pictures(request(paths(tmp_path)))[1]["float32"] == pytest.approx(wanted, rel=0.05)
-
-
 @pytest.mark.parametrize(("largest", "nbits", "white"), [(3900, None, 4095), (900, 12, 4095), (60000, None, 65535)])
 def test_16_bit_is_shown_by_its_range(tmp_path: Path, largest: int, nbits: int | None, white: int) -> None:
     """The mosaic's largest value lies outside of the window."""

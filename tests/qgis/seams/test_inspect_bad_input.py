@@ -13,7 +13,7 @@ from qgis.core import QgsGeometry, QgsRasterLayer, QgsVectorLayer
 
 from tests.numbers.synthetic import ORIGIN, write_raster
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
-from tests.qgis.scenes import BLURRED, SHARP, Scene, at, layer, line, outline, pixel_box, whole, windows
+from tests.qgis.scenes import BLURRED, SHARP, Scene, at, layer, outline, pixel_box, whole, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -204,13 +204,6 @@ def test_a_mosaic_without_content_gives_reasons(scene: Scene, tmp_path: Path, ki
         assert_sentence(text, reason)
 
 
-def test_the_readable_part_of_a_truncated_mosaic_is_measured(scene: Scene, tmp_path: Path) -> None:
-    upper, lower = SHARP, (320, 128, 128, 128)
-    outcome = inspect(scene, MOSAIC=Files(scene.mosaic, tmp_path).half(), WINDOWS=windows(lower, upper))
-    assert outcome.column("verdict") == ["not_comparable", "preserved"]
-    assert_sentence(outcome.column("reason")[0], "half.tif can't be read; the file may be truncated")
-
-
 # --- windows ---------------------------------------------------------------------------------------------------
 
 
@@ -248,23 +241,6 @@ def test_bad_windows_have_a_reason_and_the_good_ones_between_are_measured(scene:
     # As drawn where nothing could be measured, so that one can see it on the map.
     assert pixel_box(outcome.features()[8].geometry()) == (0, 0, 63, 128)
     assert outcome.features()[4].geometry().isNull()
-
-
-def test_a_triangle_is_measured_as_its_box_and_said_to_be(scene: Scene) -> None:
-    ring = outline(SHARP).asPolygon()[0][:3]
-    outcome = inspect(scene, WINDOWS=layer("Polygon", [QgsGeometry.fromPolygonXY([ring])]))
-    assert any("not a rectangle along the mosaic's axes: 1" in text for text in outcome.log.warnings)
-    assert outcome.rows("CURVES") == inspect(scene, WINDOWS=windows(SHARP)).rows("CURVES")
-    turned = inspect(scene, WINDOWS=windows(SHARP, epsg=4326))  # by half a degree
-    assert not any("not a rectangle" in text for text in turned.log.warnings)
-
-
-def test_windows_that_are_no_polygons(scene: Scene) -> None:
-    outcome = run("inspectwindows", **given(scene, WINDOWS=layer("LineString", [line((0, 0), (128, 128))])))
-    if outcome.complaint is None:
-        assert_sentence(outcome.column("reason")[0], "not a polygon")
-    else:  # newer QGIS refuses the layer itself
-        assert_sentence(outcome.complaint, "WINDOWS|polygon")
 
 
 # --- settings and outputs --------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from qgis.core import QgsVectorLayer
 from scipy.ndimage import gaussian_filter
 
 from tests.numbers.synthetic import orthoimage, write_raster
-from tests.qgis.runs import Run, assert_refused, run
+from tests.qgis.runs import Run, run
 from tests.qgis.scenes import (
     COLUMNS,
     ROWS,
@@ -28,7 +28,6 @@ from tests.qgis.scenes import (
 pytestmark = pytest.mark.usefixtures("provider")
 
 ACROSS, WEST, EAST = (192, 64, 128, 128), (0, 64, 128, 128), (384, 64, 128, 128)
-LEFT, RIGHT = (0, 0, COLUMNS / 2, ROWS), (COLUMNS / 2, 0, COLUMNS / 2, ROWS)
 NAMES = ("composite_ratio_1", "composite_ratio_2", "composite_ratio_3")
 
 
@@ -102,20 +101,6 @@ def test_the_verdict_is_taken_against_the_reference(cut: Scene, tmp_path: Path) 
         assert row["composite_ratio_1"] == pairs["composite"] < 0.5
 
 
-def test_the_reference_changes_the_verdict_and_nothing_else(cut: Scene) -> None:
-    boxes = (ACROSS, WEST, EAST)
-    by_seam, plain, fair = (inspect(cut, *boxes, REFERENCE=one) for one in ("seam", "sources", "composite"))
-    for table in ("CURVES", "PAIRS", "PROFILES"):
-        assert by_seam.rows(table) == plain.rows(table) == fair.rows(table)
-    for seam, before, after in zip(by_seam.rows(), plain.rows(), fair.rows()):
-        own = dict.fromkeys(("verdict", "reason", "reference"), "")
-        assert {**seam, **own} == {**before, **own} == {**after, **own}
-        assert [row["reference"] for row in (seam, before, after)] == ["seam", "sources", "composite"]
-        assert (after["verdict"] == "preserved") == (after["composite_ratio_1"] >= 1)
-        assert (before["verdict"] == "preserved") == (before["ratio_1"] >= 1)
-        assert seam["paper_verdict"] == before["paper_verdict"] == after["paper_verdict"] == before["verdict"]
-
-
 # --- CELLS -----------------------------------------------------------------------------------------------------
 
 
@@ -125,18 +110,3 @@ def test_cells_decide_against_the_detail(cut: Scene) -> None:
     assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.east, WEST).tolist(), rel=1e-3)
     east = next(row for row in outcome.rows("PAIRS") if (row["source"], row["band"]) == ("east.tif", "luminance"))
     assert composite_ratios(outcome) == pytest.approx([east[f"ratio_{level}"] for level in (1, 2, 3)], rel=1e-3)
-
-
-@pytest.mark.parametrize("names", [("west.tif", "east.tif"), ("west", "EAST"), ("/block/west.tif", "C:\\b\\east.jp2")])
-def test_cells_of_the_true_cut(cut: Scene, names: tuple[str, str]) -> None:
-    outcome = inspect(cut, CELLS=cells((names[0], LEFT), (names[1], RIGHT)))
-    assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.mosaic, ACROSS).tolist(), rel=0.01)
-    assert composite_ratios(outcome) == pytest.approx([1, 1, 1], abs=0.01)
-
-
-def test_a_layer_that_holds_no_cells_gets_a_sentence(cut: Scene) -> None:
-    nameless = layer("Polygon", [outline(LEFT)], image=("string", ["west.tif"]))
-    assert_refused(
-        "inspectwindows", "no field 'source'", WINDOWS=windows(ACROSS), MOSAIC=str(cut.mosaic), SOURCES=cut.sources,
-        CELLS=nameless,
-    )

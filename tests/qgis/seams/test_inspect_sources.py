@@ -14,7 +14,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, 
 
 from tests.numbers.synthetic import ORIGIN, UTM33, GeoTransform, write_raster
 from tests.qgis.runs import Run, assert_sentence, run
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, outline, whole, windows
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, whole, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -40,21 +40,6 @@ def file_of(folder: Path, name: str, pixels: np.ndarray, **options: Any) -> QgsR
 
 
 # --- layers, ids, paths ----------------------------------------------------------------------------------------
-
-
-def test_ids_and_names_of_layers(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
-    mosaic, west, east = (QgsRasterLayer(path, f"{i}") for i, path in enumerate([str(scene.mosaic), *scene.sources]))
-    project.addMapLayers([mosaic, west, east])
-    assert inspect(scene, MOSAIC=mosaic.id(), SOURCES=[west.id(), east.id()]).rows("PAIRS") == expected
-    assert inspect(scene, MOSAIC=mosaic.name(), SOURCES=[west.name(), str(scene.east)]).rows("PAIRS") == expected
-
-
-def test_each_source_takes_part_once(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
-    west = QgsRasterLayer(str(scene.west), "west")
-    project.addMapLayer(west)
-    beside = scene.west.parent / ".." / scene.west.parent.name / scene.west.name
-    outcome = inspect(scene, SOURCES=[*scene.sources, west, west.id(), str(beside)])
-    assert outcome.rows("PAIRS") == expected
 
 
 def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(scene: Scene, tmp_path: Path) -> None:
@@ -207,18 +192,3 @@ def test_relative_locations_start_at_the_index_and_not_at_the_working_folder(
     monkeypatch.chdir(tmp_path / "elsewhere")
     index = str(tmp_path / "index.shp")
     assert inspect(scene, SOURCES=None, SOURCE_INDEX=index).rows("PAIRS") == expected
-
-
-def test_of_500_indexed_sources_only_those_over_the_windows_are_opened(scene: Scene, tmp_path: Path) -> None:
-    tiny = [outline((5 * (number % 100), 200 + 10 * (number // 100), 4, 4)) for number in range(497)]
-    over_one_window = outline((-5, -5, 200, 200))
-    footprints = [*tiny, over_one_window, outline((0, 0, 512, 256)), outline((0, 0, 512, 256))]
-    locations = [str(tmp_path / f"{number}.tif") for number in range(497)]
-    index = layer(
-        "Polygon", footprints, location=("string", [*locations, str(tmp_path / "gone.tif"), *scene.sources])
-    )
-    outcome = inspect(scene, SOURCES=None, SOURCE_INDEX=index)
-    (warning,) = outcome.log.warnings  # the one that covers a window and is not there
-    assert_sentence(warning, "gone.tif does not exist")
-    assert outcome.column("sources") == [2, 2]
-    assert outcome.column("paper_verdict") == ["reduced", "significant"]

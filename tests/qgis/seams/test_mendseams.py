@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.imagery import raster_pool
 
 from tests.numbers.synthetic import texture, write_raster
 from tests.qgis.clusters import needs_dask, two_workers
@@ -215,46 +214,10 @@ def test_patches_wear_what_came_over_the_mosaic(change: Any, tmp_path: Path) -> 
     assert np.percentile(same[inside], 40) < 1.5  # what did not change sides
 
 
-def test_where_a_band_is_saturated_no_patch_of_other_colours_is_made(tmp_path: Path) -> None:
-    west, east = (in_type(one) for one in fitting_images())
-    files = write_scene(tmp_path, [west, east])
-    made = cut(west, east, FEATHER_PX).astype(float)
-    made[2] = np.minimum(1.9 * made[2], 255)
-    write_raster(Path(files.mosaic), in_type(made))
-    ended = mend(files, None, tmp_path)
-    assert ended.rows("CUTS")
-    for row in ended.rows("CUTS"):
-        assert_sentence(row["reason"], "otherwise than the mosaic|fine detail that the mosaic has")
-
-
-def test_sixteen_bits_and_four_bands_in_one_file(tmp_path: Path) -> None:
-    files = write_scene(tmp_path, [in_type(one, np.uint16, 40.0) for one in fitting_images(bands=4)], FEATHER_PX)
-    ended = mend(files, None, tmp_path, PATCHES=str(tmp_path / "patches.tif"), BLEND=0)
-    patch = gdal.Open(str(tmp_path / "patches.tif"))
-    assert (patch.RasterCount, patch.GetRasterBand(1).DataType) == (5, gdal.GDT_UInt16)
-    assert gdal.Open(str(ended.results["MENDED"])).RasterCount == 4
-    assert min(row["kept_after"] for row in ended.rows("CUTS")) > 0.95
-    made, before = pixels(ended.results["MENDED"]), pixels(files.mosaic)
-    assert (made == before)[:, ~patched(ended)].all()
-    assert (made != before)[:, patched(ended)].any()
-
-
 def test_windows_instead_of_seams(feathered: Files, scanned: Run, tmp_path: Path) -> None:
     ended = mend(feathered, scanned, tmp_path, SEAMS=windows((0, 0, COLUMNS, 200)))
     assert ended.complaint is None
     assert 10 < ended.results["MENDED_METRES"] < 45
-
-
-def test_seams_whose_orthoimages_are_not_given_are_left(feathered: Files, scanned: Run, tmp_path: Path) -> None:
-    ended = run(
-        "mendseams", MOSAIC=feathered.mosaic, SOURCES=[feathered.west], SEAMS=scanned.layer("SEAMS"),
-        PATCHES=str(tmp_path / "patches"), MENDED=str(tmp_path / "mended.vrt"),
-    )
-    assert ended.complaint is None
-    failed = sum(row["length"] for row in scanned.rows("SEAMS") if row["state"] == "failed")
-    assert ended.results["LEFT_METRES"] == pytest.approx(failed)
-    assert ended.results["MENDED_METRES"] == 0
-    assert "choose another WHAT" not in str(vars(ended.log))
 
 
 def test_what_is_no_layer_of_a_scan_is_refused(feathered: Files, scanned: Run, tmp_path: Path) -> None:
@@ -300,35 +263,11 @@ def test_what_was_not_measured_is_not_written(feathered: Files, scanned: Run, tm
     assert not list(tmp_path.glob("*.vrt"))
 
 
-def test_no_raster_stays_open(feathered: Files, scanned: Run, tmp_path: Path) -> None:
-    """It could not be moved on Windows, and crashed QGIS at its end, or a process without its window."""
-    mend(feathered, scanned, tmp_path, REPORT=str(tmp_path / "report.html")).close()
-    assert len(raster_pool._pool()) == 0
-
-
 def test_the_report_shows_each_seam_before_and_after(mended: Run) -> None:
     page = Path(str(mended.results["REPORT"])).read_text(encoding="utf-8")
     assert "All mended" in page
     assert page.count("data:image/jpeg") == 4 * len(mended.rows("CUTS"))
     assert "where it is now: after" in page
-
-
-def test_an_image_that_ends_beside_the_seam_leaves_no_line(tmp_path: Path) -> None:
-    """What stands for its missing pixels comes into no patch, nor does what stands for no data in the mosaic."""
-    west, east = (in_type(one) for one in fitting_images())
-    made = cut(west, east, FEATHER_PX)
-    west[:, :, int(0.38 * COLUMNS) :] = 0
-    files = Files(*(
-        write_raster(tmp_path / name, image, nodata=0)
-        for name, image in (("mosaic.tif", made), ("west.tif", west), ("east.tif", east))
-    ))
-    ended = mend(files, None, tmp_path)
-    after, inside = pixels(ended.results["MENDED"]), patched(ended)
-    assert inside.any()
-    fine = [one - ndimage.gaussian_filter(one, (0, 2, 2)) for one in (after, *map(pixels, files.sources))]
-    far = np.min([np.abs(fine[0] - one).mean(axis=0) for one in fine[1:]], axis=0)
-    assert np.percentile(far[inside], 99) < 8
-    assert (after != 0).all()
 
 
 def test_seams_of_another_mosaic_are_left(scanned: Run, tmp_path: Path) -> None:
@@ -364,15 +303,6 @@ def test_holes_stay_and_what_cannot_be_measured_is_told(tmp_path: Path) -> None:
             assert_sentence(row["reason"], "can't be measured")
 
 
-def test_a_refusal_leaves_nothing(feathered: Files, scanned: Run, tmp_path: Path) -> None:
-    given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "SEAMS": scanned.layer("SEAMS")}
-    (tmp_path / "a file").touch()
-    assert_refused(
-        "mendseams", "can't be written", **given, PATCHES=str(tmp_path / "a file"), MENDED=str(tmp_path / "mended.vrt")
-    )
-    assert [path.name for path in tmp_path.iterdir()] == ["a file"]
-
-
 @pytest.mark.parametrize("is_part", [False, True])
 def test_a_patch_is_never_written_over_an_input(is_part: bool, feathered: Files, tmp_path: Path) -> None:
     """Nor over a part of one, as the patches are of a mosaic that was mended."""
@@ -387,11 +317,3 @@ def test_a_patch_is_never_written_over_an_input(is_part: bool, feathered: Files,
     assert ended.complaint is not None
     assert_sentence(ended.complaint, "written over")
     assert mosaic.read_bytes() == Path(feathered.mosaic).read_bytes()
-
-
-def test_a_folder_that_goes_away_is_a_sentence(feathered: Files, scanned: Run, tmp_path: Path) -> None:
-    folder, log = tmp_path / "own", Log()
-    folder.mkdir()
-    log.progressChanged.connect(lambda _percent: folder.exists() and folder.rename(tmp_path / "gone"))
-    ended = mend(feathered, scanned, folder, log)
-    assert_sentence(ended.complaint, "can't be written")

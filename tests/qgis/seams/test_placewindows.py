@@ -11,7 +11,7 @@ import pytest
 from qgis.core import QgsGeometry, QgsPointXY, QgsVectorLayer
 
 from tests.numbers.synthetic import UTM33, write_raster
-from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.runs import Run, assert_refused, run
 from tests.qgis.scenes import COLUMNS, PIXEL, ROWS, Scene, at, layer, line, moved, outline, pixel_box, whole
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -73,20 +73,6 @@ def test_windows_lie_on_the_seam_and_on_the_pixels(scene: Scene) -> None:
     assert any("5 windows" in info for info in placed.log.infos)
 
 
-def test_spacing_is_measured_along_the_seam(scene: Scene) -> None:
-    seam = line((5, 100), (250, 130), (505, 100))
-    placed = place(scene, SEAMLINES=seamlines(seam), SPACING=12.0)
-    assert_on_seam(placed, seam)
-    assert np.diff(placed.column("station")) == pytest.approx(12.0)
-    assert len(placed.features()) == 4
-
-
-def test_side_spans_at_least_what_was_asked_for(scene: Scene) -> None:
-    assert_on_pixels(place(scene, SIDE=6.5), 128)
-    assert_on_pixels(place(scene, SIDE=25), 256)
-    assert len(place(scene, SIDE=25).features()) == 1
-
-
 # --- kinds of seamlines ----------------------------------------------------------------------------------------
 
 
@@ -105,28 +91,6 @@ def test_polygons_have_windows_where_they_touch(scene: Scene) -> None:
     assert_on_pixels(placed, 64)
     assert_on_seam(placed, line(*BEND))
     assert sorted(boxes(placed)) == sorted(boxes(place(scene)))
-
-
-def test_fragments_in_any_order_are_one_seam(scene: Scene) -> None:
-    steps = np.linspace(0, 1, 400)
-    xs, ys = np.interp(steps, [0, 1], [200, 280]), 256 * steps
-    pieces = [line(*ends) for ends in zip(zip(xs, ys), zip(xs[1:], ys[1:]))]
-    random = np.random.default_rng(1)
-    shuffled = [pieces[i] for i in random.permutation(len(pieces))]
-    placed = place(scene, SEAMLINES=seamlines(*shuffled))
-    assert set(placed.column("seam_id")) == {1}
-    assert_on_seam(placed, line((200, 0), (280, 256)))
-    assert len(placed.features()) == 4
-
-
-def test_windows_of_one_seam_share_at_most_half(scene: Scene) -> None:
-    placed = place(scene, SPACING=1.0)
-    drawn = [feature.geometry() for feature in placed.features()]
-    assert len(drawn) > 5
-    for index, one in enumerate(drawn):
-        for other in drawn[:index]:
-            assert one.intersection(other).area() <= 0.5 * one.area() + 1e-6
-    assert any("more than half" in warning for warning in placed.log.warnings)
 
 
 # --- what is in the way ----------------------------------------------------------------------------------------
@@ -152,28 +116,6 @@ def test_windows_are_moved_off_nodata_or_dropped_and_the_log_says_so(scene: Scen
     assert len(placed.features()) < len(untouched.features())
     (warning,) = placed.log.warnings
     assert warning.startswith("Places along the seams without a window")
-
-
-def test_windows_at_the_edge_are_moved_inside(scene: Scene) -> None:
-    seam = line((256, -100), (256, 60), (256, 400))
-    placed = place(scene, SEAMLINES=seamlines(seam), SIDE=12.8, SPACING=12.8)
-    assert_on_pixels(placed, 128)
-    assert len(placed.features()) == 2
-
-
-@pytest.mark.parametrize(
-    ("seam", "side", "warning"),
-    [
-        (line((5000, 0), (5000, 300)), SIDE, r"Seams outside the mosaic: 1\."),
-        (line((0, 10), (512, 10)), SIDE, r"Places along the seams without a window, .* on seam 1 \(.* m\)"),
-        (line(*BEND), 100, "too small for a window of 102.4 m"),
-    ],
-)
-def test_no_window_fits(scene: Scene, seam: QgsGeometry, side: float, warning: str) -> None:
-    placed = place(scene, SEAMLINES=seamlines(seam), SIDE=side)
-    assert placed.features() == []
-    (said,) = placed.log.warnings
-    assert_sentence(said, warning)
 
 
 # --- bad input -------------------------------------------------------------------------------------------------

@@ -11,13 +11,11 @@ from qgis.core import (
     QgsExpressionContextUtils,
 )
 
-from tests.numbers.synthetic import decompose, luminance, read_pixels, write_raster
+from tests.numbers.synthetic import decompose, luminance, read_pixels
 from tests.qgis.runs import Log, Run, assert_sentence, run
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, pixel_box, whole, windows
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, pixel_box, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
-
-ALONE = "Only one source covers the window, so nothing will be feathered there."
 
 
 def predict(scene: Scene, *boxes: tuple[float, ...], log: Log | None = None, **parameters: Any) -> Run:
@@ -35,12 +33,6 @@ def left_of_a_blend(scene: Scene, box: tuple[int, int, int, int], wavelet: str, 
         for image in ((west + east) / 2, west, east)
     )
     return [float(one) for one in of_blend / np.mean(own, axis=0)]
-
-
-@pytest.fixture(scope="module")
-def expected(scene: Scene, provider: object) -> list[dict[str, Any]]:
-    """What comes out when the sources are given as paths."""
-    return predict(scene).rows("PAIRS")
 
 
 # --- the contract ----------------------------------------------------------------------------------------------
@@ -72,17 +64,6 @@ def test_it_says_what_an_inspection_of_the_mosaic_would_expect(scene: Scene) -> 
     for level in (1, 2, 3):
         name = f"expected_ratio_{level}"
         assert predict(scene).column(name) == pytest.approx(inspected.column(name), rel=1e-6)
-
-
-def test_images_that_lie_apart_lose_more(scene: Scene, tmp_path: Path) -> None:
-    moved = write_raster(tmp_path / "moved.tif", np.roll(whole(scene.west), 1, axis=2), nodata=0)
-    outcome = predict(scene, SHARP, SOURCES=[*scene.sources, moved])
-    pairs = {(row["source"], row["other"]): row for row in outcome.rows("PAIRS")}
-    assert len(pairs) == 3
-    assert pairs["west.tif", "moved.tif"]["shift_x"] == pytest.approx(1, abs=0.05)
-    assert pairs["west.tif", "moved.tif"]["shift_y"] == pytest.approx(0, abs=0.05)
-    assert pairs["west.tif", "moved.tif"]["ratio_1"] < pairs["west.tif", "east.tif"]["ratio_1"]
-    assert outcome.column("expected_ratio_1") == [min(row["ratio_1"] for row in pairs.values())]
 
 
 def test_the_style_tells_what_is_foretold(scene: Scene, repository: Path, tmp_path: Path) -> None:
@@ -123,33 +104,6 @@ def test_numbers_are_kept_and_bad_windows_say_why(scene: Scene) -> None:
 
 
 # --- sources ---------------------------------------------------------------------------------------------------
-
-
-def test_one_source_has_nothing_to_be_feathered_with(scene: Scene) -> None:
-    outcome = predict(scene, SOURCES=[str(scene.west)])
-    assert outcome.column("reason") == [ALONE, ALONE]
-    assert outcome.column("sources") == [1, 1]
-    assert outcome.column("expected_ratio_1") == [None, None]
-    assert outcome.rows("PAIRS") == []
-    assert outcome.results["NOT_COMPARABLE_COUNT"] == 2
-    assert [pixel_box(feature.geometry()) for feature in outcome.features()] == [SHARP, BLURRED]
-
-
-def test_bad_rasters_are_named_once_and_cost_nothing(
-    scene: Scene, tmp_path: Path, expected: list[dict[str, Any]]
-) -> None:
-    (tmp_path / "text.tif").write_text("no raster")
-    grey = write_raster(tmp_path / "grey.tif", whole(scene.west)[0])
-    lost = [str(tmp_path / "text.tif"), "/nowhere/lost.tif"]
-    outcome = predict(scene, SOURCES=[grey, *lost, *scene.sources])
-    assert outcome.rows("PAIRS") == expected
-    assert len(outcome.log.warnings) == 3
-    for warning, words in zip(outcome.log.warnings, ("text.tif is left", "lost.tif is left", "grey.tif has no")):
-        assert_sentence(warning, words)
-    index = layer("Polygon", [outline((-5, -5, 522, 266))] * 4, location=("string", [*lost, *scene.sources]))
-    indexed = predict(scene, SOURCES=None, SOURCE_INDEX=index)
-    assert indexed.rows("PAIRS") == expected
-    assert len(indexed.log.warnings) == 2  # of two windows
 
 
 # --- cancellation ----------------------------------------------------------------------------------------------

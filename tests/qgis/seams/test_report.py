@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsVectorLayer
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
@@ -23,7 +22,7 @@ from seam_inspector.plugin.seams.report.report_request import ReportRequest
 
 from tests.numbers.synthetic import write_raster
 from tests.pages import Outline, outline
-from tests.qgis.runs import Log, Run, assert_refused, run
+from tests.qgis.runs import Log, Run, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
 
 PART = re.compile(r"clips of (\d+) px a side around x ([\d.]+), y ([\d.]+), at 2x")
@@ -134,28 +133,6 @@ def test_cancelled_it_leaves_the_older_report(inspected: Run, tmp_path: Path) ->
     assert path.read_text(encoding="utf-8") == "older"
 
 
-def test_bad_input_is_told(inspected: Run, tmp_path: Path) -> None:
-    good = {"WINDOWS": inspected.layer(), "OUTPUT": str(tmp_path / "report.html")}
-    bare = windows(SHARP, window_id=("integer", [1]))
-    for words, parameters in {
-        "window layer has no field 'ratio_1'": {**good, "WINDOWS": bare},
-        "window layer is empty": {**good, "WINDOWS": QgsVectorLayer("Polygon?field=ratio_1:double", "x", "memory")},
-        "table of curves has no field": {**good, "CURVES": bare},
-        "table of pairs has no field": {**good, "PAIRS": bare},
-        "does not exist": {**good, "MOSAIC": str(tmp_path / "gone.tif")},
-        "can't be written": {**good, "OUTPUT": str(tmp_path / "none" / "report.html")},
-    }.items():
-        assert_refused("report", words, **parameters)
-    assert not (tmp_path / "report.html").exists()
-
-
-def test_no_flagged_window_is_good_news(provider: Any, scene: Scene, tmp_path: Path) -> None:
-    found = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=str(scene.mosaic), SOURCES=scene.sources)
-    page = read(report(found, tmp_path / "report.html", MOSAIC=str(scene.mosaic)))
-    assert "None: no window has a significant loss" in page.words
-    assert page.anchors == []
-
-
 # --- many windows ----------------------------------------------------------------------------------------------
 
 
@@ -207,20 +184,6 @@ def test_300_windows_stay_below_30_megabytes(qgis_app: Any, tmp_path: Path, monk
     assert background + 10 * (path.stat().st_size - background) < 30e6
 
 
-def test_each_window_is_on_disk_before_the_next_but_one_is_made(qgis_app: Any, tmp_path: Path) -> None:
-    """So memory does not grow with their number. Python keeps back 128 KiB from 3.14 on, not all of two windows."""
-    sizes: list[int] = []
-
-    def told(share: float) -> None:
-        (unfinished,) = tmp_path.rglob(".unfinished-*/report.html")
-        sizes.append(unfinished.stat().st_size)
-
-    request = many(noisy_block(tmp_path, 512), 6)
-    assert write_report(tmp_path / "report.html", request, told) == []
-    assert len(sizes) == 6
-    assert np.subtract(sizes[2:], sizes[:-2]).min() > 10_000
-
-
 def test_of_more_windows_the_worst_are_shown(qgis_app: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("seam_inspector.plugin.seams.report.inspection_report.MAX_REPORT_DETAILS", 5)
     request = many(noisy_block(tmp_path, 512), 9)
@@ -229,30 +192,3 @@ def test_of_more_windows_the_worst_are_shown(qgis_app: Any, tmp_path: Path, monk
     page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
     assert page.anchors == [f"window-{number}" for number in range(1, 6)]
     assert str(notice) in page.words
-
-
-def test_what_a_window_is_found_to_have_matches_its_verdict(tmp_path: Path) -> None:
-    """A cause is one of a loss; where nothing was lost it is what was found, and nothing found is not listed."""
-    lost = WindowRecord(
-        1, (0, 0, 50, 50), "significant", ratios=(0.4,), cause="blur", causes="blur", reference="sources"
-    )
-    kept = WindowRecord(
-        2, (50, 0, 100, 50), "preserved", ratios=(1.2,), cause="feathering", causes="feathering", reference="sources",
-        observer="visible",
-    )  # fmt: skip
-    sound = WindowRecord(
-        3, (0, 50, 50, 100), "preserved", ratios=(1.1,), cause="none", causes="none", observer="unsure"
-    )
-    write_report(tmp_path / "report.html", ReportRequest((lost, kept, sound)))
-    page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
-    assert page.words.count("Main cause in the whole window:") == 1
-    assert "Main cause in the whole window: blur." in page.words
-    assert "Found: feathering." in page.words
-    found = {row[0]: row[1] for row in page.rows if row[0] in ("1", "2", "3") and len(row) == 4}
-    assert "cause: blur" in found["1"]
-    assert "found: feathering; observer: visible" in found["2"]
-    assert "none" not in found["3"]
-    assert "observer: not sure" in found["3"]
-    assert not [row for row in page.rows if "none" in row]
-    counts = next(row for row in page.rows if row[:2] == ["", "3"])
-    assert counts[-5:-2] == ["1", "0", "1"]  # visible, invisible, not sure

@@ -5,10 +5,9 @@ from dataclasses import fields, replace
 from typing import Any
 
 import pytest
-from qgis.core import NULL
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window import window_tables
-from seam_inspector.plugin.seams.measure.window.window_result import PairResult, WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.tables import record_tables, window_layer
 from seam_inspector.plugin.toolkit.table_fields import column_features, column_fields
@@ -16,8 +15,6 @@ from seam_inspector.plugin.toolkit.table_fields import column_features, column_f
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, windows
 from tests.qgis.seams.test_window_summary import result
 from tests.qgis.seams.written_results import write_results
-
-RATIOS = Ratios((0.4, 0.7, None), 1.1)
 
 
 def record_of(found: WindowResult) -> WindowRecord:
@@ -83,21 +80,6 @@ def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> N
     assert not list(window_tables.bins_of(WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE)))
 
 
-def test_the_desk_and_the_report_read_the_same(project: object) -> None:
-    values: dict[str, tuple[str, list[Any]]] = {
-        "window_id": ("string", ["4", ""]), "verdict": ("string", ["reduced", None]),
-        "ratio_1": ("string", ["0.75", "?"]), "sources": ("double", [2.0, None]),
-        "observer": ("string", [" Visible", ""]),
-    }  # fmt: skip
-    drawn = windows(SHARP, BLURRED, **values)
-    desk = window_layer.read_layer(drawn)
-    report = record_tables.read_windows(drawn.getFeatures(), drawn.fields().names())
-    assert desk[0] == report[0]
-    assert (desk[0].window_id, desk[0].ratios, desk[0].sources, desk[0].observer) == (4, (0.75,), 2, "visible")
-    assert [desk[1].window_id, report[1].window_id] == [window_layer.UNNUMBERED, 0]
-    assert desk[1].extent == report[1].extent
-
-
 def test_what_the_seam_kept_is_read_where_it_is_known(project: object) -> None:
     values: dict[str, tuple[str, list[Any]]] = {
         "kept_2": ("double", [0.9, None]), "kept_1": ("string", ["0.62", ""]), "contrast_1": ("double", [0.81, None]),
@@ -109,15 +91,3 @@ def test_what_the_seam_kept_is_read_where_it_is_known(project: object) -> None:
     earlier = windows(SHARP, window_id=("integer", [1]))
     (old,) = record_tables.read_windows(earlier.getFeatures(), earlier.fields().names())
     assert (old.kept, old.kept_1, old.contrast) == ((), None, None)
-
-
-def test_a_pair_that_was_not_explained_has_its_ratios_alone(project: object) -> None:
-    pair = PairResult("west.tif", "luminance", RATIOS, 0.9, 0.0, 0.25, True)
-    found = WindowResult(5, None, Judgement(Verdict.SIGNIFICANT, RATIOS), Verdict.SIGNIFICANT, pairs=(pair,))
-    (row,) = column_features(window_tables.PAIR_COLUMNS, window_tables.pairs_of(found), found.levels)
-    values = dict(zip(row.fields().names(), row.attributes()))
-    assert [values.pop(name) for name in ("window_id", "source", "band", "ratio_1", "ratio_2", "similarity")] == [
-        5, "west.tif", "luminance", 0.4, 0.7, 0.9
-    ]  # fmt: skip
-    assert [values.pop(name) for name in ("offset_x", "offset_y", "resampled")] == [0.0, 0.25, 1]
-    assert set(values.values()) <= {None, NULL}

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
-from tests.qgis.runs import Log, Run, assert_refused, run
+from tests.qgis.runs import Run, assert_refused, run
 from tests.qgis.seams.scan_scenes import (
     COLUMNS,
     ROWS,
@@ -135,14 +134,6 @@ def test_worst_windows_are_ready_to_be_inspected(scanned: Run, feathered: Files)
     assert run("scanmosaic", **feathered.given(WORST_COUNT=0)).column("window_id", "WORST") == []
 
 
-def test_full_density_says_the_same_of_the_seams(scanned: Run, feathered: Files) -> None:
-    full = run("scanmosaic", **feathered.given(DENSITY="full"))
-    ours, theirs = (points_along((one.geometry() for one in made.features("SEAMS")), 0.05) for made in (scanned, full))
-    assert share_within(ours, theirs, 0.3) > 0.98
-    assert share_within(theirs, ours, 0.3) > 0.98
-    assert full.column("kept_1", "SEAMS") == pytest.approx(scanned.column("kept_1", "SEAMS"), abs=0.06)
-
-
 def test_seamlines_that_are_given_are_used(feathered: Files) -> None:
     drawn = drawn_seam()
     found = run("scanmosaic", **feathered.given(SEAMLINES=drawn))
@@ -186,26 +177,6 @@ def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
 )
 def test_bad_values_end_with_a_sentence(hard: Files, values: dict[str, Any], words: str) -> None:
     assert_refused("scanmosaic", words, **hard.given(**values))
-
-
-def test_only_the_wanted_layers_are_made(hard: Files, tmp_path: Path) -> None:
-    found = run("scanmosaic", **hard.given(LOSS=str(tmp_path / "loss.tif"), SEAMS=None, CELLS=None, WORST=None))
-    assert found.complaint is None
-    assert set(found.results) == {"LOSS", "SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["loss.tif", "loss.tif.aux.xml"]
-
-
-def test_progress_only_grows_and_ends_whole(hard: Files) -> None:
-    class Watched(Log):
-        def __init__(self) -> None:
-            super().__init__()
-            self.seen: list[float] = []
-            self.progressChanged.connect(self.seen.append)
-
-    log = Watched()
-    assert run("scanmosaic", log, **hard.given()).complaint is None
-    assert log.seen == sorted(log.seen)
-    assert log.seen[-1] == 100
 
 
 def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:

@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsGeometry
-from scipy import ndimage
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import Run, assert_sentence, run
-from tests.qgis.scenes import at, layer, line, moved
+from tests.qgis.scenes import at, layer, line
 from tests.qgis.seams.scan_scenes import (
     COLUMNS,
     ROWS,
@@ -30,6 +29,11 @@ pytestmark = pytest.mark.usefixtures("provider")
 
 FEATHER_PX = 24.0
 RGB = [gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand]
+
+
+def places() -> list[tuple[float, float]]:
+    columns = seam_columns(ROWS, COLUMNS)
+    return [(columns[row], row + 0.5) for row in range(0, ROWS, 4)]
 
 
 @pytest.fixture(scope="module")
@@ -151,24 +155,7 @@ def test_sizes_that_fit_nothing(tmp_path: Path, shape: tuple[int, int]) -> None:
     assert (picture.RasterYSize, picture.RasterXSize) == tuple(-(-side // 16) for side in shape)
 
 
-def test_a_mosaic_that_is_too_small(tmp_path: Path) -> None:
-    assert_sentence(scan(write_scene(tmp_path, images((63, 63)))).complaint, "63 x 63 pixels and a scan needs 64")
-
-
 # its settings
-
-
-@pytest.mark.parametrize("settings", [
-    {"CELL": 16}, {"CELL": 256}, {"LEVELS": 1}, {"LEVELS": 4}, {"WAVELET": "haar"}, {"WAVELET": "db4"},
-    {"PIECE": 1e5}, {"PIECE": 10.0},
-])
-def test_settings_change_how_it_is_told_alone(feathered: Files, settings: dict[str, Any]) -> None:
-    found = scan(feathered, **settings)
-    assert_failed_along_the_seam(found)
-    levels = settings.get("LEVELS", 3)
-    assert [f"kept_{level}" in found.layer("SEAMS").fields().names() for level in (levels, levels + 1)] == [True, False]
-    cell = settings.get("CELL", 32)
-    assert gdal.Open(found.results["LOSS"]).RasterXSize == -(-COLUMNS // cell)
 
 
 # its sources
@@ -187,23 +174,6 @@ def test_sources_in_another_reference_system(tmp_path: Path, feathered: Files) -
     for path, target in zip(feathered.sources, sources):
         gdal.Warp(target, path, dstSRS="EPSG:3035", resampleAlg="cubic", xRes=0.1, yRes=0.1, dstNodata=0)
     assert_lost_along_the_seam(scan(feathered, SOURCES=sources))
-
-
-def test_a_rotated_source(tmp_path: Path, feathered: Files) -> None:
-    """The eastern image on a grid that is turned by 5 degrees."""
-    east, angle = images()[1], np.deg2rad(5)
-    cos, sin = np.cos(angle), np.sin(angle)
-    left, top = 500000.0 - 6, 5000000.0 + 7
-    geotransform = (left, 0.1 * cos, 0.1 * sin, top, -0.1 * sin, -0.1 * cos)
-    rows, columns = np.indices((760, 860)) + 0.5
-    x = left + columns * geotransform[1] + rows * geotransform[2]
-    y = top + columns * geotransform[4] + rows * geotransform[5]
-    places = (5000000.0 - y) / 0.1 - 0.5, (x - 500000.0) / 0.1 - 0.5
-    turned = np.stack([ndimage.map_coordinates(band.astype(float), places, order=3, cval=0) for band in east])
-    path = write_raster(tmp_path / "east.tif", np.clip(np.rint(turned), 0, 255).astype(np.uint8),
-                        geotransform=geotransform, nodata=0)
-    found = scan(feathered, SOURCES=[feathered.west, path])
-    assert_lost_along_the_seam(found)
 
 
 def test_a_mosaic_of_one_source(tmp_path: Path) -> None:
@@ -277,38 +247,7 @@ def test_a_truncated_source_costs_its_own_ground_only(tmp_path: Path, feathered:
     assert missing.results["FAILED_METRES"] > 0
 
 
-def test_more_sources_than_can_be_told_apart_are_named(tmp_path: Path, feathered: Files) -> None:
-    """A block takes 255 of them, those that cover most of it."""
-    slivers = []
-    for number in range(256):
-        slivers.append(str(tmp_path / f"{number}.vrt"))
-        tones = [[0, 255, number % 16, 255 - number // 16]]  # else all were parts of one image
-        place = [16 * (number % 16), 16 * (number // 16), 16, 16]  # apart, or each would be held against all others
-        gdal.Translate(slivers[-1], feathered.west, srcWin=place, format="VRT", scaleParams=tones)
-    found = scan(feathered, SOURCES=[*slivers, *feathered.sources])
-    (said,) = found.log.warnings
-    assert_sentence(said, r"More than 255 orthoimages .* \(blocks: 1\)")
-    assert found.results["FAILED_METRES"] == pytest.approx(SEAM_METRES, rel=0.05)
-
-
 # its seamlines
-
-
-def places() -> list[tuple[float, float]]:
-    columns = seam_columns(ROWS, COLUMNS)
-    return [(columns[row], row + 0.5) for row in range(0, ROWS, 4)]
-
-
-def test_seamlines_that_leave_the_mosaic(feathered: Files) -> None:
-    drawn = layer("LineString", [line((-300, -200), *places(), (300, 900))])
-    found = scan(feathered, SEAMLINES=drawn)
-    assert_sentence(found.log.warnings[0], "94 m of the 151 m of seamlines lie outside the mosaic")
-    assert found.results["FAILED_METRES"] == pytest.approx(SEAM_METRES, rel=0.05)
-
-
-def test_seamlines_in_another_reference_system(feathered: Files) -> None:
-    found = scan(feathered, SEAMLINES=layer("LineString", [moved(line(*places()), 4326)], 4326))
-    assert_failed_along_the_seam(found)
 
 
 @pytest.mark.parametrize(("lines", "words"), [

@@ -9,8 +9,6 @@ from osgeo import gdal, ogr, osr
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsFeature,
-    QgsGeometry,
     QgsProject,
     QgsVectorLayer,
 )
@@ -73,19 +71,6 @@ def test_mosaic_elements_of_inspire(tmp_path: Path) -> None:
     assert [northward(seam) for seam in given.seams] == [("2011-5864726", "2011-5864727")]
     assert [cell.source for cell in given.cells] == ["2011-5864726", "2011-5864727"]
     assert [notice.values for notice in given.notices] == [{"fields": "imageSourceReference"}]
-
-
-def test_what_cannot_be_transformed_is_told() -> None:
-    layer = QgsVectorLayer("Point?crs=EPSG:4326&field=source:string", "seams", "memory")
-    for wkt in ("POINT (3 46)", "POINT (0 -91)", ""):
-        row = QgsFeature(layer.fields())
-        row.setGeometry(QgsGeometry.fromWkt(wkt))
-        layer.dataProvider().addFeature(row)
-    target = QgsCoordinateReferenceSystem.fromEpsgId(2154)
-    transform = QgsCoordinateTransform(layer.crs(), target, QgsProject.instance())
-    features, notice = seam_features(layer.getFeatures(), ["source"], transform)
-    assert [wkb is None for _, wkb in features] == [False, True]
-    assert "left out: 1" in str(notice)
 
 
 @pytest.mark.usefixtures("provider")

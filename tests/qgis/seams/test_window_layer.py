@@ -8,7 +8,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
     QgsProject,
-    QgsRasterLayer,
     QgsVectorFileWriter,
     QgsVectorLayer,
 )
@@ -18,11 +17,10 @@ from seam_inspector.plugin.seams.measure.window.window_result import WindowResul
 from seam_inspector.plugin.seams.tables import window_file, window_layer
 from seam_inspector.plugin.seams.tables.window_file import StoredResult
 from seam_inspector.plugin.seams.tables.window_layer import WindowChange
-from seam_inspector.plugin.toolkit import layers as layer_editing
 
 from tests.numbers.synthetic import wkt
 from tests.qgis.runs import assert_sentence
-from tests.qgis.scenes import BLURRED, SHARP, UTM33, Scene, layer, outline, windows
+from tests.qgis.scenes import BLURRED, SHARP, UTM33, outline, windows
 
 CRS, WKT = QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"), wkt(UTM33)
 FIELDS = [
@@ -82,12 +80,6 @@ def test_a_layer_that_cant_be_written_is_told(qgis_app: object, tmp_path: Path) 
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
-def test_only_polygons_hold_windows(qgis_app: object, scene: Scene) -> None:
-    others = [None, layer("Point", []), layer("LineString", []), QgsRasterLayer(str(scene.mosaic), "mosaic")]
-    assert not any(map(window_layer.holds_windows, [*others, QgsVectorLayer("/nowhere.gpkg", "gone", "ogr")]))
-    assert window_layer.holds_windows(layer("MultiPolygon", []))
-
-
 @pytest.mark.parametrize("is_edited", [False, True])
 def test_what_is_written_is_in_the_file_or_among_the_edits(
     project: QgsProject, tmp_path: Path, is_edited: bool
@@ -137,20 +129,6 @@ def test_windows_of_any_format_are_copied_with_all_they_say(project: QgsProject,
     assert (feature["soil"], feature["seen"]) == ("loam", "2019-07-04")
     assert row.extent == pytest.approx(window_layer.read_layer(made)[0].extent)
     assert set(FIELDS) <= set(copied.fields().names())
-
-
-def test_a_step_that_fails_leaves_nothing(project: QgsProject) -> None:
-    drawn = windows(SHARP, window_id=("integer", [1]))
-
-    def fail() -> None:
-        with layer_editing.edit_step(drawn, "broken"):
-            drawn.changeAttributeValue(1, 0, 5)
-            raise ZeroDivisionError
-
-    with pytest.raises(ZeroDivisionError):
-        fail()
-    assert [row.window_id for row in window_layer.read_layer(drawn)] == [1]
-    assert not drawn.isEditCommandActive()
 
 
 def test_a_layer_that_cant_be_written_to_is_told(project: QgsProject, tmp_path: Path) -> None:

@@ -195,17 +195,6 @@ def test_bad_input_is_a_sentence(data_folder: Path, tmp_path: Path) -> None:
     assert_refused("orthorectify", "does not cover the image", IMAGE=left, DEM=away)
 
 
-def test_rows_that_can_not_be_used_are_left_out_and_named() -> None:
-    image, ground = scene(20)
-    image[3, 0] = np.nan
-    roles: list[str | None] = [None] * 20
-    roles[5] = "other"
-    outcome = run("fitsensormodel", GCPS=gcps(image, ground, roles), CHECK_SHARE=0, HEIGHTS="ellipsoid")
-    assert outcome.results["CONTROL_COUNT"] == 18
-    assert any("Point 4 is left out" in line for line in outcome.log.warnings)
-    assert any("'other' is neither control nor check" in line for line in outcome.log.warnings)
-
-
 @pytest.mark.parametrize("missing", [np.nan, np.inf])
 def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> None:
     image, ground = scene(25, 0.1)
@@ -221,14 +210,3 @@ def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> N
         assert [line for line in outcome.log.warnings if "left out" in line] == [
             "Point 7 is left out: it has no height, and others have one."
         ]
-
-
-def test_columns_and_rows_interchanged_are_no_geometry_of_an_rpc(tmp_path: Path) -> None:
-    ground = places(25, 3)
-    rpc = made_rational(3, 5, 0.001)
-    write_rpc(rpc, tmp_path / "vendor_RPC.TXT")
-    layer = gcps(rpc.project(ground)[:, ::-1], ground)
-    rpc_file = str(tmp_path / "vendor_RPC.TXT")
-    for name, given in (("comparesensormodels", {}), ("fitsensormodel", {"MODEL": "rpc_bias", "BIAS": "affine"})):
-        assert_refused(name, "columns and rows are interchanged", GCPS=layer, IMAGE_RPC=rpc_file, HEIGHTS="ellipsoid",
-                       **given)

@@ -8,13 +8,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFeature, QgsVectorLayer
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
-from seam_inspector.plugin.acceptance.paper.defect_files import DEFECT_COLUMNS
-from seam_inspector.plugin.imagery.statistics import JUDGING_FIELDS
-from seam_inspector.plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
-from seam_inspector.plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS
-from seam_inspector.plugin.seams.measure.window.window_tables import WINDOW_FIELDS
-from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS
-from seam_inspector.plugin.toolkit.layer_styles import field_title, load_style
+from seam_inspector.plugin.toolkit.layer_styles import load_style
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tools.template_texts import texts
@@ -83,12 +77,6 @@ def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
     assert tip(layer, window_id=9, verdict="not_comparable", reason=reason).endswith(f"not comparable<br>{reason}")
 
 
-def test_a_map_tip_of_a_layer_that_lacks_fields_stays_short(qgis_app: QgsApplication) -> None:
-    layer = QgsVectorLayer("Polygon?field=window_id:integer&field=verdict:string", "drawn", "memory")
-    load_style(layer, "windows")
-    assert tip(layer, window_id=3, verdict="reduced") == "<b>Window 3</b>: reduced"
-
-
 def test_the_table_is_in_the_users_language_and_its_fields_keep_their_names(shouted: None) -> None:
     layer = windows()
     names = layer.fields().names()
@@ -118,11 +106,3 @@ def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplicatio
 def test_all_texts_of_styles_are_collected_for_translation(repository: Path) -> None:
     found = set(texts(repository / "resources" / "styles"))
     assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= found
-
-
-def test_every_field_of_a_styled_layer_has_a_title(qgis_app: QgsApplication) -> None:
-    columns = (*WINDOW_FIELDS, *FORECAST_COLUMNS, *PLACED_COLUMNS, *SEAM_COLUMNS, *CELL_COLUMNS, *DEFECT_COLUMNS)
-    names = {name for column in columns for name in column.names(2)} | set(JUDGING_FIELDS)
-    assert {name for name in names if not field_title(name)} == {"x", "y"}  # which nobody has to explain
-    assert field_title("kept_12") == "kept 12"
-    assert field_title("somebody's own") == field_title("own_1") == ""

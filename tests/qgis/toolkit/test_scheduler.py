@@ -50,6 +50,7 @@ def assert_same_rows(rows: list[dict[str, Any]], expected: list[dict[str, Any]])
             assert row[name] == (pytest.approx(value, rel=1e-5, abs=4e-3) if isinstance(value, float) else value)
 
 
+@pytest.mark.release
 @needs_dask
 def test_a_cluster_gives_the_rows_that_threads_give(cluster: str, scene: Scene) -> None:
     threads = inspect(scene)
@@ -62,6 +63,7 @@ def test_a_cluster_gives_the_rows_that_threads_give(cluster: str, scene: Scene) 
     assert len(set(threads.column("verdict"))) >= 3
 
 
+@pytest.mark.release
 @needs_dask
 def test_bad_rasters_cost_no_window_on_a_cluster(cluster: str, scene: Scene, tmp_path: Path) -> None:
     broken = Path(write_raster(tmp_path / "broken.tif", whole(scene.west), options=[]))
@@ -144,6 +146,7 @@ def test_a_silent_port_is_left_when_the_run_is_cancelled() -> None:
         assert_not_opened(address, CancelledError, "cancelled", lambda: next(asked))
 
 
+@pytest.mark.release
 @needs_dask
 def test_workers_that_stand_still_are_left_when_the_run_is_cancelled(tmp_path: Path) -> None:
     with two_workers(tmp_path) as address:
@@ -174,6 +177,7 @@ def test_without_dask_a_scheduler_gets_a_sentence(scene: Scene, monkeypatch: pyt
     assert inspect(scene).complaint is None
 
 
+@pytest.mark.release
 @needs_dask
 def test_workers_that_have_the_wheel_alone_measure(scene: Scene, repository: Path, tmp_path: Path) -> None:
     """An environment that sees the system's GDAL and numpy, with the released wheel and Dask."""

@@ -2,9 +2,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
 from datetime import date
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,10 +17,9 @@ from seam_inspector.plugin.toolkit.pages.templates import (
     each_raster,
     environment,
     measured_raster,
-    save_page,
 )
 
-from tests.pages import Outline, outline
+from tests.pages import outline
 
 EVIL = "<script>alert(\"1\")</script> & 'Söhne' {{7*7}} \u202egnp.exe\x01\udcff"
 SHOWN = printable(EVIL)
@@ -116,31 +113,3 @@ def test_a_page_needs_no_network() -> None:
 
 
 # --- files -----------------------------------------------------------------------------------------------------
-
-
-def rows(count: int, then: type[Exception] | None = None) -> Iterator[tuple[object, ...]]:
-    for number in range(count):
-        yield "image", 1, 0, 0, f"check {number}"
-    if then is not None:
-        raise then
-
-
-def save(path: Path, images: Iterable[object] = ()) -> Outline:
-    """A report whose images come one by one."""
-    save_page(
-        path, "radiometry", HowMeasured(), verdict=("good", "passed", ""), sources=[], overview=list(rows(3)),
-        notices=[], balance=[], balance_chart=None, images=images, area_side=1, seam_near=1, seam_far=2, seam_station=3,
-    )  # fmt: skip
-    return outline(path.read_text(encoding="utf-8"))
-
-
-def test_an_error_on_the_way_leaves_the_older_page(tmp_path: Path) -> None:
-    path = tmp_path / "report.html"
-    assert ["image", "1", "0", "0", "check 2"] in save(path).rows
-    before = path.read_bytes()
-    with pytest.raises(ZeroDivisionError):
-        save(path, rows(0, ZeroDivisionError))
-    assert path.read_bytes() == before
-    with pytest.raises(ZeroDivisionError):
-        save(tmp_path / "new.html", rows(0, ZeroDivisionError))
-    assert [one.name for one in tmp_path.iterdir()] == ["report.html"]

@@ -6,8 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
-from qgis.PyQt import sip
-from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.desk import accepting
 from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
@@ -16,7 +14,7 @@ from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.seam_scenes import X, Y, file, seams
-from tests.qgis.seams.desk.session_desk import settle, wait_until
+from tests.qgis.seams.desk.session_desk import wait_until
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -119,17 +117,3 @@ def test_other_limits_decide_anew_and_replace_no_document(page: AcceptPage, tmp_
     page.save(tmp_path / "project")
     assert (tmp_path / "project" / "ortho_5_report_2.html").is_file()
     assert (tmp_path / "project" / "ortho_5_report.html").read_bytes() == before
-
-
-def test_the_page_goes_with_its_project(page: AcceptPage, delivery: Delivery) -> None:
-    delivery.project.clear()
-    settle()
-    assert sip.isdeleted(page)
-
-
-def test_without_a_scan_nothing_can_be_decided(delivery: Delivery) -> None:
-    dock = QWidget()
-    page = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock)
-    assert not page.decider.isEnabled()
-    dock.deleteLater()
-    settle()

@@ -7,81 +7,44 @@ from pathlib import Path
 
 import pytest
 from qgis.core import QgsProject, QgsVectorLayer
-from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QPointF, Qt
 from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.charts.chart_curves import (
-    ChartCurve,
-    point_words,
-    significance_limit,
-)
 from seam_inspector.plugin.seams.charts.curves_painter import CurvesPainter
 from seam_inspector.plugin.seams.desk.charts.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
-from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowClips, WindowCurves, WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
 from seam_inspector.plugin.toolkit.desk.theme import chart_style, contrast
 
+from tests.qgis.seams.desk.windows_session import WindowsSession
+
 BANDS = ("luminance", "red", "green", "blue")
 
 
-class Inputs:
-    """What the panel reads of a session's inputs."""
-
-    max_ratio = 0.5
-    reference = "sources"
-
-
-class FakeSession(QObject):
+class CurvesSession(WindowsSession):
     """A session that holds what the test puts into it."""
-
-    inputsChanged = pyqtSignal()
-    windowsChanged = pyqtSignal()
-    selectionChanged = pyqtSignal()
-    liveChanged = pyqtSignal()
-    curvesArrived = pyqtSignal(int)
-    resultArrived = pyqtSignal(int)
-    progressChanged = pyqtSignal(int, int)
-    messageRaised = pyqtSignal(str, int)
 
     def __init__(self) -> None:
         super().__init__()
-        self.inputs = Inputs()
         self.is_busy = False
-        self.live: LiveWindow | None = None
-        self.results: dict[int, WindowResult] = {}
-        self.first: dict[int, WindowClips] = {}
-        self.rows_by_fid: dict[int, WindowRecord] = {}
-        self.fids: list[int] = []
+        self.inputs = replace(self.inputs, max_ratio=0.5, reference="sources")
 
     def add(self, fid: int, result: WindowResult) -> None:
         self.results[fid] = result
-        self.rows_by_fid[fid] = WindowRecord(result.window_id, None, result.judgement.verdict.value)
+        row = WindowRecord(result.window_id, None, result.judgement.verdict.value, fid=fid)
+        self.rows = [*(other for other in self.rows if other.fid != fid), row]
         self.resultArrived.emit(fid)
 
-    def select(self, fids: list[int]) -> None:
-        self.fids = fids
-        self.selectionChanged.emit()
-
-    def selected(self) -> list[int]:
-        return self.fids
-
-    def result(self, fid: int) -> WindowResult | None:
-        return self.results.get(fid)
-
     def clips(self, fid: int) -> WindowCurves | None:
-        return self.results.get(fid) or self.first.get(fid)
+        return self.results.get(fid)
 
     def is_pending(self, fid: int) -> bool:
         return self.is_busy
-
-    def row(self, fid: int) -> WindowRecord | None:
-        return self.rows_by_fid.get(fid)
 
 
 def make_curve(level_1: float) -> Curve:
@@ -125,12 +88,12 @@ def wait_for_timer(panel: CurvesPanel) -> None:
 
 
 @pytest.fixture
-def session(qgis_app: object) -> FakeSession:
-    return FakeSession()
+def session(qgis_app: object) -> CurvesSession:
+    return CurvesSession()
 
 
 @pytest.fixture
-def panel(session: FakeSession) -> Iterator[CurvesPanel]:
+def panel(session: CurvesSession) -> Iterator[CurvesPanel]:
     made = CurvesPanel(session)
     made.resize(420, 300)
     made.show()
@@ -189,7 +152,7 @@ def ink(panel: CurvesPanel, row: int) -> float:
     return max(contrast(QColor(colour), back) for colour in colours)
 
 
-def select_one(session: FakeSession, result: WindowResult | None = None) -> None:
+def select_one(session: CurvesSession, result: WindowResult | None = None) -> None:
     session.add(1, result or make_result())
     session.select([1])
     settle()
@@ -198,10 +161,10 @@ def select_one(session: FakeSession, result: WindowResult | None = None) -> None
 # words in place of the chart
 
 
-def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: CurvesPanel) -> None:
+def test_it_says_why_there_is_nothing_to_draw(session: CurvesSession, panel: CurvesPanel) -> None:
     assert text_of(panel).startswith("Select a window")
 
-    session.rows_by_fid[1] = WindowRecord(12, None)
+    session.rows = [WindowRecord(12, None, fid=1)]
     session.select([1])
     settle()
     assert text_of(panel) == "Not inspected yet"
@@ -222,22 +185,10 @@ def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: Curve
     assert panel._save.isEnabled()
 
 
-def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: FakeSession, panel: CurvesPanel) -> None:
-    session.rows_by_fid = {
-        1: WindowRecord(12, None, "reduced"), 2: WindowRecord(13, None, "not_comparable", "No source here.")
-    }
-    session.select([1])
-    settle()
-    assert "Inspect again" in text_of(panel)
-    session.select([2])
-    settle()
-    assert text_of(panel) == "No source here."
-
-
 # the chart
 
 
-def test_one_window_shows_mosaic_sources_and_limit(session: FakeSession, panel: CurvesPanel) -> None:
+def test_one_window_shows_mosaic_sources_and_limit(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert labels(panel) == [
         "mosaic.tif", "ortho_2024_flight_0412_0031.tif", "ortho_2024_flight_0412_0032.tif", "limit",
@@ -255,15 +206,7 @@ def test_one_window_shows_mosaic_sources_and_limit(session: FakeSession, panel: 
     assert panel._status.text() == "Window 12"
 
 
-def test_the_limit_follows_the_inputs(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    session.inputs.max_ratio = 0.8
-    session.inputsChanged.emit()
-    settle()
-    assert painter(panel).limit == pytest.approx(0.8 * 0.039)
-
-
-def test_values_under_the_mouse(session: FakeSession, panel: CurvesPanel) -> None:
+def test_values_under_the_mouse(session: CurvesSession, panel: CurvesPanel) -> None:
     panel.resize(900, 300)
     select_one(session)
     point_at(panel, (0, 0))
@@ -276,7 +219,7 @@ def test_values_under_the_mouse(session: FakeSession, panel: CurvesPanel) -> Non
     assert panel._status.text() == "Window 12"
 
 
-def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: CurvesPanel) -> None:
+def test_a_hidden_raster_stays_hidden_by_its_name(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     name = "ortho_2024_flight_0412_0031.tif"
     panel._legend.itemClicked.emit(panel._legend.item(1))
@@ -295,7 +238,7 @@ def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: C
     assert name in labels(panel)
 
 
-def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, panel: CurvesPanel) -> None:
+def test_a_source_keeps_its_colour_from_window_to_window(session: CurvesSession, panel: CurvesPanel) -> None:
     whole = make_result(sources=3)
     select_one(session, whole)
     colour = seen(panel, (3, 1))
@@ -306,7 +249,7 @@ def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, p
     assert seen(panel, (1, 1)) == colour
 
 
-def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, panel: CurvesPanel) -> None:
+def test_the_band_is_kept_while_there_is_one_of_that_name(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert [panel._bands.itemText(i) for i in range(panel._bands.count())] == ["luminance", "red", "green", "blue"]
     panel._bands.activated.emit(2)
@@ -325,25 +268,10 @@ def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, 
     assert panel._bands.itemText(4) == "near infrared"
 
 
-def test_constant_clips_and_sources_without_detail_are_drawn_as_far_as_they_go(
-    session: FakeSession, panel: CurvesPanel
-) -> None:
-    nan = float("nan")
-    result = make_result()
-    odd = (
-        ClipResult("constant.tif", "source", dict.fromkeys(BANDS, Curve((nan, nan, nan), nan, 0.0))),
-        ClipResult("smooth.tif", "source", dict.fromkeys(BANDS, Curve((0.0, 0.0, 0.1), 0.9, 5.0))),
-    )
-    select_one(session, replace(result, clips=(*result.clips, *odd)))
-    assert place_of(panel, (3, 0)) is None
-    assert place_of(panel, (4, 0)) is None
-    assert place_of(panel, (4, 2)) is not None
-
-
 # when it draws
 
 
-def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel) -> None:
+def test_it_draws_only_what_has_changed(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     settle(8)
     shown: list[object] = []
@@ -361,7 +289,7 @@ def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel
     assert painter(panel).axes == axes
 
 
-def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: CurvesPanel) -> None:
+def test_it_takes_its_colours_from_the_palette(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert seen(panel, (2, 1)) == QColor(PAPER.sources[1])
     dark = QPalette(panel.palette())
@@ -388,7 +316,7 @@ def save(panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, path: Path) -> lis
 
 @pytest.mark.parametrize("ending", ["png", "svg"])
 def test_no_layer_of_the_project_is_written_over(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, project: QgsProject,
+    session: CurvesSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, project: QgsProject,
     ending: str,
 ) -> None:
     select_one(session)
@@ -401,7 +329,7 @@ def test_no_layer_of_the_project_is_written_over(
 
 @pytest.mark.parametrize(("name", "start"), [("a.png", b"\x89PNG"), ("a.svg", b"<?xml"), ("a", b"\x89PNG")])
 def test_pictures(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, start: bytes
+    session: CurvesSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, start: bytes
 ) -> None:
     select_one(session)
     said = save(panel, monkeypatch, tmp_path / name)
@@ -411,25 +339,3 @@ def test_pictures(
 
 
 # words and numbers
-
-
-def test_the_limit_is_that_of_the_least_sharp_source_with_detail() -> None:
-    def curve(name: str, share: float) -> ChartCurve:
-        return ChartCurve(name, name == "m", (share,), 1 - share)
-
-    curves = [curve("m", 0.1), curve("a", 0.4), curve("b", 0.3), curve("empty", 0.0)]
-    assert significance_limit(curves, 0.5) == pytest.approx(0.15)
-    assert significance_limit(curves[:1], 0.5) is None
-    assert point_words(curves[:1], 0, 0) == ("m", ", level 1: 0.100")
-    assert point_words(curves, 0, 0)[1].endswith("(33 % of the least sharp source)")
-
-
-def test_the_composite_is_the_limit_where_the_verdict_is_taken_against_it() -> None:
-    mosaic, source = ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7)
-    beside = ChartCurve("c", False, (0.2,), 0.8, is_composite=True)
-    curves = [mosaic, source, beside]
-    assert significance_limit(curves, 0.5) == pytest.approx(0.15)
-    assert point_words(curves, 2, 0) == ("c", ", level 1: 0.200 (mosaic: 50 % of it)")
-    judged = [mosaic, source, replace(beside, is_reference=True)]
-    assert significance_limit(judged, 0.5) == pytest.approx(0.1)
-    assert point_words(judged, 0, 0)[1].endswith("(50 % of the composite)")

@@ -11,11 +11,9 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QColor, QPalette
-from qgis.PyQt.QtWidgets import QApplication, QStyleOptionViewItem
+from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.toolkit.desk.theme import contrast
 
 from tests.numbers.synthetic import ORIGIN, write_raster
 from tests.qgis.scenes import PIXEL, Scene, layer, line, outline, whole
@@ -154,17 +152,6 @@ def test_sources_are_checked_one_by_one_all_and_none(desk: Desk) -> None:
     assert desk.sources == {"east", "west"}
 
 
-def test_rasters_loaded_later_become_sources_unless_the_operator_chose(desk: Desk, scene: Scene) -> None:
-    desk.choose("mosaic", desk.id("mosaic"))
-    east = desk.rasters["east"].source()
-    more = QgsRasterLayer(east, "more")
-    QgsProject.instance().addMapLayer(more)
-    assert more.id() in desk.session.inputs.sources
-    desk.check("more", False)
-    QgsProject.instance().addMapLayer(QgsRasterLayer(east, "yet more"))
-    assert desk.sources == {"east", "west"}
-
-
 def test_layers_that_are_removed_stay_in_the_inputs_as_missing(desk: Desk) -> None:
     seams = vector("LineString", "seams").id()
     vector("LineString", "others")
@@ -250,19 +237,6 @@ def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
         assert desk.panel.side_note.isVisibleTo(desk.panel.box) == (bool(note) and not folded)
 
 
-def test_stays_open_and_says_what_is_missing_until_all_is_set(desk: Desk) -> None:
-    box = desk.panel.box
-    desk.session.set_inputs(Inputs(mosaic=desk.id("mosaic")))
-    assert not box.isCollapsed()
-    assert "sources" in box.toolTip()
-    desk.panel.refresh()
-    assert box.toolTip() == "mosaic \u00b7 check the sources"
-    desk.set_all()
-    assert box.isCollapsed()
-    desk.panel.sources.none.click()
-    assert not box.isCollapsed()
-
-
 def test_folds_once_set_and_then_stays_as_it_is_left(desk: Desk) -> None:
     box = desk.panel.box
     desk.panel.resize(900, 500)
@@ -277,19 +251,6 @@ def test_folds_once_set_and_then_stays_as_it_is_left(desk: Desk) -> None:
     assert not box.isCollapsed()
 
 
-def test_tab_goes_through_all_fields(desk: Desk) -> None:
-    panel = desk.panel
-    widget, seen = panel.mosaic, []
-    for _ in range(60):
-        seen.append(widget)
-        widget = widget.nextInFocusChain()
-    wanted = [
-        panel.mosaic, *panel.sources.fields(), panel.index, panel.seamlines, panel.windows, panel.side,
-        *panel.more.boxes.values(),
-    ]  # fmt: skip
-    assert [one for one in seen if one in wanted][: len(wanted)] == wanted
-
-
 def test_close_lets_go_of_everything(desk: Desk) -> None:
     project, app = QgsProject.instance(), QApplication.instance()
     owners = [(desk.session, "inputsChanged"), (app, "focusChanged")]
@@ -301,21 +262,3 @@ def test_close_lets_go_of_everything(desk: Desk) -> None:
     desk.panel.close()
     desk.set_all()
     assert desk.panel.mosaic.currentText() == "choose the mosaic"
-
-
-def test_names_can_be_read_in_a_theme_of_style_sheets(desk: Desk) -> None:
-    """A theme like Night Mapping: its colours are not in the palette of widgets of no kind that it knows."""
-    desk.set_all()
-    desk.check("east", False)
-    sources = desk.panel.sources
-    dark = QPalette(sources.palette())
-    for role in (QPalette.ColorRole.Text, QPalette.ColorRole.PlaceholderText):
-        dark.setColor(role, QColor("#222222"))
-    sources.setPalette(dark)
-    sources.setStyleSheet("QAbstractScrollArea { color: #aaaaaa; background-color: #323232; }")
-    desk.panel.show()
-    desk.set_all()
-    for row in range(sources.list.count()):
-        option = QStyleOptionViewItem()
-        sources.list.itemDelegate().initStyleOption(option, sources.list.model().index(row, 0))
-        assert contrast(option.palette.color(QPalette.ColorRole.Text), QColor("#323232")) >= 3

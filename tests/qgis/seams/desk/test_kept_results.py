@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsVectorLayer
 
 from tests.qgis.scenes import outline
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle
@@ -44,14 +43,6 @@ def test_results_are_there_on_reopening(desk: Desk, tmp_path: Path) -> None:
             np.testing.assert_allclose(found.loss.kept, had.loss.kept, rtol=6e-4)
     with closing(sqlite3.connect(tmp_path / "windows.gpkg")) as file:
         assert file.execute("SELECT sum(length(record)) FROM results").fetchone()[0] < 30_000
-
-
-def test_a_layer_that_is_removed_and_added_again_finds_its_results(desk: Desk) -> None:
-    desk.add()
-    source = desk.layer().source()
-    desk.project.removeMapLayers([desk.layer().id()])
-    desk.use(QgsVectorLayer(source, "again", "ogr"))
-    assert desk.session.result(desk.rows()[1].fid) is not None
 
 
 def test_what_changed_is_stale_after_reopening_as_before(desk: Desk, tmp_path: Path) -> None:

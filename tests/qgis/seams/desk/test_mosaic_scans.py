@@ -65,29 +65,6 @@ def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> Non
     assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]
 
 
-def test_another_scan_leaves_the_first_one_alone(desk: ScanDesk) -> None:
-    desk.use("north", "south")
-    desk.scan()
-    desk.scan()
-    assert names(desk.folder) == ["ortho_loss.tif", "ortho_loss_2.tif", "ortho_scan.gpkg", "ortho_scan_2.gpkg"]
-    assert desk.titles()[:8] == FOUND + FOUND
-
-
-def test_seamlines_alone_are_enough(desk: ScanDesk) -> None:
-    desk.use(seamlines="")
-    assert desk.scans.why_not()
-    desk.scans.start()
-    assert len(desk.messages) == 1
-    assert "orthoimages" in desk.messages[0]
-    desk.messages.clear()
-    desk.use(seamlines=desk.seamlines.id())
-    assert not desk.scans.why_not()
-    done = desk.scan()
-    assert done is not None, desk.messages
-    assert done.seam_metres == pytest.approx(256, rel=0.01)
-    assert "Seams" in desk.titles()
-
-
 def test_the_worst_windows_become_the_desks_own(desk: ScanDesk) -> None:
     desk.use("north", "south")
     assert desk.scans.worst_layer() is None
@@ -133,10 +110,3 @@ def test_a_folder_that_takes_no_files_is_told_in_one_sentence(desk: ScanDesk) ->
     assert len(desk.messages) == 1
     assert "folder" in desk.messages[0]
     assert not desk.scans.why_not()
-
-
-def test_levels_that_a_scan_does_not_have_are_told(desk: ScanDesk) -> None:
-    desk.use("north", "south", levels=5)
-    assert desk.scans.why_not()
-    desk.scans.start()
-    assert len(desk.messages) == 1

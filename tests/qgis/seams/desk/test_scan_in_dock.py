@@ -105,33 +105,6 @@ def test_unloading_while_it_scans_leaves_nothing(
     assert_leaves_nothing(qgis_iface, 2, use, no_losses)
 
 
-def test_grey_buttons_say_why(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
-    action_of(plugin).trigger()
-    dock: InspectionDock = plugin.desk("seamInspectorAction").dock
-    for action in (dock.draw, dock.place, dock.inspect, dock.scan):
-        assert not action.isEnabled()
-        assert "choose" in action.toolTip().lower()
-    assert "inspected" in dock.report.toolTip() or "no window" in dock.report.toolTip()
-    dock = opened(plugin, scan_scene, tmp_path)
-    assert dock.draw.isEnabled()
-    assert "\n" not in dock.draw.toolTip()
-    assert not dock.place.isEnabled()
-    assert "seamlines" in dock.place.toolTip().split("\n")[-1]
-    assert "no window" in dock.inspect.toolTip()
-    assert "scan the mosaic first" in dock.worst.toolTip()
-
-
-def test_a_closed_project_takes_the_offer_along(
-    plugin: Any, qgis_iface: QgisInterface, project: QgsProject, scan_scene: ScanScene, tmp_path: Path
-) -> None:
-    dock = opened(plugin, scan_scene, tmp_path)
-    scan(dock)
-    assert len(judge_buttons(qgis_iface)) == 1
-    project.clear()
-    settle()
-    assert judge_buttons(qgis_iface) == []
-
-
 def test_accept_opens_the_decision_on_the_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
     dock = opened(plugin, scan_scene, tmp_path)
     scan(dock)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsMapRendererSequentialJob, QgsMapSettings, QgsProject, QgsRasterLayer
+from qgis.core import QgsApplication, QgsMapRendererSequentialJob, QgsMapSettings, QgsRasterLayer
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QColor
 from seam_inspector.plugin.seams.tables.scan_layers import SCAN_LAYERS
@@ -13,7 +13,7 @@ from seam_inspector.plugin.seams.words import VERDICTS
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tests.numbers.synthetic import write_raster
-from tests.qgis.scenes import layer, line, outline
+from tests.qgis.scenes import layer, line
 
 KEPT = (1.3, 0.95, 0.91, 0.85, 0.75, 0.65, 0.55, 0.45, 0.1)
 
@@ -43,12 +43,6 @@ def colours(picture: QgsRasterLayer) -> list[QColor]:
     return [image.pixelColor(10 * column + 5, 5) for column in range(picture.width())]
 
 
-def test_even_ground_and_what_was_not_measured_can_be_seen_through(picture: QgsRasterLayer) -> None:
-    found = colours(picture)
-    assert [colour.alpha() for colour in (*found[:3], found[-1])] == [0, 0, 0, 0]
-    assert all(colour.alpha() > 200 for colour in found[3:-1])
-
-
 def test_losses_go_from_yellow_to_red(picture: QgsRasterLayer) -> None:
     losses = colours(picture)[3:-1]
     hues = [(colour.hsvHue() + 60) % 360 for colour in losses]  # red is at 60 then, yellow at 120
@@ -74,16 +68,6 @@ def test_seams_have_the_colours_of_verdicts(qgis_app: QgsApplication) -> None:
     colour = thin.symbolLayer(thin.symbolLayerCount() - 1).color()
     assert colour.saturation() == 0
     assert thin.width() < min(widths)
-
-
-def test_cells_are_outlines_with_names(qgis_app: QgsApplication, project: QgsProject) -> None:
-    cells = layer("Polygon", [outline((0, 0, 9, 9))], source=("string", ["west.tif"]))
-    message, worked = cells.loadNamedStyle(style_path("source_cells"))
-    assert worked, message
-    assert cells.labelsEnabled()
-    assert cells.labeling().settings().fieldName == "source"
-    kinds = {shown.layerType() for shown in cells.renderer().symbol().symbolLayers()}
-    assert kinds == {"SimpleLine"}  # nothing is filled
 
 
 def test_every_layer_has_its_style() -> None:

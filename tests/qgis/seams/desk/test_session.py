@@ -2,13 +2,12 @@
 from __future__ import annotations
 
 import pytest
-from qgis.core import NULL, QgsApplication, QgsVectorLayer, QgsVectorLayerUtils
+from qgis.core import NULL, QgsApplication, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.statistics import OPERATORS, Operator
 
-from tests.qgis.runs import run
-from tests.qgis.scenes import BLURRED, SHARP, layer, outline, pixel_box, windows
+from tests.qgis.scenes import BLURRED, SHARP, outline, pixel_box, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 # One window
@@ -74,21 +73,6 @@ def test_a_verdict_that_is_taken_back_takes_along_how_sure_the_operator_was(desk
     assert getattr(desk.rows()[1], operator.confidence) == 90
 
 
-def test_judging_and_removing_are_undone_in_one_step(desk: Desk) -> None:
-    fids = [desk.add(), desk.add(SHARP_WINDOW)]
-    desk.session.judge(fids, "visible")
-    assert [row.observer for row in desk.session.windows()] == ["visible"] * 2
-    desk.session.judge(fids[:1], "")
-    assert [row.observer for row in desk.session.windows()] == ["", "visible"]
-    desk.undo()
-    desk.undo()
-    assert [row.observer for row in desk.session.windows()] == ["", ""]
-    desk.session.remove(fids)
-    assert desk.session.windows() == []
-    desk.undo()
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
-
-
 def test_what_is_drawn_measured_and_judged_is_in_the_file_at_once(desk: Desk) -> None:
     for fid in (desk.add(), desk.add(SHARP_WINDOW)):
         desk.session.judge([fid], "visible")
@@ -151,18 +135,6 @@ def test_dangers_while_the_layer_is_made(desk: Desk, danger: str) -> None:
     assert desk.messages == []
 
 
-def test_a_window_is_not_inspected_twice_at_the_same_time(desk: Desk) -> None:
-    desk.add(SHARP_WINDOW)
-    desk.session.add_window(BLURRED_WINDOW)
-    (fid,) = desk.session.selected()
-    steps: list[int] = []
-    desk.session.progressChanged.connect(lambda done, asked: steps.append(asked))
-    desk.session.inspect_pending()
-    desk.session.inspect([fid])
-    desk.wait()
-    assert set(steps) == {1, 0}
-
-
 def test_stop_keeps_what_is_done(desk: Desk) -> None:
     boxes = [(column, row, 64, 64) for row in range(0, 192, 64) for column in range(0, 448, 64)]
     desk.use(windows(*boxes))
@@ -179,37 +151,6 @@ def test_stop_keeps_what_is_done(desk: Desk) -> None:
 
 
 # Layers made elsewhere
-
-
-def test_windows_placed_by_the_algorithm_can_be_inspected(desk: Desk, provider: object) -> None:
-    ran = run("placewindows", SEAMLINES=desk.seamlines, MOSAIC=desk.mosaic, SIDE=6.4, SPACING=6.0)
-    placed = desk.use(ran.context.takeResultLayer(ran.results["OUTPUT"]))
-    count = placed.featureCount()
-    assert count == 4
-    desk.session.inspect_pending()
-    desk.wait()
-    assert [bool(row.verdict) for row in desk.session.windows()] == [True] * count
-    assert all(row.seam_id is not None and row.station is not None for row in desk.session.windows())
-
-
-@pytest.mark.parametrize("is_saved", [True, False])
-def test_windows_drawn_by_hand_can_be_inspected(desk: Desk, is_saved: bool) -> None:
-    drawn = desk.use(layer("Polygon", []))
-    drawn.startEditing()
-    shapes = [QgsVectorLayerUtils.createFeature(drawn, outline(box)) for box in (BLURRED, SHARP)]
-    assert drawn.addFeatures(shapes)
-    if is_saved:
-        assert drawn.commitChanges()
-    assert sorted(desk.rows()) == [1, 2]
-    desk.session.select([row.fid for row in desk.session.windows()])
-    desk.session.inspect_pending()
-    desk.wait()
-    found = {pixel_box(drawn.getFeature(row.fid).geometry()): row.verdict for row in desk.session.windows()}
-    assert found == {BLURRED: "significant", SHARP: "preserved"}
-    assert len(desk.session.selected()) == 2
-    assert is_saved or drawn.commitChanges(), drawn.commitErrors()
-    values = {(feature["window_id"], feature["verdict"]) for feature in drawn.getFeatures()}
-    assert values == {(1, "significant"), (2, "preserved")}
 
 
 def test_a_copied_window_gets_a_number_of_its_own(desk: Desk) -> None:

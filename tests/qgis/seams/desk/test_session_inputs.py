@@ -10,7 +10,7 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer
 from seam_inspector.plugin.imagery import messages as imagery_messages
-from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
+from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.desk.inputs import block_cache as block_files
@@ -63,22 +63,6 @@ def test_a_copy_of_the_mosaic_hides_no_loss_from_a_window(desk: Desk, tmp_path: 
     assert len([text for text in desk.messages if copy.name in text]) == 1
 
 
-def test_vanished_layers_do_no_harm(desk: Desk) -> None:
-    desk.add()
-    before = desk.session.inputs
-    desk.project.removeMapLayers([desk.sources[0].id()])
-    assert desk.session.inputs == before
-    assert len(desk.session.block().sources_over(BLURRED_WINDOW)) == 1
-    desk.project.removeMapLayers([desk.mosaic.id(), desk.seamlines.id(), desk.layer().id()])
-    settle()
-    assert desk.session.mosaic_grid() is None
-    assert desk.session.mosaic_layer() is None
-    assert desk.session.block() is None
-    assert desk.session.seam_point_near(*at(256, 10), 5) is None
-    assert desk.session.windows() == []
-    assert load_inputs(desk.project) == before
-
-
 # Seams
 
 
@@ -93,18 +77,6 @@ def test_placing_is_one_step_of_undo(desk: Desk) -> None:
     assert_sentence(desk.messages[-1].split(". ")[0] + ".", "4")
     desk.undo()
     assert len(desk.session.windows()) == 1
-
-
-def test_the_nearest_seam_is_known_once_it_is_found(desk: Desk) -> None:
-    x, y = at(250, 100)
-    wait_until(lambda: desk.session.seam_point_near(x, y, 1.0) is not None)
-    assert desk.session.seam_point_near(x, y, 1.0) == pytest.approx(at(256, 100))
-    assert desk.session.seam_point_near(x, y, 0.3) is None
-    other = layer("LineString", [line((300, 0), (300, 256))])
-    desk.project.addMapLayer(other)
-    desk.session.set_inputs(replace(desk.session.inputs, seamlines=other.id()))
-    wait_until(lambda: desk.session.seam_point_near(*at(299, 100), 1.0) is not None)
-    assert desk.session.seam_point_near(x, y, 1.0) is None
 
 
 def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
@@ -164,57 +136,6 @@ def test_the_desk_can_be_used_while_the_mosaic_is_opened(desk: Desk, gate: Event
     desk.add()
     assert all(row.verdict and not row.stale for row in desk.session.windows())
     wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
-    panel.close()
-
-
-def test_only_the_mosaic_chosen_last_counts(desk: Desk, gate: Event) -> None:
-    desk.session.set_inputs(desk.inputs())
-    desk.session.set_inputs(desk.inputs(mosaic=desk.sources[0].id(), sources=(desk.sources[1].id(),)))
-    gate.set()
-    desk.wait_for_opening()
-    desk.add()
-    wait_for_tasks()
-    result = desk.session.result(desk.rows()[1].fid)
-    assert result is not None
-    assert [clip.raster for clip in result.clips[:2]] == ["west.tif", "east.tif"]
-
-
-@pytest.mark.parametrize("danger", ["remove the mosaic", "close the project", "close the session"])
-def test_dangers_while_the_mosaic_is_opened(desk: Desk, gate: Event, danger: str) -> None:
-    desk.session.set_inputs(desk.inputs())
-    if danger == "remove the mosaic":
-        desk.project.removeMapLayers([desk.mosaic.id()])
-    elif danger == "close the project":
-        desk.project.clear()
-    else:
-        desk.session.close()
-    gate.set()
-    wait_for_tasks()
-    assert desk.session.mosaic_grid() is None
-    assert desk.messages == []
-
-
-@pytest.mark.parametrize("with_sources", [False, True])
-def test_a_mosaic_whose_files_are_gone_is_not_blamed_on_its_sources(
-    desk: Desk, tmp_path: Path, with_sources: bool
-) -> None:
-    panel = InputsPanel(desk.session)
-    gone, mosaic = tmp_path / "gone.tif", tmp_path / "mosaic.vrt"
-    gdal.Translate(str(gone), desk.mosaic.source())
-    gdal.BuildVRT(str(mosaic), [str(gone)])
-    gone.unlink()
-    found = desk.raster(mosaic)
-    desk.set(desk.inputs(mosaic=found.id(), **({} if with_sources else {"sources": ()})))
-    problem = desk.session.problem()
-    # the reason on every grey button
-    assert problem == imagery_messages.PART_NOT_FOUND(name="mosaic.vrt", part=str(gone))
-    with pytest.raises(SettingsError, match=r"mosaic\.vrt"):
-        desk.session.scan_order()
-    _, said, why = panel._summary()
-    assert "can't be used" in said
-    assert ("2 sources" in said) == with_sources
-    assert "check the sources" not in said
-    assert "mosaic.vrt" in why
     panel.close()
 
 

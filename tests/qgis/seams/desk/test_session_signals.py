@@ -5,11 +5,9 @@ from typing import Any
 
 import pytest
 from qgis.core import QgsVectorLayer
-from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.session import Session
 from seam_inspector.plugin.seams.tables import window_layer
 
-from tests.qgis.scenes import BLURRED, SHARP, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle
 
 TOLD = ("windowsChanged", "selectionChanged", "inputsChanged", "progressChanged", "resultArrived")
@@ -101,30 +99,6 @@ def test_a_selection_is_told_at_once_and_only_when_it_is_another(desk: Desk) -> 
     assert listener.take("selectionChanged") == [(["significant"], [])]
     desk.layer().selectByIds([fid])
     assert listener.take("selectionChanged", "windowsChanged") == [(["significant"], [fid])]
-
-
-def test_equal_ids_of_another_layer_are_another_selection(desk: Desk) -> None:
-    first, second = desk.use(windows(SHARP)), desk.use(windows(BLURRED))
-    for layer in (first, second):
-        layer.selectByIds([1])
-    desk.set(desk.inputs(windows=first.id()))
-    settle()
-    listener = Listener(desk.session)
-    desk.set(desk.inputs(windows=second.id()))
-    assert listener.take("selectionChanged") == [([""], [1])]
-
-
-def test_keys_that_come_before_the_selection_is_told_are_not_lost(desk: Desk) -> None:
-    desk.use(windows(SHARP, BLURRED, (64, 64, 64, 64)))
-    desk.session.inspect_pending()
-    desk.wait()
-    desk.session.select([1])
-    judging = Judging(desk.session)
-    judging.judge("visible")
-    judging.judge("invisible")
-    judging.close()
-    assert desk.session.selected() == [3]
-    assert [row.observer for row in desk.session.windows()] == ["visible", "invisible", ""]
 
 
 # No matter in which order signals were connected

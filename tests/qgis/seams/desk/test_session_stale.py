@@ -6,14 +6,10 @@ from pathlib import Path
 
 import pytest
 from qgis.core import (
-    NULL,
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
-    QgsVectorFileWriter,
-    QgsVectorLayer,
 )
 
-from tests.qgis.scenes import SHARP, Scene, layer, outline, saved, windows
+from tests.qgis.scenes import SHARP, Scene, layer, outline
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 
@@ -92,75 +88,7 @@ def test_inputs_that_are_changed_back_leave_nothing_stale(desk: Desk) -> None:
         assert not desk.rows()[1].stale, change
 
 
-def test_a_copy_of_an_inspected_window_is_stale(desk: Desk) -> None:
-    fid = desk.add()
-    copy = desk.layer().getFeature(fid)
-    copy.setGeometry(outline(SHARP))
-    copy["fid"] = NULL
-    desk.layer().startEditing()
-    desk.layer().addFeature(copy)
-    assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
-
-
-def test_fewer_levels_leave_no_ratio_of_the_inspection_before(desk: Desk) -> None:
-    fid = desk.add()
-    desk.session.set_inputs(replace(desk.session.inputs, levels=2))
-    desk.session.inspect([fid])
-    desk.wait()
-    assert [ratio is not None for ratio in desk.rows()[1].ratios] == [True, True, False]
-    assert not desk.rows()[1].stale
-
-
-@pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
-def test_windows_of_other_formats_are_copied_with_what_they_say(desk: Desk, tmp_path: Path, suffix: str) -> None:
-    path = str(tmp_path / f"drawn.{suffix}")
-    context, options = QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName = QgsVectorFileWriter.driverForExtension(suffix)
-    said = {"window_id": ("integer", [1, 7]), "verdict": ("string", ["reduced", ""]), "soil": ("string", ["loam", ""])}
-    drawn = windows(SHARP, (-400, -400, 64, 64), **said)
-    assert QgsVectorFileWriter.writeAsVectorFormatV3(drawn, path, context, options)[0] == 0
-    given = QgsVectorLayer(path, "given")
-    given.setCrs(drawn.crs())
-    asked: list[object] = []
-    desk.session.copyDoubted.connect(asked.append)
-    desk.project.addMapLayer(given)
-    desk.set(desk.inputs(windows=given.id()))
-    assert [(row.window_id, row.verdict) for row in desk.session.windows()] == [(1, "reduced"), (7, "")]
-    assert asked == []
-    desk.session.judge([desk.rows()[1].fid], "visible")
-    assert "in no windows file" in str(asked[0])
-    desk.use(given)
-    assert desk.layer() is not given
-    assert [(row.window_id, row.verdict, row.stale) for row in desk.session.windows()] == [
-        (1, "reduced", False), (7, "", False)
-    ]
-    assert [one["soil"] or "" for one in desk.layer().getFeatures()] == ["loam", ""]
-    desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))
-    assert desk.rows()[1].stale
-    assert {one["verdict"] or "" for one in given.getFeatures()} == {"reduced", ""}
-    assert len(asked) == 1
-
-
 # Layers that change
-
-
-def test_layers_that_are_added_again_are_found_also_in_a_project_opened_since(
-    desk: Desk, scene: Scene, tmp_path: Path
-) -> None:
-    seamlines = QgsVectorLayer(saved(desk.seamlines, tmp_path / "seams.gpkg"), "seams")
-    desk.project.addMapLayer(seamlines)
-    desk.set(desk.inputs(seamlines=seamlines.id()))
-    desk.project.removeMapLayers([desk.mosaic.id(), seamlines.id()])
-    path = str(tmp_path / "project.qgz")
-    assert desk.project.write(path)
-    desk.project.clear()
-    assert desk.project.read(path)
-    mosaic = desk.raster(scene.mosaic)
-    assert desk.session.inputs.mosaic == mosaic.id()
-    lines = QgsVectorLayer(str(tmp_path / "seams.gpkg") + "|layername=seams", "lines")
-    desk.project.addMapLayer(lines)
-    assert desk.session.inputs.seamlines == lines.id()
-    desk.wait_for_opening()
 
 
 def test_another_data_source_or_reference_system_makes_inspected_windows_stale(desk: Desk, scene: Scene) -> None:
@@ -233,15 +161,3 @@ def test_seam_cells_decide_and_make_inspected_windows_stale(desk: Desk) -> None:
     desk.project.removeMapLayers([cells.id()])
     settle()
     assert not desk.rows()[1].stale
-
-
-def test_the_verdict_against_the_composite(desk: Desk) -> None:
-    desk.set(desk.inputs(reference="composite", max_ratio=0.5))
-    fid = desk.add(SHARP_WINDOW)
-    row, result = desk.session.row(fid), desk.session.result(fid)
-    assert row is not None
-    assert result is not None
-    assert result.explanation is not None
-    ratio = result.explanation.ratios["luminance"].detail[0]
-    assert ratio is not None
-    assert row.verdict == ("preserved" if ratio >= 1 else "reduced")

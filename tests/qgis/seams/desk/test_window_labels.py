@@ -88,14 +88,6 @@ def test_each_window_has_its_label_in_its_corner(windows: QgsVectorLayer, crs: s
             assert box(x, y + 0.8 * SIDE_M, x + 0.4 * SIDE_M, y + SIDE_M).contains(rect)
 
 
-@pytest.mark.parametrize("selected", [1, 2, 3, 4])
-def test_from_far_away_the_selected_one_wins_and_none_is_over_another(windows: QgsVectorLayer, selected: int) -> None:
-    found = labels(windows, box(-1000, -700, 1300, 900), [selected])
-    assert selected in found
-    rects = list(found.values())
-    assert not any(rect.intersects(other) for place, rect in enumerate(rects) for other in rects[:place])
-
-
 @pytest.fixture
 def own_locale(qgis_app: QgsApplication) -> Iterator[None]:
     """How numbers are written, to be changed."""

@@ -14,7 +14,6 @@ from qgis.core import (
     QgsMapSettings,
     QgsProject,
     QgsRectangle,
-    QgsRenderContext,
     QgsSingleSymbolRenderer,
     QgsSymbol,
     QgsVectorLayer,
@@ -114,15 +113,6 @@ def test_the_worst_lies_on_top_and_a_selected_one_above_it(project: QgsProject) 
 
 
 # A layer that the desk takes for its windows
-
-
-def test_a_layer_drawn_elsewhere_shows_windows_though_it_has_none_of_our_fields(desk: Desk) -> None:
-    outside = desk.use(windows(SHARP))
-    renderer, context = outside.renderer(), QgsRenderContext()
-    assert renderer.type() == "categorizedSymbol"
-    renderer.startRender(context, outside.fields())
-    assert renderer.originalSymbolForFeature(next(outside.getFeatures()), context) is not None
-    renderer.stopRender(context)
 
 
 def test_a_layer_that_its_user_styled_stays_as_it_is(desk: Desk) -> None:

@@ -152,13 +152,6 @@ def test_shift_makes_a_square_also_when_pressed_midway(operator: Operator) -> No
     assert operator.session.added == [PixelWindow(402, 402, 600, 600)]
 
 
-def test_a_small_shake_is_still_a_click(operator: Operator) -> None:
-    operator.press(MIDDLE)
-    operator.move((2048 + 4 * QApplication.startDragDistance(), 1024), LEFT)
-    operator.release((2048 + 4 * QApplication.startDragDistance(), 1024))
-    assert [window.width for window in operator.session.added] == [128]
-
-
 @pytest.mark.parametrize(
     ("start", "end", "why"),
     [
@@ -176,21 +169,6 @@ def test_label_says_why_a_drag_is_no_window(
     operator.release(end)
     assert operator.session.added == []
     assert why in operator.text
-
-
-@pytest.mark.parametrize(
-    ("inputs", "why"),
-    [
-        ({"side_m": 500.0}, "too small for a window of 819.2 m"),
-        ({"side_m": 3.0}, "need at least 64 px"),
-        ({"side_m": 3.0, "levels": 8}, "8 levels need at least 256 px"),
-    ],
-)
-def test_label_says_why_a_click_is_no_window(operator: Operator, inputs: dict[str, float], why: str) -> None:
-    operator.session.inputs = Inputs(mosaic=operator.session.inputs.mosaic, **inputs)  # type: ignore[arg-type]
-    operator.click(MIDDLE)
-    assert why in operator.text
-    assert operator.session.added == []
 
 
 def test_a_click_where_nothing_can_be_judged_goes_to_the_nearest_place_that_can_be(operator: Operator) -> None:
@@ -212,17 +190,6 @@ def test_a_click_where_nothing_can_be_judged_goes_to_the_nearest_place_that_can_
     assert session.added[-1] == here
 
 
-def test_vanished_mosaic_does_no_harm(operator: Operator) -> None:
-    operator.press((400, 400))
-    operator.move((1000, 800), LEFT)
-    QgsProject.instance().clear()
-    operator.session.inputsChanged.emit()
-    assert operator.text == "No mosaic is chosen; choose the mosaic in the inputs."
-    operator.release((1000, 800))
-    operator.click(MIDDLE)
-    assert operator.session.added == []
-
-
 def test_other_map_reference_system(operator: Operator) -> None:
     operator.canvas.setDestinationCrs(WEB_MERCATOR)
     operator.canvas.setExtent(QgsRectangle(operator.on_map((0, 2048)), operator.on_map((4096, 0))))
@@ -239,15 +206,6 @@ def test_other_map_reference_system(operator: Operator) -> None:
     assert abs(drawn.height - 800) <= 16
 
 
-def test_escape_cancels_a_drag(operator: Operator) -> None:
-    operator.press((400, 400))
-    operator.move((1000, 800), LEFT)
-    operator.key(Qt.Key.Key_Escape)
-    assert operator.text == ""
-    operator.release((1000, 800))
-    assert operator.session.added == []
-
-
 def test_right_click_ends_but_only_cancels_within_a_drag(operator: Operator) -> None:
     ended: list[None] = []
     operator.tool.finished.connect(lambda: ended.append(None))
@@ -259,13 +217,6 @@ def test_right_click_ends_but_only_cancels_within_a_drag(operator: Operator) -> 
     operator.click(MIDDLE, RIGHT)
     assert len(ended) == 1
     assert operator.session.added == []
-
-
-def test_cursor_that_leaves_the_map_takes_the_outline_along(operator: Operator) -> None:
-    operator.move(MIDDLE)
-    QApplication.sendEvent(operator.canvas.viewport(), QEvent(QEvent.Type.Leave))
-    assert operator.text == ""
-    assert operator.outline.isNull()
 
 
 def test_nothing_is_left_after_another_tool_or_close(qgis_canvas: QgsMapCanvas, operator: Operator) -> None:
@@ -326,9 +277,3 @@ def test_click_with_control_and_a_drag_make_another_window_on_top(with_windows: 
     with_windows.drag((2010, 1010), (2138, 1138))
     assert len(with_windows.session.added) == 2
     assert with_windows.session.chosen == []
-
-
-def test_windows_are_found_on_a_map_in_another_system(with_windows: Operator) -> None:
-    with_windows.canvas.setDestinationCrs(WEB_MERCATOR)
-    with_windows.click((2010, 1064))
-    assert with_windows.session.chosen == [1]

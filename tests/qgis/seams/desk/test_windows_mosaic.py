@@ -83,26 +83,6 @@ def test_new_windows_lie_where_the_others_lie(desk: Desk, scene: Scene, tmp_path
     assert said(desk) == before
 
 
-def test_windows_that_were_always_of_this_mosaic_keep_their_judgements(
-    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
-) -> None:
-    other_mosaic(desk, scene, tmp_path)
-    desk.session.take_windows()
-    assert desk.session.problem() is None
-    assert [observer for _, observer in said(desk)] == ["", "visible"]
-    desk.set(desk.inputs())
-    assert len(asked) == 2  # now the first one is the other
-
-
-def test_a_mosaic_that_was_moved_is_the_same(desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]) -> None:
-    moved = tmp_path / "elsewhere" / "renamed.tif"
-    moved.parent.mkdir()
-    shutil.copyfile(scene.mosaic, moved)
-    desk.set(desk.inputs(mosaic=desk.raster(moved).id()))
-    assert asked == []
-    assert desk.session.problem() is None
-
-
 def test_windows_know_their_mosaic_when_they_are_opened_again(
     desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
 ) -> None:

@@ -35,10 +35,6 @@ def place_of(panel: WindowsPanel, fid: int) -> QPoint:
     return panel.table.visualRect(panel.table.model().index(panel._windows.row_of(fid), 0)).center()
 
 
-def top_window(panel: WindowsPanel) -> int:
-    return panel.ordered_fids()[panel.table.rowAt(0)]
-
-
 # What the table says
 
 
@@ -152,36 +148,7 @@ def test_selection_of_the_session_is_followed_without_an_echo(panel: WindowsPane
     assert session.calls == [("select", [1, 10, 12]), ("select", [])]
 
 
-def test_selection_survives_changes_sorting_and_filters(panel: WindowsPanel, session: WindowsSession) -> None:
-    session.select([2, 10])
-    session.calls.clear()
-    session.change(2, verdict="reduced", ratios=(0.9, 0.9, 0.9))
-    panel.table.sortByColumn(RATIO_1, DESCENDING)
-    assert panel.table.selected_fids() == [10, 2]
-    assert filter_to(panel, choice="preserved") == [10]
-    assert panel.table.selected_fids() == [10]
-    filter_to(panel)
-    session.put([row for row in session.rows if row.fid != 3])
-    assert panel.table.selected_fids() == [10, 2]
-    assert session.selected() == [2, 10]
-    assert session.calls == []
-
-
 # Changes
-
-
-def test_scroll_position_is_kept(panel: WindowsPanel, session: WindowsSession) -> None:
-    session.put(many(500))
-    panel.table.sortByColumn(RATIO_1, DESCENDING)
-    QTest.qWait(1)
-    panel.table.verticalScrollBar().setValue(200)
-    top = top_window(panel)
-    session.change(top - 3, observer="visible")
-    assert panel.table.verticalScrollBar().value() == 200
-    session.put([*session.rows, *(window(fid, "preserved", (2.0, 1, 1)) for fid in range(600, 620))])
-    assert top_window(panel) == top
-    session.put([row for row in session.rows if row.fid % 2 == top % 2])  # in more places than are told one by one
-    assert top_window(panel) == top
 
 
 @pytest.mark.parametrize(("column", "most"), [(ID, 4_000), (RATIO_1, 200_000)], ids=["in place", "to be sorted"])
@@ -229,14 +196,6 @@ def test_del_asks_before_it_removes_several_judged_windows(session: WindowsSessi
     assert session.calls == [("remove", [2, 4, 10])] * yes
 
 
-def test_del_leaves_windows_that_the_filter_hides(panel: WindowsPanel, session: WindowsSession) -> None:
-    session.select([2, 10])
-    filter_to(panel, choice="significant")
-    session.calls.clear()
-    QTest.keyClick(panel.table, Qt.Key.Key_Delete)
-    assert session.calls == [("remove", [2])]
-
-
 def test_a_click_and_enter_go_to_a_window(panel: WindowsPanel, session: WindowsSession) -> None:
     zoomed: list[int] = []
     panel.zoomRequested.connect(zoomed.append)
@@ -282,31 +241,6 @@ def test_filter_by_an_expression(panel: WindowsPanel, text: str, fids: list[int]
     assert panel._problem.isHidden()
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [("kept <", "not understood"), ("sharp < 0.7", "'sharp'"), ("kept < )", "not under"), ("abs(1, 2) > 1", "under"),
-     ("kept < 0,7", "not understood"), ("$area > 10", "can't use geometry"),
-     ("geom_to_wkt($geometry) <> ''", "can't use geometry"), ("cause = feathering", "'feathering'")],
-)
-def test_a_wrong_expression_gets_a_sentence_and_leaves_no_window_out(
-    panel: WindowsPanel, text: str, said: str
-) -> None:
-    filter_to(panel, "kept < 0.7")
-    assert filter_to(panel, text) == [1, 2, 3, 4, 10, 12]
-    assert said in panel._problem.text()
-    assert not panel._problem.isHidden()
-    assert filter_to(panel, "") == [1, 2, 3, 4, 10, 12]
-    assert panel._problem.isHidden()
-
-
-def test_an_expression_follows_the_windows(panel: WindowsPanel, session: WindowsSession) -> None:
-    filter_to(panel, "kept < 0.7")
-    session.change(1, kept=(0.3,))
-    assert panel.ordered_fids() == [1, 2]
-    session.change(2, kept=(0.8,))
-    assert panel.ordered_fids() == [1]
-
-
 # Columns
 
 
@@ -334,17 +268,6 @@ def test_columns_are_chosen_and_kept(
     other.resize(panel.size())
     QTest.qWait(1)
     assert titles(other) == before
-
-
-def test_what_operators_say_has_columns_once_it_is_used(panel: WindowsPanel, session: WindowsSession) -> None:
-    panel.resize(1900, 300)
-    QTest.qWait(1)
-    assert "sure" not in titles(panel)
-    session.change(2, confidence=70, remark="by the kerb")
-    assert [title for title in titles(panel) if title != "reason"][-3:] == ["observer", "sure", "remark"]
-    session.change(2, observer_2="unsure")
-    assert "observer 2" in titles(panel)
-    assert filter_to(panel, "confidence > 50") == [2]
 
 
 # Rows as text

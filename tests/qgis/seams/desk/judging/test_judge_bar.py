@@ -8,7 +8,7 @@ from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
-from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to, window
+from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to
 
 DESCENDING = Qt.SortOrder.DescendingOrder
 
@@ -124,23 +124,6 @@ def test_a_digit_after_a_verdict_is_the_judged_window_s(bar: JudgeBar, session: 
     assert bar._progress.text() == "1 to go: 3 of 4 judged"
     keys["sure 50"]()
     assert _sure(session) == {1: 70, 12: 50}
-
-
-def test_a_digit_given_before_the_verdict_is_the_selected_window_s(bar: JudgeBar, session: WindowsSession) -> None:
-    keys = bar.key_actions()
-    session.select([1])
-    for key in ("sure 60", "visible", "sure 90", "invisible"):
-        keys[key]()
-    assert _sure(session) == {1: 60, 12: 90}
-
-
-def test_the_last_window_gets_its_digit_though_none_is_selected_then(bar: JudgeBar, session: WindowsSession) -> None:
-    keys = bar.key_actions()
-    session.put([window(1, "reduced")])
-    session.select([1])
-    for key in ("visible", "sure 30"):
-        keys[key]()
-    assert _sure(session) == {1: 30}
 
 
 def _sure(session: WindowsSession) -> dict[int, int]:

@@ -16,7 +16,6 @@ from qgis.PyQt.QtWidgets import (
     QAction,
     QApplication,
     QComboBox,
-    QDialog,
     QDockWidget,
     QLineEdit,
     QListWidget,
@@ -25,7 +24,6 @@ from qgis.PyQt.QtWidgets import (
     QSpinBox,
     QTableWidget,
     QTextEdit,
-    QToolBar,
     QTreeWidget,
     QVBoxLayout,
     QWidget,
@@ -175,25 +173,10 @@ def test_a_held_key_is_let_go_of_when_another_application_is_used(desk: _Desk) -
     assert desk.taken == ["held", "let go"]
 
 
-def test_text_fields_keep_their_letters(desk: _Desk) -> None:
-    for widget in (desk.line, desk.text, desk.number, desk.choice):
-        assert "V" not in desk.press(widget)
-    assert (desk.line.text(), desk.text.toPlainText()) == ("v", "v")
-
-
 def test_a_tool_that_edits_the_map_keeps_its_keys(desk: _Desk) -> None:
     tool = _Editing(desk.canvas)
     desk.canvas.setMapTool(tool)
     assert "V" not in desk.press(desk.table)
-
-
-def test_another_window_keeps_its_keys(desk: _Desk, show: Show) -> None:
-    dialog = QDialog()
-    button = QPushButton("close", dialog)
-    show(dialog)
-    dialog.activateWindow()
-    QTest.qWaitForWindowActive(dialog)
-    assert desk.press(button) == []
 
 
 def test_with_nothing_to_judge_the_key_stays_with_the_desk_and_does_nothing(desk: _Desk) -> None:
@@ -234,14 +217,3 @@ def test_other_docks_keep_the_letters_that_find_a_row(desk: _Desk, kind: type[QW
     desk.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
     for key in (Qt.Key.Key_V, Qt.Key.Key_J, Qt.Key.Key_X, Qt.Key.Key_Space, Qt.Key.Key_Backspace):
         assert not {"V", "J", "X", "held", "Backspace"} & {*desk.press(widget, key)}
-
-
-def test_toolbars_keep_their_letters_and_the_main_window_has_none(desk: _Desk) -> None:
-    bar, button = QToolBar(), QPushButton("of a toolbar")
-    bar.addWidget(button)
-    desk.window.addToolBar(bar)
-    bar.show()
-    QApplication.processEvents()
-    desk.window.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-    assert "V" not in desk.press(button)
-    assert desk.press(desk.window) == ["V"]

@@ -48,17 +48,6 @@ def test_a_key_goes_to_a_window_that_is_not_in_view_before_it_judges(session: Wi
     judging.close()
 
 
-def test_where_all_are_judged_a_verdict_goes_on_to_the_one_below(judging: Judging, session: WindowsSession) -> None:
-    """So that a review of judged windows takes one key a window, too."""
-    session.put([replace(row, observer="visible") for row in five()])
-    session.select([2])
-    judging.judge("invisible")
-    assert session.selected() == [3]
-    session.select([5])
-    judging.judge("invisible")
-    assert session.selected() == [5]
-
-
 def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     judging: Judging, bar: JudgeBar, session: WindowsSession
 ) -> None:
@@ -71,17 +60,6 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert bar.sentence() == "All windows are judged: 1 visible, 4 invisible, 0 not sure."
     judging.take_back()
     assert session.selected() == [3]
-
-
-def test_it_goes_on_where_a_judged_window_left_the_filter(
-    judging: Judging, panel: WindowsPanel, session: WindowsSession
-) -> None:
-    session.put(five())
-    filter_to(panel, choice="not judged")
-    session.select([3])
-    judging.judge("visible")
-    assert panel.ordered_fids() == [1, 2, 4, 5]
-    assert session.selected() == [4]
 
 
 def test_next_and_back_judge_nothing(judging: Judging, session: WindowsSession) -> None:
@@ -219,33 +197,6 @@ def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: Windows
     assert not panel._verdicts.model().item(1).isEnabled()
     panel.set_blind(None)
     assert "verdict" in [column.title() for column in panel.table.visible_columns()]
-
-
-@pytest.mark.parametrize(
-    ("text", "choice", "fids"),
-    [
-        ("verdict = 'significant'", "all", [2, 12]), ("kept < 0.95", "all", [1, 2]), ("significant", "all", [2, 12]),
-        ("observer_2 = 'visible'", "all", [1]), ("west_12", "all", [4]), ("", "significant", [2, 12]),
-        ("", "operators differ", []),
-    ],
-)
-def test_a_filter_by_what_is_hidden_is_lifted_while_blind(
-    panel: WindowsPanel, session: WindowsSession, text: str, choice: str, fids: list[int]
-) -> None:
-    session.change(1, observer_2="visible")
-    everything = [row.fid for row in session.rows]
-    assert filter_to(panel, text, choice) == fids
-    before = panel.filter()
-    panel.set_blind(OWN)
-    assert panel.ordered_fids() == everything
-    assert panel.filter() == before  # as the project keeps it
-    panel.set_filter(*before)
-    assert filter_to(panel, text) == everything
-    assert ("hidden while judging blind" in panel._problem.text()) == bool(text)
-    panel.set_blind(None)
-    panel.set_filter(*before)
-    assert panel.ordered_fids() == fids
-    assert panel._problem.text() == ""
 
 
 # The project

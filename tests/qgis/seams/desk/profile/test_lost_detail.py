@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,17 +9,14 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay, ProfileOnMap
+from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay
 from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 from tests.qgis.seams.desk.profile.profile_desk import (
-    PROFILE,
     SEAM_COLUMN,
     WINDOW,
-    Explained,
     ProfileSession,
     on_map,
-    result,
 )
 from tests.qgis.seams.desk.session_desk import settle, wait_until
 
@@ -117,25 +113,7 @@ def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis
     session.resultArrived.emit(1)
     wait_until(lambda: len(overlay.pictures) == 1)
     assert "50 % kept, or less" in legend.text()
-    session.rows[1] = replace(session.rows[1], stale=True)
+    session.change(1, stale=True)
     session.windowsChanged.emit()
     wait_until(lambda: not overlay.pictures)
     overlay.close()
-
-
-def test_the_ground_of_a_bin_is_marked_on_the_map(canvas: QgsMapCanvas) -> None:
-    session = ProfileSession()
-    before = len(canvas.scene().items())
-    on = ProfileOnMap(canvas, session)
-    on.follow(session.results[1])
-    on.highlight(PROFILE.bins[1])  # 8 to 16 px
-    settle()
-    for away, marked in ((0, False), (5, False), (11, True), (14, True), (19, False), (40, False)):
-        for column in (SEAM_COLUMN + 1 - away, SEAM_COLUMN + 1 + away):
-            assert is_on(colour_at(canvas, column, 50)) == marked, (away, column)
-    on.highlight(None)
-    settle()
-    assert not is_on(colour_at(canvas, SEAM_COLUMN + 12, 50))
-    on.follow(result(Explained()))
-    on.close()
-    assert len(canvas.scene().items()) == before

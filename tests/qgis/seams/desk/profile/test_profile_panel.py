@@ -3,21 +3,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from qgis.PyQt.QtCore import QPoint
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog
-from seam_inspector.plugin.imagery.grids import PixelWindow
+from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
 from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
-from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.scenes import PIXEL
@@ -114,18 +110,6 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
     assert panel._status.shown_text() == "56 % kept in 2.0 m"
 
 
-def test_levels_can_be_chosen(panel: ProfilePanel) -> None:
-    second = QColor(level_colour(2, chart_style(panel.chart)))
-    assert not is_drawn(panel.chart, 6 * PIXEL, 0.7, second)
-    panel._levels[1].click()
-    assert is_drawn(panel.chart, 6 * PIXEL, 0.7, second)
-    panel._levels[0].click()
-    assert panel.chart.shown.levels == {2}
-    assert panel.chart.shown.bin_at(12 * PIXEL) == PROFILE.bins[3]
-    panel._levels[1].click()  # one is always shown
-    assert panel.chart.shown.levels == {1}
-
-
 @pytest.mark.parametrize(
     ("selected", "found", "pending", "words"),
     [
@@ -152,7 +136,7 @@ def test_words_where_there_is_no_profile(
         "reason": replace(result(), explanation=None, judgement=nothing), None: None,
     }  # fmt: skip
     session.results = {1: results[found]} if results[found] is not None else {}
-    session.pending = pending
+    session.is_measuring = pending
     session.select(selected)
     settle()
     assert panel._pages.currentWidget() is panel._text
@@ -163,7 +147,7 @@ def test_words_where_there_is_no_profile(
 
 def test_a_profile_that_comes_later_is_shown(panel: ProfilePanel, session: ProfileSession) -> None:
     session.results[1] = replace(result(), explanation=None)
-    session.pending = True
+    session.is_measuring = True
     session.resultArrived.emit(1)
     settle()
     assert panel._pages.currentWidget() is panel._text
@@ -172,32 +156,3 @@ def test_a_profile_that_comes_later_is_shown(panel: ProfilePanel, session: Profi
     settle()
     assert panel._pages.currentWidget() is panel.chart
     assert panel.chart.shown.profile == PROFILE
-
-
-def test_while_a_window_is_moved_its_own_profile_is_shown(panel: ProfilePanel, session: ProfileSession) -> None:
-    selected = panel.chart.shown
-    followed: list[object] = []
-    panel.followed.connect(followed.append)
-    moved = replace(PROFILE, band_width_px=2 * PROFILE.band_width_px)
-    clips = WindowClips(0, None, (), Judgement(Verdict.PRESERVED, Ratios((1.0,), None)), True)
-    for profile in (None, moved):
-        session.live = LiveWindow(PixelWindow(0, 0, 512, 512), clips, PIXEL, profile)
-        session.liveChanged.emit()
-        settle()
-        assert panel.chart.isEnabled() == (profile is not None)  # faint while it is still another window's
-    assert panel.chart.shown.profile == moved
-    assert panel._status.text().startswith("Live: ")
-    session.live = None
-    session.liveChanged.emit()
-    settle()
-    assert panel.chart.shown == selected
-    assert panel.chart.isEnabled()
-    assert not panel._status.text().startswith("Live: ")
-    assert followed == [None, session.results[1]]  # meanwhile the map marks no other window's distances
-
-
-def test_its_picture_is_saved(panel: ProfilePanel, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    chosen = tmp_path / "it.png"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(chosen), ""))
-    panel._save.click()
-    assert chosen.read_bytes().startswith(b"\x89PNG")
