@@ -39,8 +39,8 @@ def test_operators_walk(repository: Path, small_block: Path, tmp_path: Path, scr
     assert report["verdicts"][0] in ("significant", "reduced")  # on the field that was dodged too hard
     assert report["sentence"]
     assert report["why"]
-    assert [row[1] for row in report["table"]] == report["verdicts"]
-    assert "visible" in report["table"][0]
+    assert sorted(row[1] for row in report["table"]) == sorted(report["verdicts"])
+    assert sum("visible" in row for row in report["table"]) == 1
     assert report["pictures"] > 1
     assert report["map_units_per_pixel"] == pytest.approx(0.05, rel=0.02)
     assert all(Path(path).exists() for path in report["screenshots"])

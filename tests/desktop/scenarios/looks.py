@@ -62,6 +62,8 @@ def low(desk: Desk, path: Path) -> None:
     inputs.more.setCollapsed(False)
     desk.window.resize(1000, 700)
     desk.pause(0.5)
+    desk.window.resizeDocks([desk.dock], [1], Qt.Orientation.Horizontal)  # as narrow as it can be
+    desk.pause(0.5)
     desk.report["low_window"] = [desk.window.width(), desk.window.height()]
     desk.report["low_dock"] = [desk.dock.width(), desk.dock.height()]
     body, judge = desk.dock.widget(), desk.dock.judge

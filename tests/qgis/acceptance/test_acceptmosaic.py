@@ -9,8 +9,8 @@ import pytest
 from qgis.core import QgsGeometry, QgsRectangle, QgsVectorLayer
 
 from tests.pages import outline
-from tests.qgis.acceptance.seam_scenes import UTM33, file, seams, straight
-from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.acceptance.seam_scenes import UTM33, decide, decision, file, seams, straight
+from tests.qgis.runs import Run, assert_refused, assert_sentence
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -21,19 +21,9 @@ RUN = {"check": "longest_failure", "most": 60, "source": "x"}
 READY = Path(__file__).parents[3] / "resources" / "rules" / "acceptance"
 
 
-def decide(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
-    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, **parameters}
-    return run("acceptmosaic", SEAMS=list(layers), **wanted)
-
-
 def numbers(outcome: Run) -> dict[str, float]:
     assert outcome.complaint is None
     return {name: outcome.results.get(name) for name in NUMBERS}
-
-
-def decision(outcome: Run) -> str:
-    (said,) = (text for text in outcome.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
-    return said
 
 
 def test_metres_share_and_longest_failure() -> None:

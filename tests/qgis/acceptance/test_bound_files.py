@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from osgeo import gdal
 
+from tests.qgis.acceptance.seam_scenes import decision
 from tests.qgis.runs import Run, run
 from tests.qgis.seams.scan_scenes import Files, write_scene
 
@@ -46,10 +47,6 @@ def decide(folder: Path, **more: Any) -> Run:
     made = run("acceptmosaic", SEAMS=[str(folder / "seams.gpkg")], **{**papers, **more})
     assert made.complaint is None
     return made
-
-
-def decision(made: Run) -> str:
-    return next(text for text in made.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
 
 
 def rewrite(path: Path, at: float = 0.4, keep_time: bool = True) -> None:

@@ -7,18 +7,13 @@ from typing import Any
 import pytest
 from qgis.core import QgsGeometry, QgsVectorLayer
 
-from tests.qgis.acceptance.seam_scenes import UTM33, file, seams, straight
+from tests.qgis.acceptance.seam_scenes import UTM33, decide, file, seams, straight
 from tests.qgis.runs import Run, assert_refused, run
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
 
 F, P = 0.5, 0.95
-
-
-def decide(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
-    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, **parameters}
-    return run("acceptmosaic", SEAMS=list(layers), **wanted)
 
 
 def pieces(count: int = 10, **fields: tuple[str, list[Any]]) -> QgsVectorLayer:

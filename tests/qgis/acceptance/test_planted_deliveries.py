@@ -23,7 +23,7 @@ from tests.qgis.acceptance.planted import (
     planted_metres,
     seam_metres,
 )
-from tests.qgis.acceptance.seam_scenes import seams
+from tests.qgis.acceptance.seam_scenes import decision, seams
 from tests.qgis.runs import Run, run
 
 pytestmark = [pytest.mark.usefixtures("provider"), pytest.mark.slow]
@@ -50,11 +50,6 @@ def decide(folder: Path, *layers: QgsVectorLayer | str, **more: Any) -> Run:
         "DEFECTS": str(folder / "failures.gpkg"), "CHART": None,
     }  # fmt: skip
     return run("acceptmosaic", **{"SEAMS": list(layers), **papers, **more})
-
-
-def decision(found: Run) -> str:
-    (said,) = (text for text in found.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
-    return said
 
 
 def said(found: Run) -> str:

@@ -3,13 +3,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 from osgeo import gdal, ogr
 from qgis.core import QgsVectorLayer
 
-from tests.qgis.acceptance.seam_scenes import file, sealed, seams
+from tests.qgis.acceptance.seam_scenes import decide, decision, file, sealed, seams
 from tests.qgis.runs import Run, run
 from tests.qgis.scenes import saved
 
@@ -17,16 +16,6 @@ pytestmark = pytest.mark.usefixtures("provider")
 
 F, P = 0.5, 0.95
 CHANGED, UNSEALED = "were changed since their scan: 1 (seams)", "without the seal of a scan: 1 (seams)"
-
-
-def decide(*layers: QgsVectorLayer | str, **more: Any) -> Run:
-    made = run("acceptmosaic", SEAMS=list(layers), **{"DEFECTS": None, "REPORT": None, "QUALITY": None, **more})
-    assert made.complaint is None
-    return made
-
-
-def decision(made: Run) -> str:
-    return next(text for text in made.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
 
 
 def sql(*statements: str) -> Callable[[Path], None]:
@@ -150,9 +139,3 @@ def test_a_sample_is_sealed_as_what_it_was_drawn_of(tmp_path: Path) -> None:
     whole[1].removeCustomProperty("SEAM_INSPECTOR/digest")
     unsealed = sample(*whole)
     assert decide(unsealed.layer(), **plan).results["DECISION"] == "undecided"
-
-
-# --- rows of pieces that were not measured ------------------------------------------------------------------------
-
-
-# --- failures that are surely failures ------------------------------------------------------------------------------

@@ -2,13 +2,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.numbers.synthetic import decompose, luminance, patchy_texture, read_pixels, write_raster
-from tests.qgis.runs import Log, Run, assert_sentence, run
+from tests.qgis.runs import Run, assert_sentence, run
 from tests.qgis.scenes import windows
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -118,24 +117,3 @@ def test_a_bad_raster_is_named_and_the_others_are_measured(pictures: dict[str, s
     assert len(outcome.log.warnings) == 3  # two left out, and smaller windows
     assert_sentence(outcome.log.warnings[0], r"a\.tif is left out: .* does not exist")
     assert_sentence(outcome.log.warnings[1], r"text\.tif is left out: .* is not a raster")
-
-
-@pytest.mark.parametrize(
-    ("parameters", "words"),
-    [
-        ({"RASTERS": []}, "No rasters are given"),
-        ({"RASTERS": ["/nowhere/a.tif"]}, "None of the rasters can be used: a.tif is left out"),
-        ({"CHART": "noise.jpg"}, "noise.jpg is no PNG, SVG or PDF file"),
-        ({"LEVELS": 1}, "1 levels asked for; the noise rule compares levels"),
-        ({"WINDOWS": "empty"}, "The window layer is empty"),
-        ({"WINDOWS": "elsewhere"}, "Window 1 lies on none of the rasters"),
-    ],
-)
-def test_bad_input_ends_with_a_sentence(pictures: dict[str, str], parameters: dict[str, Any], words: str) -> None:
-    layers = {"empty": windows(), "elsewhere": windows((9000, 9000, 200, 200))}
-    given = {"RASTERS": [pictures["clean"]], **parameters}
-    if "WINDOWS" in given:
-        given["WINDOWS"] = layers[given["WINDOWS"]]
-    log = Log()
-    outcome = run("checknoise", log, **given)
-    assert_sentence(outcome.complaint, words)

@@ -15,7 +15,7 @@ from qgis.core import QgsRasterLayer
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
 from seam_inspector.plugin.photos.measure.orientation_files import read_measures
 
-from tests.numbers.photos.photos import Look, Place
+from tests.numbers.photos.photos import Place
 from tests.numbers.synthetic import write_plain
 from tests.qgis.photos.photo_scenes import PhotoScene, make_photo, points
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
@@ -136,16 +136,6 @@ def test_a_mark_measured_by_hand_takes_the_place_of_a_failed_one(blotted: PhotoS
     field = points({"2": truth}, measure=("integer", [0]))
     third = run("interiororientation", **blotted.inputs, **CROSS, POSITIONS=field)
     assert third.column("status") == second.column("status")
-
-
-@pytest.mark.parametrize("words", [{"MODEL": "similarity"}, {"MODEL": "projective"}, {"SURFACE": "brightness"}])
-def test_choices(tmp_path: Path, words: dict[str, str]) -> None:
-    scene = make_photo(tmp_path, Look("ring with dot", dots=True), seed=5)
-    outcome = run("interiororientation", **scene.inputs, **words, TEMPLATE_KIND="ring with dot")
-    assert outcome.complaint is None
-    assert max(distances(outcome, scene.frame.places).values()) < 0.5
-    if words.get("MODEL") == "projective":
-        assert any("say nothing" in warning for warning in outcome.log.warnings)
 
 
 # --- bad input -------------------------------------------------------------------------------------------------

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from tests.numbers.synthetic import read_pixels, write_raster
-from tests.qgis.runs import assert_sentence, run, run_unchecked
-from tests.qgis.scenes import layer, line, windows
+from tests.qgis.runs import assert_sentence, run
+from tests.qgis.scenes import layer, line
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -119,33 +119,6 @@ def test_a_bad_raster_is_named_and_the_others_are_checked(mosaics: list[str], tm
     assert_sentence(outcome.log.warnings[0], "does not exist")
     assert_sentence(outcome.log.warnings[1], r"short\.tif is left out")
     assert "short.tif is left out" in report.read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize(
-    ("parameters", "words"),
-    [
-        ({"RASTERS": []}, "No rasters are given"),
-        ({"RASTERS": ["/nowhere/a.tif"]}, "None of the rasters can be used: a.tif is left out"),
-        ({"RULES": "broken"}, r"The rules in broken.json are no JSON \(see line 1"),
-        ({"RULES": "/nowhere/rules.json"}, "The rules in rules.json can't be read"),
-        ({"WINDOWS": []}, "The window layer is empty"),
-        ({"WINDOWS": [(9000, 0, 128, 128)]}, "Window 1 lies on none of the rasters"),
-        ({"SEAMLINES": []}, "The seamline layer is empty|holds no line"),
-    ],
-)
-def test_bad_input_ends_with_a_sentence(
-    mosaics: list[str], tmp_path: Path, parameters: dict[str, Any], words: str
-) -> None:
-    (tmp_path / "broken.json").write_text("{")
-    given = {"RASTERS": mosaics, **parameters}
-    if given.get("RULES") == "broken":
-        given["RULES"] = str(tmp_path / "broken.json")
-    if "WINDOWS" in given:
-        given["WINDOWS"] = windows(*given["WINDOWS"])
-    if "SEAMLINES" in given:
-        given["SEAMLINES"] = layer("LineString", given["SEAMLINES"])
-    for outcome in (run("checkradiometry", **given), run_unchecked("checkradiometry", **given)):
-        assert_sentence(outcome.complaint, words)
 
 
 def test_what_measured_nothing_leaves_no_file_and_an_older_one_as_it_was(mosaics: list[str], tmp_path: Path) -> None:

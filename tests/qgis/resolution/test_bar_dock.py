@@ -16,14 +16,13 @@ from qgis.core import (
 )
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapTool
 from qgis.PyQt.QtCore import QEvent, Qt
-from qgis.PyQt.QtGui import QColor, QKeyEvent
+from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QAction
 from seam_inspector.plugin.resolution.desk import bar_dock
 from seam_inspector.plugin.resolution.desk.bar_dock import BarDock
-from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.resolution.bar_operator import RIGHT, Operator
-from tests.qgis.resolution.bar_scenes import COARSEST_CM, bar_layer, make_bar_scene
+from tests.qgis.resolution.bar_scenes import COARSEST_CM, make_bar_scene
 from tests.qgis.scenes import layer
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
 
@@ -146,41 +145,6 @@ def test_an_image_that_can_not_be_opened_says_why(operator: Operator, tmp_path: 
     wait_until(lambda: "gone.tif does not exist" in operator.dock.verdict.text())
     assert not operator.dock.draw.isEnabled()
     assert not operator.dock.draw.isChecked()
-
-
-def test_a_typed_group_and_the_other_direction(operator: Operator) -> None:
-    operator.dock.lines.setLayer(None)
-    existing = bar_layer([operator.scene.geometry(4, "across")], [4], ["across"])
-    QgsProject.instance().addMapLayer(existing)
-    operator.dock.lines.setLayer(existing)
-    operator.dock.group.setValue(2)
-    operator.draw(2)
-    operator.dock.direction.setCurrentIndex(1)
-    assert operator.dock.group.value() == 5  # the one after the last across the flight
-    operator.draw(5, "across")
-    assert sorted(operator.rows()) == [(2, "along"), (4, "across"), (5, "across")]
-    existing.rollBack()
-
-
-def test_the_profile_is_painted_and_goes_with_its_line(operator: Operator) -> None:
-    profile = operator.dock.profile
-    profile.resize(400, 300)
-
-    def colours() -> set[str]:
-        image = profile.grab().toImage()
-        return {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
-
-    assert len(colours()) == 1  # nothing was measured
-    start, end = operator.ends(1)
-    operator.press(start)
-    operator.move(end)
-    wait_until(lambda: operator.dock.results, "for the profile")
-    drawn, limit = colours(), QColor(chart_style(profile).limit)
-    assert "#0072b2" in drawn
-    assert any(abs(one.hue() - limit.hue()) < 10 and one.saturation() > 128 for one in map(QColor, drawn))
-    operator.release(end, RIGHT)
-    assert len(colours()) == 1
-    assert operator.dock.verdict.text() == operator.dock.draw.toolTip()
 
 
 def test_a_closed_dock_gives_the_map_its_former_tool_back(operator: Operator) -> None:

@@ -11,8 +11,8 @@ import pytest
 from qgis.core import QgsGeometry, QgsPointXY, QgsVectorLayer
 
 from tests.numbers.synthetic import UTM33, write_raster
-from tests.qgis.runs import Run, assert_refused, run
-from tests.qgis.scenes import COLUMNS, PIXEL, ROWS, Scene, at, layer, line, moved, outline, pixel_box, whole
+from tests.qgis.runs import Run, run
+from tests.qgis.scenes import COLUMNS, PIXEL, ROWS, Scene, at, layer, line, moved, pixel_box, whole
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -119,27 +119,6 @@ def test_windows_are_moved_off_nodata_or_dropped_and_the_log_says_so(scene: Scen
 
 
 # --- bad input -------------------------------------------------------------------------------------------------
-
-BAD_VALUES: list[tuple[dict[str, Any], str]] = [
-    ({"SIDE": 3}, r"32 px a side .* give a side of 6\.41 m"),
-    ({"LEVELS": 7}, r"7 levels need at least 128 px; give a side of 12\.81 m"),
-    ({"MOSAIC": "/nowhere/mosaic.tif"}, "/nowhere/mosaic.tif does not exist"),
-    ({"MOSAIC": None}, "is not a raster layer"),
-    ({"MOSAIC": __file__}, "not a raster that GDAL can read"),
-    ({"SEAMLINES": seamlines}, "is empty"),
-    ({"SEAMLINES": lambda: seamlines(None)}, "is empty"),
-    ({"SEAMLINES": lambda: layer("Point", [QgsGeometry.fromWkt("POINT(1 1)")])}, "no line and no polygon"),
-    ({"SEAMLINES": lambda: layer("Polygon", [outline((0, 0, 256, 256))])}, "share a border"),
-    ({"SEAMLINES": "/nowhere/seams.gpkg"}, "/nowhere/seams.gpkg not found"),
-    ({"OUTPUT": "/nowhere/windows.gpkg"}, "/nowhere/windows.gpkg"),
-]
-
-
-@pytest.mark.parametrize(("parameters", "words"), BAD_VALUES, ids=lambda value: str(value).partition(" at 0x")[0][:40])
-def test_bad_values_get_a_sentence(scene: Scene, parameters: dict[str, Any], words: str) -> None:
-    given = {"SEAMLINES": seamlines(line(*BEND)), "MOSAIC": str(scene.mosaic), "SIDE": SIDE, "SPACING": SIDE}
-    given.update({name: value() if callable(value) else value for name, value in parameters.items()})
-    assert_refused("placewindows", words, **given)
 
 
 def test_metres_are_metres_on_a_geographic_mosaic(tmp_path: Path) -> None:

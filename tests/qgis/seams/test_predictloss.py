@@ -35,9 +35,6 @@ def left_of_a_blend(scene: Scene, box: tuple[int, int, int, int], wavelet: str, 
     return [float(one) for one in of_blend / np.mean(own, axis=0)]
 
 
-# --- the contract ----------------------------------------------------------------------------------------------
-
-
 # --- the numbers -----------------------------------------------------------------------------------------------
 
 
@@ -101,9 +98,3 @@ def test_numbers_are_kept_and_bad_windows_say_why(scene: Scene) -> None:
     assert outcome.results["WINDOW_COUNT"] == 5
     assert outcome.results["NOT_COMPARABLE_COUNT"] == 3
     assert [info for info in outcome.log.infos if info.startswith("Window 7: No source covers")]
-
-
-# --- sources ---------------------------------------------------------------------------------------------------
-
-
-# --- cancellation ----------------------------------------------------------------------------------------------

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
-from tests.qgis.runs import Run, assert_refused, run
+from tests.qgis.runs import Run, run
 from tests.qgis.seams.scan_scenes import (
     COLUMNS,
     ROWS,
@@ -155,28 +154,6 @@ def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
     (piece,) = found.rows("SEAMS")
     assert piece["kept_low"] < piece["kept_1"] < piece["kept_high"]
     assert any("All seams together keep" in said for said in found.log.infos)
-
-
-@pytest.mark.parametrize(
-    ("values", "words"),
-    [
-        ({"SOURCES": []}, "Neither orthoimages nor seamlines"),
-        ({"SOURCES": ["/nowhere/a.tif"]}, "None of the orthoimages can be used"),
-        ({"MOSAIC": "/nowhere/m.tif"}, "does not exist"),
-        ({"CELL": 48}, "no cells of 48 pixels; give one of: 16, 32, 64, 128, 256"),
-        ({"LEVELS": 5}, "measures 1 to 4 levels"),
-        ({"LEVELS": 0}, "'Levels' is 0; give a number from 1 to"),
-        ({"PIECE": 0}, r"piece of seam \(metres\)' is 0; give 0\.01"),
-        ({"CORRIDOR": -1.0}, "0 or more"),
-        ({"DENSITY": "some"}, "'some'; known are seams, full"),
-        ({"WAVELET": "bior2.2"}, r"'bior2\.2'; known are haar"),
-        ({"LOSS": "/nowhere/loss.tif"}, "choose another folder"),
-        ({"LOSS": "/tmp"}, "/tmp can.t be written"),
-        ({"SCHEDULER": "nowhere"}, "Dask"),
-    ],
-)
-def test_bad_values_end_with_a_sentence(hard: Files, values: dict[str, Any], words: str) -> None:
-    assert_refused("scanmosaic", words, **hard.given(**values))
 
 
 def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:

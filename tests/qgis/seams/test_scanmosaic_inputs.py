@@ -78,17 +78,12 @@ def as_jpeg(path: str) -> str:
 
 KINDS: dict[str, Callable[[Path], Files]] = {
     "striped": lambda folder: write_scene(folder, width=FEATHER_PX, options=[]),
-    "one huge tile": lambda folder: write_scene(
-        folder, width=FEATHER_PX, options=["TILED=YES", "BLOCKXSIZE=1024", "BLOCKYSIZE=1024"]
-    ),
     "four bands": lambda folder: write_scene(
-        folder, [with_infrared(one) for one in images()], FEATHER_PX, colours=[*RGB, gdal.GCI_Undefined]
+        folder, [with_infrared(bands) for bands in images()], FEATHER_PX, colours=[*RGB, gdal.GCI_Undefined]
     ),
     "16 bit": lambda folder: write_scene(folder, images(scale=16, dtype=np.uint16), FEATHER_PX),
-    "float": lambda folder: write_scene(folder, images(dtype=np.float32), FEATHER_PX),
-    "one band": lambda folder: write_scene(folder, images(bands=1), FEATHER_PX),
     "paletted": lambda folder: write_scene(
-        folder, [one[0] for one in images()], FEATHER_PX, palette=[(i, i, i, 255) for i in range(256)]
+        folder, [bands[0] for bands in images()], FEATHER_PX, palette=[(i, i, i, 255) for i in range(256)]
     ),
     "northing first": lambda folder: write_scene(folder, width=FEATHER_PX, system=2180, origin=(5e5, 5e5)),
     "jpeg": lambda folder: _with_jpeg(write_scene(folder, width=FEATHER_PX)),
@@ -143,7 +138,7 @@ def test_missing_pixels_are_no_seams(tmp_path: Path, by: str) -> None:
 # how large it is
 
 
-@pytest.mark.parametrize("shape", [(64, 64), (64, 700), (90, 133), (500, 100), (129, 129), (130, 2100), (2060, 150)])
+@pytest.mark.parametrize("shape", [(64, 64), (64, 700), (500, 100), (2060, 150)])
 def test_sizes_that_fit_nothing(tmp_path: Path, shape: tuple[int, int]) -> None:
     found = scan(write_scene(tmp_path, images(shape, bands=1), 8.0), CELL=16)
     assert found.complaint is None
@@ -153,9 +148,6 @@ def test_sizes_that_fit_nothing(tmp_path: Path, shape: tuple[int, int]) -> None:
         assert found.results["SEAM_METRES"] == pytest.approx(length, rel=0.15)
     picture = gdal.Open(found.results["LOSS"])
     assert (picture.RasterYSize, picture.RasterXSize) == tuple(-(-side // 16) for side in shape)
-
-
-# its settings
 
 
 # its sources

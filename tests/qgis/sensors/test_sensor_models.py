@@ -164,37 +164,6 @@ def test_orthorectify_with_model_file_and_rpc(data_folder: Path, tmp_path: Path)
     assert not (tmp_path / "c.tif").exists()
 
 
-def test_bad_input_is_a_sentence(data_folder: Path, tmp_path: Path) -> None:
-    image, ground = scene(12)
-    layer = gcps(image, ground)
-    plain = QgsVectorLayer("Point?crs=EPSG:4326", "plain", "memory")
-    for model, order, words in (
-        ("rational", 2, r"needs at least 19"), ("rational", 3, r"needs at least 39"), ("polynomial_3d", 3, "least 20"),
-        ("polynomial_2d", 3, "least 10"), ("rpc_bias", 1, "has no RPC of its own"),
-    ):  # fmt: skip
-        assert_refused("fitsensormodel", words, GCPS=layer, MODEL=model, ORDER=order)
-    assert_refused("fitsensormodel", "no field 'column'", GCPS=plain)
-    assert_refused("fitsensormodel", "no points", GCPS=gcps(image[:0], ground[:0]))
-    assert_refused("fitsensormodel", r"lost\.points does not exist", GCPS=str(tmp_path / "lost.points"))
-    assert_refused("fitsensormodel", "does not exist|not be found", GCPS=layer, IMAGE=str(tmp_path / "lost.tif"))
-    without = ground * [1, 1, np.nan]
-    assert_refused("fitsensormodel", "Some points have no height", GCPS=gcps(image, without))
-    flat = ground * [1, 1, 0]
-    assert_refused("fitsensormodel", "on one plane", GCPS=gcps(image, flat), CHECK_SHARE=0)
-    assert_refused("fitsensormodel", "Of 12 points 6 are left .* at least 7", GCPS=layer, CHECK_SHARE=0.5)
-    assert_refused("comparesensormodels", "no field 'column'", GCPS=plain)
-    folder = data_folder / "sensors" / "pleiades"
-    left = str(folder / "left_image.tif")
-    assert_refused("orthorectify", "No terrain model is given", IMAGE=left)
-    assert_refused("orthorectify", "choose one of them", IMAGE=left, DEM=str(folder / "N44E005.hgt"), HEIGHT=3)
-    assert_refused("orthorectify", "does not exist", IMAGE=str(tmp_path / "lost.tif"), HEIGHT=3)
-    assert_refused("orthorectify", "has no RPC", IMAGE=str(folder / "N44E005.hgt"), HEIGHT=3)
-    geom = str(folder / "left_image.geom")
-    assert_refused("orthorectify", "not a sensor model file", IMAGE=left, HEIGHT=3, MODEL_FILE=geom)
-    away = str(data_folder / "seams" / "brighton" / "source_label.tif")
-    assert_refused("orthorectify", "does not cover the image", IMAGE=left, DEM=away)
-
-
 @pytest.mark.parametrize("missing", [np.nan, np.inf])
 def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> None:
     image, ground = scene(25, 0.1)

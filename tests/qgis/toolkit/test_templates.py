@@ -110,6 +110,3 @@ def test_a_page_needs_no_network() -> None:
     assert "url(" not in text
     assert "@import" not in text
     assert "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" in text
-
-
-# --- files -----------------------------------------------------------------------------------------------------

@@ -336,6 +336,3 @@ def test_pictures(
     path = tmp_path / (name if "." in name else f"{name}.png")
     assert path.read_bytes().startswith(start)
     assert said == [f"The picture was saved to {path}."]
-
-
-# words and numbers

@@ -181,6 +181,3 @@ def test_the_window_layer_may_have_another_reference_system(desk: Desk, epsg: in
     sharp = desk.session.result(1)
     assert sharp is not None
     assert sharp.window == SHARP_WINDOW
-
-
-# What is said meanwhile

@@ -69,6 +69,3 @@ def test_a_file_that_cant_be_written_to_is_told_and_stops_the_run(desk: Desk) ->
         assert_sentence(message, "can't be edited")
     assert not any(row.verdict or row.observer for row in desk.session.windows())
     assert not desk.session.is_busy
-
-
-# Speed
