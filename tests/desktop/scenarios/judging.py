@@ -102,6 +102,7 @@ def undo(desk: Desk) -> None:
     assert len(session.windows()) == len(before) - 1
     press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
     assert everything(desk) == before
+    edited.rollBack()  # else QGIS asks
     desk.project.removeMapLayer(edited.id())
 
 
