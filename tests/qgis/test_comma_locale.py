@@ -46,13 +46,13 @@ def written(name: str, folder: Path, values: dict[str, Any]) -> Run:
 
 def numbers(folder: Path) -> dict[str, list[list[str]]]:
     """Cells of CSV files that are numbers, whatever their decimal sign."""
-    found = {}
+    items = {}
     for path in sorted(folder.glob("*.csv")):
         with open(path, encoding="utf-8", newline="") as file:
             rows = list(csv.reader(file))
-        found[path.name] = [[cell for cell in row if cell.replace(",", ".").lstrip("-").replace(".", "").isdigit()]
+        items[path.name] = [[cell for cell in row if cell.replace(",", ".").lstrip("-").replace(".", "").isdigit()]
                             for row in rows]
-    return found
+    return items
 
 
 @pytest.mark.parametrize("name", ["inspectwindows", "checkradiometry", "fitsensormodel", "interiororientation"])

@@ -62,13 +62,13 @@ def test_a_full_disk_keeps_what_was_there(
 ) -> None:
     """GDAL tells of a disk that is full as it closes the file, to nobody."""
     output = Path(saved(windows(SHARP, name=("string", ["older"])), tmp_path / f"made.{ending}"))
-    before = {one.name: one.read_bytes() for one in tmp_path.iterdir()}
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     capfd.readouterr()
     with full_disk(room):
-        found = inspected(scene, OUTPUT=str(output))
-    assert_sentence(found.complaint, "can't be written")
-    assert str(output) in str(found.complaint)
-    assert {one.name: one.read_bytes() for one in tmp_path.iterdir()} == before
+        outcome = inspected(scene, OUTPUT=str(output))
+    assert_sentence(outcome.complaint, "can't be written")
+    assert str(output) in str(outcome.complaint)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
     assert not capfd.readouterr().err
     os.unlink(output)
     with full_disk(room):
@@ -78,18 +78,18 @@ def test_a_full_disk_keeps_what_was_there(
 
 @pytest.mark.parametrize("ending", ["gpkg", "shp", "geojson", "csv", "kml", "fgb", "sqlite", "ods", "gml"])
 def test_an_empty_layer_is_a_result(scene: Scene, tmp_path: Path, ending: str) -> None:
-    found = inspected(scene, OUTPUT="TEMPORARY_OUTPUT", PROFILES=str(tmp_path / f"empty.{ending}"))
-    assert found.complaint is None
-    assert not found.log.errors
+    outcome = inspected(scene, OUTPUT="TEMPORARY_OUTPUT", PROFILES=str(tmp_path / f"empty.{ending}"))
+    assert outcome.complaint is None
+    assert not outcome.log.errors
 
 
 def test_a_layer_that_can_not_be_written_costs_no_other(scene: Scene, tmp_path: Path) -> None:
     log = Log()
     with full_disk(1):
-        found = inspected(scene, log, OUTPUT="memory:", CURVES=str(tmp_path / "curves.csv"))
-    assert found.complaint is None
-    assert len(found.rows("OUTPUT")) == 6
-    assert "CURVES" not in found.results
+        outcome = inspected(scene, log, OUTPUT="memory:", CURVES=str(tmp_path / "curves.csv"))
+    assert outcome.complaint is None
+    assert len(outcome.rows("OUTPUT")) == 6
+    assert "CURVES" not in outcome.results
     assert_sentence(log.errors[0], "curves.csv can't be written")
     assert not list(tmp_path.iterdir())
 
@@ -108,16 +108,16 @@ class Cancelled(Log):
 @pytest.mark.parametrize("ending", ["gpkg", "shp"])
 def test_what_a_cancelled_run_measured_replaces_nothing(scene: Scene, tmp_path: Path, ending: str) -> None:
     output = Path(saved(windows(*[SHARP] * 9, name=("string", ["older"] * 9)), tmp_path / f"made.{ending}"))
-    before = {one.name: one.read_bytes() for one in tmp_path.iterdir()}
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
     log = Cancelled()
-    found = inspected(scene, log, WINDOWS=windows(*[SHARP] * 200), OUTPUT=str(output))
+    outcome = inspected(scene, log, WINDOWS=windows(*[SHARP] * 200), OUTPUT=str(output))
     assert {name: (tmp_path / name).read_bytes() for name in before} == before
     part = tmp_path / f"made_2.{ending}"
-    assert found.results["OUTPUT"] == str(part)
+    assert outcome.results["OUTPUT"] == str(part)
     assert 0 < QgsVectorLayer(str(part), "part", "ogr").featureCount() < 200
-    assert len(found.rows("OUTPUT")) == QgsVectorLayer(str(part), "part", "ogr").featureCount()
+    assert len(outcome.rows("OUTPUT")) == QgsVectorLayer(str(part), "part", "ogr").featureCount()
     assert_sentence(log.warnings[-1], f"{output} is as it was, .* in {part}")
-    assert not [one.name for one in tmp_path.iterdir() if one.name.startswith(".")]
+    assert not [path.name for path in tmp_path.iterdir() if path.name.startswith(".")]
 
 
 def test_a_layer_that_can_not_be_replaced_gets_a_name_beside_it(
@@ -133,9 +133,9 @@ def test_a_layer_that_can_not_be_replaced_gets_a_name_beside_it(
 
     monkeypatch.setattr(os, "replace", refuse)
     log = Log()
-    found = inspected(scene, log, OUTPUT=output)
-    assert len(found.rows("OUTPUT")) == 6
-    assert found.results["OUTPUT"] == str(tmp_path / "made_2.gpkg")
+    outcome = inspected(scene, log, OUTPUT=output)
+    assert len(outcome.rows("OUTPUT")) == 6
+    assert outcome.results["OUTPUT"] == str(tmp_path / "made_2.gpkg")
     assert QgsVectorLayer(output, "made", "ogr").featureCount() == 1
     assert_sentence(log.warnings[-1], "made.gpkg is open in another program")
 
@@ -143,6 +143,6 @@ def test_a_layer_that_can_not_be_replaced_gets_a_name_beside_it(
 def test_qgis_loads_the_layer_from_its_place(scene: Scene, tmp_path: Path) -> None:
     for count, log in ((2, Log()), (200, Cancelled())):
         output = QgsProcessingOutputLayerDefinition(str(tmp_path / "new.gpkg"), QgsProject.instance())
-        found = inspected(scene, log, WINDOWS=windows(*[SHARP] * count), OUTPUT=output)
-        assert list(found.context.layersToLoadOnCompletion()) == [found.results["OUTPUT"]]
-    assert found.results["OUTPUT"] == str(tmp_path / "new_2.gpkg")
+        outcome = inspected(scene, log, WINDOWS=windows(*[SHARP] * count), OUTPUT=output)
+        assert list(outcome.context.layersToLoadOnCompletion()) == [outcome.results["OUTPUT"]]
+    assert outcome.results["OUTPUT"] == str(tmp_path / "new_2.gpkg")

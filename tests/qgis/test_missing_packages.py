@@ -121,7 +121,7 @@ def take_away(monkeypatch: pytest.MonkeyPatch, package: str, modules: list[str])
 def asked_for(name: str, output: str, path: Path) -> dict[str, Any]:
     """One of an algorithm's outputs and no other."""
     job = algorithm(name)
-    others = {one.name(): None for one in job.destinationParameterDefinitions()}
+    others = {definition.name(): None for definition in job.destinationParameterDefinitions()}
     return {**others, output: str(path)}
 
 
@@ -139,13 +139,13 @@ def test_a_chart_or_report_is_refused_before_anything_is_measured(
 def test_every_file_with_charts_and_every_page_is_among_those_tested(
     provider: QgsProcessingProvider, kind: str, tested: tuple[tuple[str, str], ...]
 ) -> None:
-    found = {
-        (one.name(), output.name())
-        for one in provider.algorithms()
-        for output in one.destinationParameterDefinitions()
-        if output.name() in getattr(algorithm(one.name()), kind, ())
+    values = {
+        (job.name(), output.name())
+        for job in provider.algorithms()
+        for output in job.destinationParameterDefinitions()
+        if output.name() in getattr(algorithm(job.name()), kind, ())
     }
-    assert found == set(tested)
+    assert values == set(tested)
 
 
 @pytest.mark.parametrize(

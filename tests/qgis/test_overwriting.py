@@ -40,7 +40,7 @@ def test_what_is_refused_holds_nothing_that_qgis_deletes(tmp_path: Path) -> None
         output = job.destinationParameterDefinitions()[0].name()
         assert_sentence(run_unchecked(name, **values, **{output: path}).complaint, REFUSED)
         gc.collect()
-        frames = [one for one in gc.get_objects() if isinstance(one, FrameType)]
+        frames = [item for item in gc.get_objects() if isinstance(item, FrameType)]
         assert not [frame for frame in frames if frame.f_code is file_identity.check_outputs.__code__]
 
 
@@ -117,7 +117,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
         link.unlink(missing_ok=True)
         link.symlink_to(target)
 
-    whole, one = base.refuse_outputs, file_identity._written
+    whole, item = base.refuse_outputs, file_identity._written
 
     def checked(*arguments: Any) -> dict[str, str]:
         turn(given if when == "before the check" else free)
@@ -127,7 +127,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
 
     def looked_at(*arguments: Any) -> Any:
         turn(free)
-        return one(*arguments)
+        return item(*arguments)
 
     turn(free)
     monkeypatch.setattr(base, "refuse_outputs", checked)

@@ -155,6 +155,6 @@ def test_unloading_while_a_task_runs(plugin: Any, scene: Scene, tmp_path: Path) 
     assert all(task.isCanceled() for task in QgsApplication.taskManager().activeTasks())
     gc.collect()
     wait_for_tasks()
-    found = [feature["verdict"] for feature in layer.getFeatures()]
-    assert found[0]
-    assert not found[-1]
+    items = [feature["verdict"] for feature in layer.getFeatures()]
+    assert items[0]
+    assert not items[-1]

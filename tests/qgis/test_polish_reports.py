@@ -54,9 +54,9 @@ def test_a_report_and_its_log_are_polish(
     said: list[str] = []
 
     def heard(algorithm: str, **parameters: Any) -> Run:
-        found = run(algorithm, **parameters)
-        said.extend([*found.log.warnings, *found.log.infos])
-        return found
+        outcome = run(algorithm, **parameters)
+        said.extend([*outcome.log.warnings, *outcome.log.infos])
+        return outcome
 
     monkeypatch.setattr(printed, "run", heard)
     path = tmp_path / "report.html"
@@ -74,5 +74,5 @@ def test_a_report_and_its_log_are_polish(
 
 
 def _found(pattern: re.Pattern[str], text: str) -> Iterator[tuple[str, int]]:
-    for found in pattern.finditer(text):
-        yield found.group().lower(), found.start()
+    for result in pattern.finditer(text):
+        yield result.group().lower(), result.start()

@@ -25,11 +25,11 @@ Process = Callable[..., Finished]
 @pytest.fixture(scope="module")
 def qgis_process(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Process:
     """Runs qgis_process with settings of its own, in which the plugin is enabled."""
-    own = environment(repository, tmp_path_factory.mktemp("settings"))
+    variables = environment(repository, tmp_path_factory.mktemp("settings"))
 
     def call(*arguments: str) -> Finished:
         return subprocess.run(
-            [str(PROGRAM), *arguments], env=own, capture_output=True, text=True, timeout=300, check=False
+            [str(PROGRAM), *arguments], env=variables, capture_output=True, text=True, timeout=300, check=False
         )
 
     assert "seam_inspector" in call("plugins", "enable", "seam_inspector").stdout
@@ -111,8 +111,8 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
 
 
 def test_the_model_by_its_id(inspected: Path) -> None:
-    found = verdicts(inspected / "windows.gpkg")
-    assert (found[0], found[-1], len(found)) == ("preserved", "significant", 4)
+    result = verdicts(inspected / "windows.gpkg")
+    assert (result[0], result[-1], len(result)) == ("preserved", "significant", 4)
     assert QgsVectorLayer(str(inspected / "curves.gpkg"), "curves", "ogr").featureCount() == 4 * 4 * 4 * 4
     assert QgsVectorLayer(str(inspected / "pairs.gpkg"), "pairs", "ogr").featureCount() == 4 * 3 * 4
 
@@ -120,10 +120,10 @@ def test_the_model_by_its_id(inspected: Path) -> None:
 def test_the_models_file(
     qgis_process: Process, scene: Scene, seamlines: str, inspected: Path, tmp_path: Path, repository: Path
 ) -> None:
-    file, found = repository / "resources" / "models" / "inspect_mosaic.model3", tmp_path / "windows.gpkg"
-    run = qgis_process("run", str(file), *model_inputs(scene, seamlines), f"--inspect:windows={found}")
+    file, result = repository / "resources" / "models" / "inspect_mosaic.model3", tmp_path / "windows.gpkg"
+    run = qgis_process("run", str(file), *model_inputs(scene, seamlines), f"--inspect:windows={result}")
     assert run.returncode == 0, run.stderr
-    assert verdicts(found) == verdicts(inspected / "windows.gpkg")
+    assert verdicts(result) == verdicts(inspected / "windows.gpkg")
 
 
 def test_bad_input_ends_with_a_sentence_and_a_failure(

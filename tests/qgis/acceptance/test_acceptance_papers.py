@@ -53,9 +53,9 @@ def accept(*layers: QgsVectorLayer, **parameters: Any) -> Run:
 
 
 def opened(path: Path) -> QgsVectorLayer:
-    found = QgsVectorLayer(str(path), "failures", "ogr")
-    assert found.isValid()
-    return found
+    result = QgsVectorLayer(str(path), "failures", "ogr")
+    assert result.isValid()
+    return result
 
 
 def rows(path: Path) -> list[dict[str, Any]]:

@@ -28,14 +28,14 @@ def numbers(outcome: Run) -> dict[str, float]:
 
 def test_metres_share_and_longest_failure() -> None:
     outcome = decide(seams([P] * 90 + [0.1, F, P, F, 0.1, 0.3, *[P] * 5]))
-    found = numbers(outcome)
-    assert found == pytest.approx({
+    result = numbers(outcome)
+    assert result == pytest.approx({
         "ACCEPTED": 0, "TOTAL_METRES": 2525, "MEASURED_METRES": 2525, "FAILED_METRES": 125,
         "FAILED_SHARE": 100 * 125 / 2525, "LONGEST_FAILURE": 75,
     })  # fmt: skip
-    said = f"{found['FAILED_SHARE']:.2f}\u00a0% of the measured metres failed and only 2\u00a0% may"
+    said = f"{result['FAILED_SHARE']:.2f}\u00a0% of the measured metres failed and only 2\u00a0% may"
     assert said in decision(outcome)
-    assert f"is {found['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
+    assert f"is {result['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
 
 
 def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:
@@ -164,7 +164,7 @@ def test_bad_layers_are_refused() -> None:
 def test_a_piece_over_a_border_counts_in_the_sheet_of_its_middle(tmp_path: Path) -> None:
     """390 m in pieces of 30 m, sheets of 100 m."""
     pieces = seams([F if place in (2, 3, 9) else P for place in range(13)], length=30)
-    corner = min((one.geometry().vertexAt(0) for one in pieces.getFeatures()), key=lambda point: point.x())
+    corner = min((feature.geometry().vertexAt(0) for feature in pieces.getFeatures()), key=lambda point: point.x())
     squares = [
         QgsGeometry.fromRect(QgsRectangle(corner.x() + left, corner.y() - 50, corner.x() + left + 100, corner.y() + 50))
         for left in (0, 100, 200, 300)

@@ -28,11 +28,11 @@ def delivery(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
 def decided(delivery: Delivery, repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder with the results of a scan, a plan and a decision."""
     folder = tmp_path_factory.mktemp("decided")
-    own = environment(repository, tmp_path_factory.mktemp("settings"))
+    variables = environment(repository, tmp_path_factory.mktemp("settings"))
 
     def call(*arguments: str) -> None:
         done = subprocess.run(
-            [str(PROGRAM), *arguments], env=own, capture_output=True, text=True, timeout=300, check=False
+            [str(PROGRAM), *arguments], env=variables, capture_output=True, text=True, timeout=300, check=False
         )
         assert done.returncode == 0, done.stderr
         (folder / f"{arguments[1].partition(':')[2] or 'enable'}.log").write_text(done.stdout, encoding="utf-8")
@@ -74,12 +74,12 @@ def test_the_decision_is_the_truth(decided: Path, delivery: Delivery) -> None:
 def test_what_goes_back_is_what_was_spoilt(decided: Path, delivery: Delivery) -> None:
     """Each failure in its sheet, as long as it is, with its picture."""
     rows = list(QgsVectorLayer(str(decided / "defects.gpkg"), "defects", "ogr").getFeatures())
-    found = {row["sheet"]: row["length"] for row in rows}
+    items = {row["sheet"]: row["length"] for row in rows}
     lengths = dict(zip(("sheet_1_2", "sheet_2_1", "sheet_2_4", "sheet_3_3"), delivery.spoilt_metres))
     assert len(SPOILT) == len(rows) == 4
-    assert sorted(found) == sorted(lengths)
+    assert sorted(items) == sorted(lengths)
     for sheet, length in lengths.items():
-        assert found[sheet] == pytest.approx(length, abs=11), sheet  # a piece has 10 m
+        assert items[sheet] == pytest.approx(length, abs=11), sheet  # a piece has 10 m
     assert all((decided / row["picture"]).is_file() for row in rows)
 
 
@@ -97,5 +97,5 @@ def test_the_papers_say_so(decided: Path) -> None:
     for sheet in ("sheet_1_2", "sheet_2_1", "sheet_2_4", "sheet_3_3"):
         assert sheet in page.words
     root = ElementTree.parse(decided / "quality.xml").getroot()
-    verdicts = [one.text or "" for one in root.iter() if one.tag.endswith("}Boolean")]
+    verdicts = [item.text or "" for item in root.iter() if item.tag.endswith("}Boolean")]
     assert "false" in verdicts

@@ -92,7 +92,7 @@ def test_a_sheet_of_which_nothing_was_measured_is_not_passed_over(tmp_path: Path
     broken = layer("LineString", [], UTM33, kept_1=("double", []), verdict=("string", []))
     broken.setName("broken")
     assert run("acceptmosaic", SEAMS=[good]).results["DECISION"] == "accepted"
-    found = run("acceptmosaic", SEAMS=[good, broken])
-    assert found.results["DECISION"] == "undecided"
-    told = found.log.infos + found.log.warnings
-    assert any("sheets of which nothing was measured: 1 (broken)" in one for one in told)
+    outcome = run("acceptmosaic", SEAMS=[good, broken])
+    assert outcome.results["DECISION"] == "undecided"
+    told = outcome.log.infos + outcome.log.warnings
+    assert any("sheets of which nothing was measured: 1 (broken)" in item for item in told)

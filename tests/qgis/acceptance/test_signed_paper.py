@@ -74,7 +74,7 @@ def test_each_failure_is_proved_beside_its_orthoimages(paper: tuple[Run, Path]) 
     read = page(folder)
     failures = made.features("DEFECTS")
     assert failures
-    captions = [one for one in read.captions if one.startswith(("The mosaic", "Its orthoimages", "Orthoimage "))]
+    captions = [item for item in read.captions if item.startswith(("The mosaic", "Its orthoimages", "Orthoimage "))]
     assert captions == ["The mosaic", "Its orthoimages, cut hard", "Orthoimage east.tif", "Orthoimage west.tif"] * len(
         failures
     )
@@ -92,7 +92,7 @@ def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_ke
     block = open_block(feathered.mosaic, feathered.sources)
     part = middle_part(block.mosaic)
     mosaic, cut, east, west = (
-        one.pixels.astype(float) for one in proof_panels(block, part, ("west", "east.tif"))
+        item.pixels.astype(float) for item in proof_panels(block, part, ("west", "east.tif"))
     )
     for shown, path in ((mosaic, feathered.mosaic), (east, feathered.east), (west, feathered.west)):
         true = gdal.Open(path).ReadAsArray(part.column, part.row, part.width, part.height)

@@ -50,7 +50,7 @@ def test_all_sheets_that_were_given_are_named_in_order(tmp_path: Path) -> None:
     text = record.read_text(encoding="utf-8")
     assert faults(text) == []
     (scope,) = ET.fromstring(text.encode()).iterfind(".//mdq:DQ_DataQuality/mdq:scope", NAMESPACES)
-    named = [one for one in "".join(scope.itertext()).split() if one.startswith("sheet_")]
+    named = [item for item in "".join(scope.itertext()).split() if item.startswith("sheet_")]
     assert named == ["sheet_1", "sheet_2", "sheet_3", "sheet_10"]
 
 
@@ -62,7 +62,8 @@ def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     drawn = seams_figure(given, ())
     assert plain is not None
     assert drawn is not None
-    assert {one.get_text() for one in drawn.axes[0].texts} - {one.get_text() for one in plain.axes[0].texts} >= {"far"}
+    words, others = ({text.get_text() for text in figure.axes[0].texts} for figure in (drawn, plain))
+    assert words - others >= {"far"}
     ratio = np.ptp(drawn.axes[0].get_xlim()) / np.ptp(drawn.axes[0].get_ylim())
     assert ratio == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of seams 1 km high and 100 m wide
 
@@ -71,7 +72,7 @@ def judged() -> Decision:
     """Sound pieces, of which an operator saw one lost."""
     plain = decided(["sheet_1"])
     words = ["visible"] + ["invisible"] * 39
-    windows = tuple(window_on(plain, one, str(one), observer=word) for one, word in enumerate(words))
+    windows = tuple(window_on(plain, text, str(text), observer=word) for text, word in enumerate(words))
     return decide(replace(plain.delivery, windows=windows), plain.rules, by_observer=True)
 
 

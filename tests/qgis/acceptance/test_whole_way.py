@@ -72,7 +72,7 @@ def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files,
     assert "Its orthoimages, cut hard" in page.captions
     text = (tmp_path / "quality.xml").read_text(encoding="utf-8")
     assert faults(text) == []
-    measures = {one.get("id"): "".join(one.itertext()) for one in ET.fromstring(text).iterfind(".//*[@id]")}
+    measures = {item.get("id"): "".join(item.itertext()) for item in ET.fromstring(text).iterfind(".//*[@id]")}
     assert "sheet_z: the file is missing." in measures["files"]
 
 
@@ -86,7 +86,7 @@ def decided(folder: Path, sheets: object, files: Files, out: Path) -> str:
     )  # fmt: skip
     assert made.complaint is None
     told = (*made.log.infos, *made.log.warnings)
-    return next(one for one in told if re.match("(Accepted|Rejected|Undecided) by", one))
+    return next(item for item in told if re.match("(Accepted|Rejected|Undecided) by", item))
 
 
 @pytest.fixture(scope="module")

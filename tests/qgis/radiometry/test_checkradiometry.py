@@ -43,9 +43,9 @@ def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
     assert list(dict.fromkeys(row["check"] for row in rows)) == CHECKS
     assert len(rows) == 2 * (5 * 3 + 1)
     pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
-    found = figures(rows, "cut.tif")
-    assert found["contrast", "green"] == pytest.approx(pixels[1].std() / 255)
-    assert found["clipped_low", "red"] == pytest.approx((pixels[0] <= 4).mean())
+    result = figures(rows, "cut.tif")
+    assert result["contrast", "green"] == pytest.approx(pixels[1].std() / 255)
+    assert result["clipped_low", "red"] == pytest.approx((pixels[0] <= 4).mean())
     for row in rows:
         if row["check"] == "colour_balance":  # nobody said what is grey
             assert (row["value"], row["passed"], row["decision"]) == (None, None, "rejected")
@@ -69,8 +69,8 @@ def test_the_ready_rules_judge_luminosity(mosaics: list[str]) -> None:
     assert [bands[check] for check in CHECKS] == [["luminosity"]] * 4 + [["red", "green", "blue"], ["all"]]
     red, green, blue = read_pixels(mosaics[0], 0, 0, 512, 256).astype(float)
     mixed = 0.299 * red + 0.587 * green + 0.114 * blue
-    found = figures(outcome.rows(), "cut.tif")
-    assert found["contrast", "luminosity"] == pytest.approx(mixed.std() / 255, rel=1e-4)
+    result = figures(outcome.rows(), "cut.tif")
+    assert result["contrast", "luminosity"] == pytest.approx(mixed.std() / 255, rel=1e-4)
 
 
 def test_unity_and_contrast_stand_beside_each_other(mosaics: list[str], tmp_path: Path) -> None:

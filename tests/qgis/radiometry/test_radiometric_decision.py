@@ -105,11 +105,11 @@ def test_grey_areas_tell_a_cast(sheets: dict[str, str]) -> None:
 
 def test_what_may_be_grey_can_be_looked_at_and_given(sheets: dict[str, str]) -> None:
     first = run("checkradiometry", RASTERS=[sheets["soil"]], MAYBE_GREY="memory:")
-    found = first.features("MAYBE_GREY")
-    assert len(found) > 8
-    assert {feature["raster"] for feature in found} == {"soil.tif"}
-    assert all(0 < feature["difference"] <= 0.1 for feature in found)
-    assert found[0].geometry().area() == pytest.approx(1.6 * 1.6, rel=1e-6)
+    result = first.features("MAYBE_GREY")
+    assert len(result) > 8
+    assert {feature["raster"] for feature in result} == {"soil.tif"}
+    assert all(0 < feature["difference"] <= 0.1 for feature in result)
+    assert result[0].geometry().area() == pytest.approx(1.6 * 1.6, rel=1e-6)
     again = run("checkradiometry", RASTERS=[sheets["soil"]], GREY_AREAS=first.layer("MAYBE_GREY"))
     (row,) = [row for row in again.rows() if row["check"] == "colour_balance"]
     assert row["value"] == pytest.approx(23 / 255, abs=0.01)

@@ -126,9 +126,9 @@ def test_each_bad_line_has_its_reason_and_the_others_are_measured(target: BarSce
         (line((0, 0), (5000, 0)), 10, "along", "are the most"),
     ]
     shapes, groups, directions, words = zip(*cases)
-    found = reasons(target, bar_layer(shapes, groups, directions))
-    assert len(found) == len(cases)
-    for reason, word in zip(found, words):
+    result = reasons(target, bar_layer(shapes, groups, directions))
+    assert len(result) == len(cases)
+    for reason, word in zip(result, words):
         assert (reason is None) == (word is None), reason
         assert word is None or word in str(reason)
 

@@ -44,8 +44,8 @@ def pairs(rows: Sequence[tuple[int, str, str, float | None]]) -> QgsVectorLayer:
 
 
 def summary(outcome: Run, measure: str = "ratio_1") -> dict[str, Any]:
-    (found,) = (row for row in outcome.rows() if row["measure"] == measure and row["row"] == "summary")
-    return found
+    (items,) = (row for row in outcome.rows() if row["measure"] == measure and row["row"] == "summary")
+    return items
 
 
 def test_the_number_to_set_and_what_stands_behind_it(tmp_path: Path) -> None:
@@ -140,14 +140,15 @@ def test_who_is_not_sure_did_not_judge() -> None:
     windows = judged((*VISIBLE, 0.9), INVISIBLE)
     index = windows.fields().names().index("observer")
     windows.dataProvider().changeAttributeValues({len(VISIBLE) + 1: {index: "unsure"}})
-    found, without = (run("calibratethreshold", WINDOWS=one) for one in (windows, judged()))
-    assert found.results["VISIBLE_COUNT"] == len(VISIBLE)
-    assert found.results["MAX_RATIO"] == without.results["MAX_RATIO"]
-    assert not any("neither" in warning for warning in found.log.warnings)
+    outcome, without = (run("calibratethreshold", WINDOWS=row) for row in (windows, judged()))
+    assert outcome.results["VISIBLE_COUNT"] == len(VISIBLE)
+    assert outcome.results["MAX_RATIO"] == without.results["MAX_RATIO"]
+    assert not any("neither" in warning for warning in outcome.log.warnings)
 
 
 def test_how_well_two_operators_agree_is_told() -> None:
     second = ["visible"] * 5 + ["invisible"] * 9 + ["unsure"]
     told = run("calibratethreshold", WINDOWS=judged(observer_2=("string", second))).log.infos
-    assert any(one.startswith("Both operators judged 14 windows and agreed on 13. Cohen's kappa 0.85") for one in told)
+    agreed = "Both operators judged 14 windows and agreed on 13. Cohen's kappa 0.85"
+    assert any(item.startswith(agreed) for item in told)
     assert not any("operators" in info for info in run("calibratethreshold", WINDOWS=judged()).log.infos)

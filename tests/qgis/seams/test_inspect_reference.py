@@ -39,7 +39,7 @@ def cut(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     west = to_bytes(ground + random.normal(0, 2, ground.shape))
     east = to_bytes(blurred(np.roll(ground, (1, 2), (-2, -1))) + random.normal(0, 2, ground.shape))
     mosaic = np.concatenate([west[..., : COLUMNS // 2], east[..., COLUMNS // 2 :]], axis=-1)
-    paths = [Path(write_raster(folder / name, one)) for name, one in (
+    paths = [Path(write_raster(folder / name, item)) for name, item in (
         ("mosaic.tif", mosaic), ("west.tif", west), ("east.tif", east)
     )]
     return Scene(*paths)

@@ -51,7 +51,7 @@ def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(scene: Scene, tmp_path: 
     flights[1] = np.roll(flights[1], 3, axis=2)  # heights lean otherwise
     cut = np.where(np.arange(512) < 250, *flights)
     west, east, mosaic = (
-        write_raster(tmp_path / f"{name}.tif", one) for name, one in zip(("west", "east", "mosaic"), (*flights, cut))
+        write_raster(tmp_path / f"{name}.tif", item) for name, item in zip(("west", "east", "mosaic"), (*flights, cut))
     )
     copy = str(tmp_path / "east_2.tif")
     gdal.Translate(copy, str(mosaic), creationOptions=["COMPRESS=LZW"])
@@ -76,8 +76,8 @@ def test_a_reference_system_set_by_hand_is_taken_and_said_once(
         for path in (scene.mosaic, scene.west, scene.east)
     ]
     project.addMapLayers(layers)
-    for one in layers:
-        one.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
+    for item in layers:
+        item.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
     ids = [layer.id() for layer in layers]
     if step == "inspectwindows":
         outcome = inspect(scene, MOSAIC=ids[0], SOURCES=ids[1:])
@@ -110,9 +110,9 @@ def test_additional_nodata_of_a_layer_is_no_pixel(
     outcome = inspect(scene, WINDOWS=in_margin, SOURCES=[layer.id() for layer in layers])
     assert "source" not in outcome.column("role", "CURVES")  # there is no whole clip
     assert outcome.column("sources") == [2]  # of its other part
-    for one in layers:
+    for item in layers:
         for band in (1, 2, 3):
-            one.dataProvider().setUserNoDataValue(band, [])
+            item.dataProvider().setUserNoDataValue(band, [])
     plain = inspect(scene, WINDOWS=in_margin, SOURCES=[layer.id() for layer in layers])
     assert "source" in plain.column("role", "CURVES")
 

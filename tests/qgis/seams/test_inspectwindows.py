@@ -124,8 +124,8 @@ def test_ratios_and_verdicts_follow_from_pywavelets(scene: Scene, box: tuple[int
     mosaic, *sources = (luminance_shares(path, box) for path in (scene.mosaic, scene.west, scene.east))
     against = np.array([mosaic / source for source in sources])
     (row,) = outcome.rows()
-    found = [row[name] for name in ("ratio_1", "ratio_2", "ratio_3", "background_ratio")]
-    np.testing.assert_allclose(found, against.max(axis=0), rtol=1e-4)
+    items = [row[name] for name in ("ratio_1", "ratio_2", "ratio_3", "background_ratio")]
+    np.testing.assert_allclose(items, against.max(axis=0), rtol=1e-4)
     largest = against[:, 0].max()
     assert row["verdict"] == ("significant" if largest <= 0.5 else "reduced" if largest < 1 else "preserved")
     pairs = [[row["ratio_1"], row["ratio_2"], row["ratio_3"]] for row in outcome.rows("PAIRS")]

@@ -37,7 +37,7 @@ def in_type(made: np.ndarray, dtype: type = np.uint8, scale: float = 1.0) -> np.
 
 
 def scene(folder: Path, shift_px: int = 0) -> Files:
-    return write_scene(folder, [in_type(one) for one in fitting_images(shift_px)], FEATHER_PX)
+    return write_scene(folder, [in_type(image) for image in fitting_images(shift_px)], FEATHER_PX)
 
 
 @pytest.fixture(scope="module")
@@ -46,9 +46,9 @@ def feathered(tmp_path_factory: pytest.TempPathFactory) -> Files:
 
 
 def scan(files: Files) -> Run:
-    found = run("scanmosaic", **files.given())
-    assert found.complaint is None
-    return found
+    outcome = run("scanmosaic", **files.given())
+    assert outcome.complaint is None
+    return outcome
 
 
 def mend(files: Files, scanned: Run | None, folder: Path, log: Log | None = None, **more: Any) -> Run:
@@ -83,7 +83,7 @@ def patched(ended: Run) -> np.ndarray:
     """(rows, columns) bool: where a patch lies by its alpha."""
     whole = gdal.Open(str(ended.results["MENDED"]))
     left, size, _, top, _, _ = whole.GetGeoTransform()
-    found = np.zeros((whole.RasterYSize, whole.RasterXSize), bool)
+    result = np.zeros((whole.RasterYSize, whole.RasterXSize), bool)
     place = Path(str(ended.results["PATCHES"]))
     for path in [place] if place.is_file() else sorted(place.glob("*.tif")):
         patch = gdal.Open(str(path))
@@ -91,8 +91,8 @@ def patched(ended: Run) -> np.ndarray:
         alpha = patch.GetRasterBand(patch.RasterCount)
         assert alpha.GetColorInterpretation() == gdal.GCI_AlphaBand
         column, row = round((x - left) / size), round((top - y) / size)
-        found[row : row + patch.RasterYSize, column : column + patch.RasterXSize] |= alpha.ReadAsArray() > 0
-    return found
+        result[row : row + patch.RasterYSize, column : column + patch.RasterXSize] |= alpha.ReadAsArray() > 0
+    return result
 
 
 def test_failed_seams_keep_their_detail_again(scanned: Run, mended: Run) -> None:
@@ -108,9 +108,9 @@ def test_failed_seams_keep_their_detail_again(scanned: Run, mended: Run) -> None
 
 
 def test_a_new_scan_finds_nothing_that_failed(feathered: Files, mended: Run) -> None:
-    found = run("scanmosaic", MOSAIC=mended.results["MENDED"], SOURCES=feathered.sources, PIECE=20.0)
-    assert found.results["FAILED_METRES"] == 0
-    assert found.results["WORST_KEPT"] > 0.85
+    outcome = run("scanmosaic", MOSAIC=mended.results["MENDED"], SOURCES=feathered.sources, PIECE=20.0)
+    assert outcome.results["FAILED_METRES"] == 0
+    assert outcome.results["WORST_KEPT"] > 0.85
 
 
 def test_nothing_outside_the_patches_differs_and_inside_are_the_orthoimages(feathered: Files, mended: Run) -> None:
@@ -118,14 +118,14 @@ def test_nothing_outside_the_patches_differs_and_inside_are_the_orthoimages(feat
     assert 0.02 < inside.mean() < 0.9
     assert (made == before)[:, ~inside].all()
     # Fine detail is that of one orthoimage or the other; only tones are changed.
-    fine = [one - ndimage.gaussian_filter(one, (0, 2, 2)) for one in (made, *map(pixels, feathered.sources))]
-    left = np.min([np.abs(fine[0] - one / gain).mean(axis=0) for one, gain in zip(fine[1:], (1, 1))], axis=0)
+    fine = [image - ndimage.gaussian_filter(image, (0, 2, 2)) for image in (made, *map(pixels, feathered.sources))]
+    left = np.min([np.abs(fine[0] - image / gain).mean(axis=0) for image, gain in zip(fine[1:], (1, 1))], axis=0)
     assert np.mean(left[inside] < 1.5) > 0.95
     # Where the mosaic was of one of them already, it stays as it was but for tones.
     old = fine[1:][0], fine[1:][1]
     pure = pixels(feathered.mosaic)
     own = pure - ndimage.gaussian_filter(pure, (0, 2, 2))
-    unmixed = inside & (np.min([np.abs(own - one).mean(axis=0) for one in old], axis=0) < 0.4)
+    unmixed = inside & (np.min([np.abs(own - image).mean(axis=0) for image in old], axis=0) < 0.4)
     assert np.median(np.abs(fine[0] - own).mean(axis=0)[unmixed]) < 1.0
 
 
@@ -172,7 +172,7 @@ def feathered_cut(west: np.ndarray, east: np.ndarray) -> np.ndarray:
 def test_what_another_date_shows_is_not_brought_into_the_mosaic(dtype: type, scale: float, tmp_path: Path) -> None:
     """Cars in the eastern orthoimage that were not there when the mosaic was made: beside the seam, not on it."""
     west, east = (
-        in_type(one, dtype, scale) if scale >= 1 else (scale * one).astype(dtype) for one in fitting_images()
+        in_type(raster, dtype, scale) if scale >= 1 else (scale * raster).astype(dtype) for raster in fitting_images()
     )
     files = Files(*(
         write_raster(tmp_path / name, image)
@@ -209,7 +209,7 @@ def test_patches_wear_what_came_over_the_mosaic(change: Any, tmp_path: Path) -> 
     ended = mend(files, None, tmp_path)
     truth, inside = change(cut(west, east)), patched(ended)
     assert all(row["kept_after"] >= 0.9 for row in ended.rows("CUTS"))
-    fine = [one - ndimage.gaussian_filter(one, (0, 2, 2)) for one in (pixels(ended.results["MENDED"]), truth)]
+    fine = [item - ndimage.gaussian_filter(item, (0, 2, 2)) for item in (pixels(ended.results["MENDED"]), truth)]
     same = np.abs(fine[0] - fine[1]).mean(axis=0)
     assert np.percentile(same[inside], 40) < 1.5  # what did not change sides
 
@@ -283,7 +283,7 @@ def test_seams_of_another_mosaic_are_left(scanned: Run, tmp_path: Path) -> None:
 
 
 def test_holes_stay_and_what_cannot_be_measured_is_told(tmp_path: Path) -> None:
-    west, east = (in_type(one) for one in fitting_images())
+    west, east = (in_type(raster) for raster in fitting_images())
     made, hole = cut(west, east, FEATHER_PX), np.zeros((ROWS, COLUMNS), bool)
     for row in range(30, ROWS, 90):
         column = int(seam_columns(ROWS, COLUMNS)[row])

@@ -32,7 +32,7 @@ def left_of_a_blend(scene: Scene, box: tuple[int, int, int, int], wavelet: str, 
         np.array([np.sum(part**2) for part in decompose(image, wavelet, levels).details])
         for image in ((west + east) / 2, west, east)
     )
-    return [float(one) for one in of_blend / np.mean(own, axis=0)]
+    return [float(item) for item in of_blend / np.mean(own, axis=0)]
 
 
 # --- the numbers -----------------------------------------------------------------------------------------------
@@ -48,7 +48,7 @@ def test_ratios_are_those_of_the_blend_by_pywavelets(scene: Scene, wavelet: str,
         assert [row[f"expected_ratio_{level}"] for level in range(1, levels + 1)] == pytest.approx(left, rel=1e-4)
         assert [pair[f"ratio_{level}"] for level in range(1, levels + 1)] == pytest.approx(left, rel=1e-4)
         rho = [pair[f"rho_{level}"] for level in range(1, levels + 1)]
-        assert rho == pytest.approx([2 * one - 1 for one in left], rel=1e-3)
+        assert rho == pytest.approx([2 * item - 1 for item in left], rel=1e-3)
         assert (row["sources"], row["reason"], pair["band"], pair["resampled"]) == (2, None, "luminance", 0)
         assert (pair["source"], pair["other"]) == ("west.tif", "east.tif")
         assert np.hypot(pair["shift_x"], pair["shift_y"]) < 0.05

@@ -118,7 +118,7 @@ def test_cancelled_it_leaves_the_older_report(inspected: Run, tmp_path: Path) ->
     path.write_text("older", encoding="utf-8")
     outcome = report(inspected, path, _Impatient())
     assert "OUTPUT" not in outcome.results
-    assert [one.name for one in tmp_path.iterdir()] == ["report.html"]
+    assert [file.name for file in tmp_path.iterdir()] == ["report.html"]
     assert path.read_text(encoding="utf-8") == "older"
 
 

@@ -58,8 +58,8 @@ def painter(shown: ShownProfile | None) -> ProfilePainter:
 
 def lines(picture: ProfilePicture, colour: str) -> list[list[tuple[float, float]]]:
     """The points of the lines of a colour."""
-    found = re.findall(f'<g [^>]*stroke="{colour}"[^>]*><polyline [^>]*points="([^"]*)"', picture.svg)
-    return [[(float(x), float(y)) for x, y in (point.split(",") for point in line.split())] for line in found]
+    items = re.findall(f'<g [^>]*stroke="{colour}"[^>]*><polyline [^>]*points="([^"]*)"', picture.svg)
+    return [[(float(x), float(y)) for x, y in (point.split(",") for point in line.split())] for line in items]
 
 
 @pytest.mark.parametrize("known", [PIXEL, None])
@@ -109,10 +109,10 @@ def test_the_clips_show_where_most_was_lost(qgis_app: object, tmp_path: Path) ->
     record = WindowRecord(1, block.mosaic.extent, "significant", reference="seam")
     page = page_of(tmp_path / "report.html", ReportRequest((record,), block=block, wkt=block.mosaic.wkt))
     assert "lost detail over the mosaic; in the frame the clips" in page.captions
-    found = re.search(r"clips of \d+ px a side around x ([\d.]+),", page.words)
-    assert found is not None
+    match = re.search(r"clips of \d+ px a side around x ([\d.]+),", page.words)
+    assert match is not None
     middle = (block.mosaic.extent[0] + block.mosaic.extent[2]) / 2
-    assert float(found[1]) == pytest.approx(middle, abs=80 * PIXEL)
+    assert float(match[1]) == pytest.approx(middle, abs=80 * PIXEL)
     known = LossPicture(np.full((64, 64), 0.4, np.float32))
     given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, losses={1: known})
     assert "lost detail over the mosaic; in the frame the clips" in page_of(tmp_path / "given.html", given).captions

@@ -27,22 +27,22 @@ def record_of(found: WindowResult) -> WindowRecord:
 
 def test_a_record_has_what_the_fields_hold(project: object) -> None:
     """What a field has no place of its own for is among the others."""
-    known = {one.read_as for one in window_tables.WINDOW_FIELDS}
+    known = {item.read_as for item in window_tables.WINDOW_FIELDS}
     assert {field.name for field in fields(WindowRecord)} <= known | {"extent", "fid", "stale", "others", "impossible"}
 
 
 def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
-    found = result("blur")
-    assert found.explanation is not None
-    record = record_of(found)
-    explanation = found.explanation
+    actual = result("blur")
+    assert actual.explanation is not None
+    record = record_of(actual)
+    explanation = actual.explanation
     assert replace(record, others={}) == WindowRecord(
-        found.window_id,
+        actual.window_id,
         record.extent,
         "significant",
-        sources=found.source_count,
-        ratios=found.judgement.ratios.detail,
-        background_ratio=found.judgement.ratios.background,
+        sources=actual.source_count,
+        ratios=actual.judgement.ratios.detail,
+        background_ratio=actual.judgement.ratios.background,
         observer="visible",
         composite_ratios=explanation.ratios["luminance"].detail,
         expected_ratios=explanation.expected,

@@ -69,20 +69,20 @@ def test_fields_and_numbers(scanned: Run) -> None:
     assert all((piece["state"] == "failed") == (piece["kept_1"] < 0.7) for piece in pieces)
     assert numbers["FAILED_METRES"] == pytest.approx(sum(failed))
     assert numbers["WORST_KEPT"] == min(piece["kept_1"] for piece in pieces)
-    assert {tuple(sorted((one["left_source"], one["right_source"]))) for one in pieces} == {("east.tif", "west.tif")}
-    for one in pieces:
-        assert one["verdict"] == "significant"
-        assert one["kept_low"] < one["kept_1"] < one["kept_high"] < 1
-        assert one["kept_1"] == pytest.approx(0.65, abs=0.08)
-        assert one["band_width"] == pytest.approx(0.1 * FEATHER_PX, rel=0.5)
-        assert 0.7 < one["visibility"] < 2
+    assert {tuple(sorted((item["left_source"], item["right_source"]))) for item in pieces} == {("east.tif", "west.tif")}
+    for item in pieces:
+        assert item["verdict"] == "significant"
+        assert item["kept_low"] < item["kept_1"] < item["kept_high"] < 1
+        assert item["kept_1"] == pytest.approx(0.65, abs=0.08)
+        assert item["band_width"] == pytest.approx(0.1 * FEATHER_PX, rel=0.5)
+        assert 0.7 < item["visibility"] < 2
 
 
 def test_seams_lie_where_the_images_meet(scanned: Run) -> None:
-    found = points_along((feature.geometry() for feature in scanned.features("SEAMS")), 0.05)
-    true = points_along((one.geometry() for one in drawn_seam().getFeatures()), 0.05)
-    assert share_within(found, true, 0.3) > 0.95
-    assert share_within(true, found, 0.3) > 0.95
+    result = points_along((feature.geometry() for feature in scanned.features("SEAMS")), 0.05)
+    true = points_along((item.geometry() for item in drawn_seam().getFeatures()), 0.05)
+    assert share_within(result, true, 0.3) > 0.95
+    assert share_within(true, result, 0.3) > 0.95
 
 
 def test_cells_say_where_each_part_came_from(scanned: Run, feathered: Files) -> None:
@@ -115,15 +115,15 @@ def test_the_picture_of_losses(scanned: Run) -> None:
 
 
 def test_a_sound_mosaic_has_no_failed_metre(hard: Files) -> None:
-    found = run("scanmosaic", **hard.given())
-    assert found.results["FAILED_METRES"] == 0
-    assert found.results["WORST_KEPT"] > 0.95
-    assert set(found.column("verdict", "SEAMS")) == {"preserved"}
+    outcome = run("scanmosaic", **hard.given())
+    assert outcome.results["FAILED_METRES"] == 0
+    assert outcome.results["WORST_KEPT"] > 0.95
+    assert set(outcome.column("verdict", "SEAMS")) == {"preserved"}
 
 
 def test_worst_windows_are_ready_to_be_inspected(scanned: Run, feathered: Files) -> None:
     worst = scanned.features("WORST")
-    assert [one["window_id"] for one in worst] == list(range(1, len(worst) + 1))
+    assert [item["window_id"] for item in worst] == list(range(1, len(worst) + 1))
     least = min(scanned.features("SEAMS"), key=lambda feature: feature["kept_1"])
     assert worst[0].geometry().intersects(least.geometry())
     given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "WINDOWS": scanned.layer("WORST")}
@@ -135,25 +135,25 @@ def test_worst_windows_are_ready_to_be_inspected(scanned: Run, feathered: Files)
 
 def test_seamlines_that_are_given_are_used(feathered: Files) -> None:
     drawn = drawn_seam()
-    found = run("scanmosaic", **feathered.given(SEAMLINES=drawn))
-    ours, theirs = (points_along((one.geometry() for one in made), 0.05)
-                    for made in (found.features("SEAMS"), drawn.getFeatures()))
+    outcome = run("scanmosaic", **feathered.given(SEAMLINES=drawn))
+    ours, theirs = (points_along((item.geometry() for item in made), 0.05)
+                    for made in (outcome.features("SEAMS"), drawn.getFeatures()))
     assert share_within(ours, theirs, 0.16) == share_within(theirs, ours, 0.16) == 1  # straightened by 1.5 px
-    assert set(found.column("verdict", "SEAMS")) == {"significant"}
-    assert {tuple(sorted(pair)) for pair in zip(found.column("left_source", "SEAMS"),
-                                                found.column("right_source", "SEAMS"))} == {("east.tif", "west.tif")}
+    assert set(outcome.column("verdict", "SEAMS")) == {"significant"}
+    assert {tuple(sorted(pair)) for pair in zip(outcome.column("left_source", "SEAMS"),
+                                                outcome.column("right_source", "SEAMS"))} == {("east.tif", "west.tif")}
     corridor = run("scanmosaic", **feathered.given(SEAMLINES=drawn, CORRIDOR=3.0))
-    assert corridor.column("verdict", "SEAMS") == found.column("verdict", "SEAMS")
-    assert corridor.column("kept_1", "SEAMS") == pytest.approx(found.column("kept_1", "SEAMS"), abs=0.05)
+    assert corridor.column("verdict", "SEAMS") == outcome.column("verdict", "SEAMS")
+    assert corridor.column("kept_1", "SEAMS") == pytest.approx(outcome.column("kept_1", "SEAMS"), abs=0.05)
 
 
 def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
-    found = run("scanmosaic", MOSAIC=feathered.mosaic, SEAMLINES=drawn_seam(), PIECE=60.0)
-    assert found.complaint is None
-    assert found.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
-    (piece,) = found.rows("SEAMS")
+    outcome = run("scanmosaic", MOSAIC=feathered.mosaic, SEAMLINES=drawn_seam(), PIECE=60.0)
+    assert outcome.complaint is None
+    assert outcome.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
+    (piece,) = outcome.rows("SEAMS")
     assert piece["kept_low"] < piece["kept_1"] < piece["kept_high"]
-    assert any("All seams together keep" in said for said in found.log.infos)
+    assert any("All seams together keep" in said for said in outcome.log.infos)
 
 
 def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:
@@ -178,9 +178,9 @@ def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:
     model.addChildAlgorithm(inspect)
     model.updateDestinationParameters()
     for files, verdict in ((hard, "preserved"), (feathered, "significant")):
-        found = run(model.create(), mosaic=files.mosaic)
-        assert found.complaint is None
+        outcome = run(model.create(), mosaic=files.mosaic)
+        assert outcome.complaint is None
         ends = "seams", "output"  # QGIS 3.22 calls one scan:SEAMS, later ones seams
-        seams, inspected = (next(key for key in found.results if key.lower().endswith(end)) for end in ends)
-        assert set(found.column("verdict", seams)) == {verdict}
-        assert found.column("verdict", inspected)[0] == verdict
+        seams, inspected = (next(key for key in outcome.results if key.lower().endswith(end)) for end in ends)
+        assert set(outcome.column("verdict", seams)) == {verdict}
+        assert outcome.column("verdict", inspected)[0] == verdict

@@ -44,11 +44,11 @@ def scan(files: Files, folder: Path, log: Log | None = None, **more: Any) -> Run
 
 def contents(folder: Path) -> dict[str, list[str]]:
     """The features of each layer as text."""
-    found = {}
+    items = {}
     for name in LAYERS:
         dataset = ogr.Open(str(folder / f"{name}.gpkg"))
-        found[name] = [feature.ExportToJson() for feature in dataset.GetLayer(0)]
-    return found
+        items[name] = [feature.ExportToJson() for feature in dataset.GetLayer(0)]
+    return items
 
 
 def tables(path: Path) -> list[str]:

@@ -96,8 +96,8 @@ def _with_jpeg(files: Files) -> Files:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_pixels_of_all_kinds(tmp_path: Path, kind: str) -> None:
-    found = scan(KINDS[kind](tmp_path))
-    (assert_lost_along_the_seam if kind == "jpeg" else assert_failed_along_the_seam)(found)
+    outcome = scan(KINDS[kind](tmp_path))
+    (assert_lost_along_the_seam if kind == "jpeg" else assert_failed_along_the_seam)(outcome)
 
 
 def test_degrees_are_measured_on_the_ground(tmp_path: Path) -> None:
@@ -122,15 +122,15 @@ def test_missing_pixels_are_no_seams(tmp_path: Path, by: str) -> None:
         write_raster(Path(files.mosaic), mosaic, valid=there)
     else:
         write_raster(Path(files.mosaic), mosaic * there, nodata=0)
-    found = scan(files, CELL=16)
-    assert found.complaint is None
-    assert found.log.warnings == []
+    outcome = scan(files, CELL=16)
+    assert outcome.complaint is None
+    assert outcome.log.warnings == []
     hole = QgsGeometry.fromWkt("POLYGON(({} {}, {} {}, {} {}, {} {}, {} {}))".format(
         *(value for place in ((192, 312), (248, 312), (248, 408), (192, 408), (192, 312)) for value in at(*place))
     ))
-    assert all(not feature.geometry().intersects(hole) for feature in found.features("SEAMS"))
-    assert 0.6 * SEAM_METRES < found.results["SEAM_METRES"] < 0.9 * SEAM_METRES
-    kept = gdal.Open(found.results["LOSS"]).ReadAsArray()[0]
+    assert all(not feature.geometry().intersects(hole) for feature in outcome.features("SEAMS"))
+    assert 0.6 * SEAM_METRES < outcome.results["SEAM_METRES"] < 0.9 * SEAM_METRES
+    kept = gdal.Open(outcome.results["LOSS"]).ReadAsArray()[0]
     assert (kept[:, 0] == -1).all()
     assert (kept[20:25, 13:15] == -1).all()
 
@@ -140,13 +140,13 @@ def test_missing_pixels_are_no_seams(tmp_path: Path, by: str) -> None:
 
 @pytest.mark.parametrize("shape", [(64, 64), (64, 700), (500, 100), (2060, 150)])
 def test_sizes_that_fit_nothing(tmp_path: Path, shape: tuple[int, int]) -> None:
-    found = scan(write_scene(tmp_path, images(shape, bands=1), 8.0), CELL=16)
-    assert found.complaint is None
-    assert not [said for said in found.log.warnings if "report" in said]
+    outcome = scan(write_scene(tmp_path, images(shape, bands=1), 8.0), CELL=16)
+    assert outcome.complaint is None
+    assert not [said for said in outcome.log.warnings if "report" in said]
     if 0.3 * shape[1] > 128:  # nearer to the edge no patch lies beside the seam
         length = np.hypot(np.diff(seam_columns(*shape)), 1).sum() / 10
-        assert found.results["SEAM_METRES"] == pytest.approx(length, rel=0.15)
-    picture = gdal.Open(found.results["LOSS"])
+        assert outcome.results["SEAM_METRES"] == pytest.approx(length, rel=0.15)
+    picture = gdal.Open(outcome.results["LOSS"])
     assert (picture.RasterYSize, picture.RasterXSize) == tuple(-(-side // 16) for side in shape)
 
 
@@ -171,12 +171,12 @@ def test_sources_in_another_reference_system(tmp_path: Path, feathered: Files) -
 def test_a_mosaic_of_one_source(tmp_path: Path) -> None:
     west, _ = images()
     files = write_scene(tmp_path, [west, west])
-    found = scan(files, SOURCES=[files.west])
-    assert found.complaint is None
-    assert found.results["SEAM_METRES"] == 0
-    assert found.results["FAILED_METRES"] == 0
-    assert "WORST_KEPT" not in found.results
-    assert found.column("source", "CELLS") == ["west.tif"]
+    outcome = scan(files, SOURCES=[files.west])
+    assert outcome.complaint is None
+    assert outcome.results["SEAM_METRES"] == 0
+    assert outcome.results["FAILED_METRES"] == 0
+    assert "WORST_KEPT" not in outcome.results
+    assert outcome.column("source", "CELLS") == ["west.tif"]
 
 
 def _copy(files: Files, folder: Path) -> str:
@@ -200,11 +200,11 @@ def _overview(files: Files, folder: Path) -> str:
 def test_the_mosaic_among_its_sources_is_left_out(
     tmp_path: Path, feathered: Files, made: Callable[[Files, Path], str], words: str
 ) -> None:
-    found = scan(feathered, SOURCES=[made(feathered, tmp_path), *feathered.sources])
-    (said,) = found.log.warnings
+    outcome = scan(feathered, SOURCES=[made(feathered, tmp_path), *feathered.sources])
+    (said,) = outcome.log.warnings
     assert_sentence(said, words)
-    assert found.results["FAILED_METRES"] == pytest.approx(SEAM_METRES, rel=0.03)
-    assert set(found.column("source", "CELLS")) == {"west.tif", "east.tif"}
+    assert outcome.results["FAILED_METRES"] == pytest.approx(SEAM_METRES, rel=0.03)
+    assert set(outcome.column("source", "CELLS")) == {"west.tif", "east.tif"}
 
 
 @pytest.mark.parametrize("kind", ["VRT", "tif"])
@@ -221,8 +221,8 @@ def test_a_mosaic_that_can_not_be_read_is_refused(tmp_path: Path, feathered: Fil
         del dataset
         (tmp_path / "sheet.tif").write_bytes((tmp_path / "sheet.tif").read_bytes()[: first + 100])
     seams = str(tmp_path / "seams.gpkg")
-    found = run("scanmosaic", **feathered.given(MOSAIC=str(tmp_path / f"sheet.{kind.lower()}"), SEAMS=seams))
-    assert f"Nothing of the mosaic sheet.{kind.lower()} could be read" in str(found.complaint)
+    outcome = run("scanmosaic", **feathered.given(MOSAIC=str(tmp_path / f"sheet.{kind.lower()}"), SEAMS=seams))
+    assert f"Nothing of the mosaic sheet.{kind.lower()} could be read" in str(outcome.complaint)
     assert not Path(seams).exists()
 
 
@@ -230,10 +230,10 @@ def test_a_truncated_source_costs_its_own_ground_only(tmp_path: Path, feathered:
     whole = Path(write_raster(tmp_path / "west.tif", images()[0], options=["TILED=YES"]))
     broken = tmp_path / "broken.tif"
     broken.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
-    found = scan(feathered, SOURCES=[str(broken), feathered.east])
-    assert found.complaint is None
-    assert_sentence(found.log.warnings[0], "broken.tif can't be read; the file may be truncated")
-    assert "east.tif" in found.column("source", "CELLS")
+    outcome = scan(feathered, SOURCES=[str(broken), feathered.east])
+    assert outcome.complaint is None
+    assert_sentence(outcome.log.warnings[0], "broken.tif can't be read; the file may be truncated")
+    assert "east.tif" in outcome.column("source", "CELLS")
     missing = scan(feathered, SOURCES=["/nowhere/lost.tif", *feathered.sources])
     assert_sentence(missing.log.warnings[0], "lost.tif is left out")
     assert missing.results["FAILED_METRES"] > 0
@@ -257,8 +257,8 @@ def test_names_of_the_seamlines_are_those_of_the_sources(feathered: Files) -> No
              for row in scan(feathered, SEAMLINES=named).rows("SEAMS")]
     assert set(pairs) == {("east.tif", "west.tif")}
     others = layer("LineString", [line(*places())], left_src=("string", ["7"]), right_src=("string", ["8"]))
-    found = scan(feathered, SEAMLINES=others)
-    assert "not given: 2 (such as 7, 8" in found.log.warnings[0]
+    outcome = scan(feathered, SEAMLINES=others)
+    assert "not given: 2 (such as 7, 8" in outcome.log.warnings[0]
 
 
 @pytest.mark.parametrize("with_images", [True, False])
@@ -274,5 +274,5 @@ def test_dates_of_the_seamlines_come_with_the_pieces(feathered: Files, with_imag
 
 def test_ground_without_a_seam_is_no_seam(feathered: Files) -> None:
     """A line where the mosaic goes on with the same image: nothing is lost there."""
-    found = scan(feathered, SEAMLINES=layer("LineString", [line((500, 0), (500, 520))]))
-    assert found.results["SEAM_METRES"] == found.results["FAILED_METRES"] == 0
+    outcome = scan(feathered, SEAMLINES=layer("LineString", [line((500, 0), (500, 520))]))
+    assert outcome.results["SEAM_METRES"] == outcome.results["FAILED_METRES"] == 0

@@ -79,8 +79,8 @@ def test_what_a_shapefile_cuts_is_told_and_read_back(tmp_path: Path) -> None:
     files = write_scene(tmp_path)
     seams, cells, inspected = (str(tmp_path / f"{name}.shp") for name in ("seams", "cells", "inspected"))
     scanned = run("scanmosaic", **files.given(SEAMS=seams, CELLS=cells, WORST=str(tmp_path / "worst.gpkg")))
-    told = [text for text in scanned.log.warnings if "ten letters" in text]
-    assert ["left_source, right_source, feather_width" in text for text in told] == [True]
+    messages = [text for text in scanned.log.warnings if "ten letters" in text]
+    assert ["left_source, right_source, feather_width" in text for text in messages] == [True]
     window = windows((150, 100, 256, 256))
     of_windows = run("inspectwindows", MOSAIC=files.mosaic, SOURCES=files.sources, WINDOWS=window, OUTPUT=inspected)
     assert any("composite_ratio_2" in text for text in of_windows.log.warnings)
@@ -88,5 +88,5 @@ def test_what_a_shapefile_cuts_is_told_and_read_back(tmp_path: Path) -> None:
     assert {(row["left_source"], row["right_source"]) for row in again.rows("SEAMS")} <= {
         ("west.tif", "east.tif"), ("east.tif", "west.tif")
     }  # fmt: skip
-    for one in (scanned, of_windows, again):
-        one.close()
+    for record in (scanned, of_windows, again):
+        record.close()

@@ -85,9 +85,9 @@ def test_what_is_written_is_in_the_file_or_among_the_edits(
     project: QgsProject, tmp_path: Path, is_edited: bool
 ) -> None:
     drawn = made_layer(tmp_path)
-    told: list[str] = []
+    messages: list[str] = []
     for name in ("featureAdded", "featureDeleted", "attributeValueChanged"):
-        getattr(drawn, name).connect(lambda *_, name=name: told.append(name))
+        getattr(drawn, name).connect(lambda *_, name=name: messages.append(name))
     if is_edited:
         drawn.startEditing()
     first, second, third = add(drawn, SHARP, BLURRED, SHARP)
@@ -98,7 +98,7 @@ def test_what_is_written_is_in_the_file_or_among_the_edits(
     assert window_layer.held_values(drawn, [first, second], names) == {
         first: {"verdict": "reduced", "observer": "visible"}, second: {"verdict": None, "observer": None}
     }
-    assert {"featureAdded", "featureDeleted", "attributeValueChanged"} <= set(told)
+    assert {"featureAdded", "featureDeleted", "attributeValueChanged"} <= set(messages)
     saved = QgsVectorLayer(drawn.source(), "saved", "ogr")
     assert saved.featureCount() == (0 if is_edited else 2)
     if is_edited:

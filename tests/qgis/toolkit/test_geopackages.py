@@ -56,9 +56,9 @@ def test_tables_and_values_are_as_they_were_given(tmp_path: Path) -> None:
         assert write_table(path, name, FIELDS, LINE, wkt(UTM33), rows) is None
     layer = QgsVectorLayer(f"{path}|layername=second", "second", "ogr")
     assert layer.fields().names() == ["fid", "number", "share", "word"]
-    one, other = layer.getFeatures()
-    assert one.attributes()[1:] == [1, 0.1, "zażółć"]
-    assert one.geometry().asWkt() == "LineString (0 0, 1 2)"
+    item, other = layer.getFeatures()
+    assert item.attributes()[1:] == [1, 0.1, "zażółć"]
+    assert item.geometry().asWkt() == "LineString (0 0, 1 2)"
     assert other.attributes()[1:] == [NULL, NULL, ""]
     assert not other.hasGeometry()
     assert QgsVectorLayer(f"{path}|layername=first", "first", "ogr").featureCount() == 2

@@ -104,5 +104,5 @@ def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplicatio
 
 
 def test_all_texts_of_styles_are_collected_for_translation(repository: Path) -> None:
-    found = set(texts(repository / "resources" / "styles"))
-    assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= found
+    result = set(texts(repository / "resources" / "styles"))
+    assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= result

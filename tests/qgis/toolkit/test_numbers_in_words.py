@@ -70,7 +70,7 @@ def test_two_forms_are_for_one_and_for_many(qgis_app: QgsApplication) -> None:
 
 def test_nothing_that_is_translated_is_filled_by_another_way(repository: Path) -> None:
     """str.format knows neither decimal commas nor a word's forms."""
-    found = [
+    items = [
         f"{path.name}:{node.lineno}"
         for path in sorted((repository / "plugin").rglob("*.py"))
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
@@ -78,8 +78,8 @@ def test_nothing_that_is_translated_is_filled_by_another_way(repository: Path) -
         and isinstance(node.value.func, ast.Name) and node.value.func.id == "tr"
     ]  # fmt: skip
     templates = (repository / "resources").rglob("*.j2")
-    found += [path.name for path in templates if ").format(" in path.read_text(encoding="utf-8")]
-    assert found == [], "use filled(tr(...), ...)"
+    items += [path.name for path in templates if ").format(" in path.read_text(encoding="utf-8")]
+    assert items == [], "use filled(tr(...), ...)"
 
 
 def test_a_charts_axes_are_numbered_as_the_user_writes(polish: None) -> None:

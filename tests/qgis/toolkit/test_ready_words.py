@@ -46,6 +46,6 @@ def test_the_ready_model_speaks_polish(polish: object, provider: QgsProcessingPr
     assert model.group() == "Kontrola linii mozaikowania"
     assert "linii mozaikowania" in model.shortHelpString()
     copy = model.create()
-    names = {one.name(): one.description() for one in copy.parameterDefinitions()}
+    names = {definition.name(): definition.description() for definition in copy.parameterDefinitions()}
     assert names["mosaic"] == "Ortofotomapa"
     assert names["inspect:windows"] == "Skontrolowane okna"

@@ -100,5 +100,5 @@ def test_systems_and_transformations_are_made_in_one_place() -> None:
     one_place = Path(reference_systems.__file__).resolve()
     of_maps = one_place.parent / "desk" / "widgets.py"
     sources = {path: path.read_text(encoding="utf-8") for path in one_place.parents[1].rglob("*.py")}
-    found = {path: set(made.findall(text)) for path, text in sources.items() if made.search(text)}
-    assert [found.pop(of_maps), [*found]] == [{".setDestinationCrs("}, [one_place]]
+    match = {path: set(made.findall(text)) for path, text in sources.items() if made.search(text)}
+    assert [match.pop(of_maps), [*match]] == [{".setDestinationCrs("}, [one_place]]

@@ -197,8 +197,8 @@ def test_workers_that_have_the_wheel_alone_measure(scene: Scene, repository: Pat
         with distributed.Client(address) as client:
             homes = client.run(eval, "__import__('seam_inspector').__file__").values()
             assert all(str(packages) in home for home in homes)
-        found = inspect(scene, SCHEDULER=address)
-    assert found.complaint is None
-    assert found.column("verdict") == expected.column("verdict")
-    for ratio, other in zip(found.column("ratio_1"), expected.column("ratio_1")):
+        outcome = inspect(scene, SCHEDULER=address)
+    assert outcome.complaint is None
+    assert outcome.column("verdict") == expected.column("verdict")
+    for ratio, other in zip(outcome.column("ratio_1"), expected.column("ratio_1")):
         assert ratio == (other if other is None else pytest.approx(other, rel=1e-5))

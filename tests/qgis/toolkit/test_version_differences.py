@@ -48,13 +48,13 @@ def dotted(node: ast.expr) -> list[str]:
 
 def imported(tree: ast.AST) -> dict[str, Any]:
     """Classes that a file imports from QGIS."""
-    found = {}
+    values = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module in ("qgis.core", "qgis.gui", "qgis.analysis"):
             module = importlib.import_module(node.module)
             for alias in node.names:
-                found[alias.asname or alias.name] = getattr(module, alias.name)
-    return found
+                values[alias.asname or alias.name] = getattr(module, alias.name)
+    return values
 
 
 def is_enum_value(value: object) -> bool:
@@ -79,9 +79,9 @@ def faults(code: str) -> Iterator[str]:
 
 
 def test_enums_of_qgis_are_scoped(repository: Path) -> None:
-    found = [
+    items = [
         f"{path.relative_to(repository)}:{fault}"
         for path in sorted((repository / "plugin").rglob("*.py"))
         for fault in faults(path.read_text(encoding="utf-8"))
     ]
-    assert found == []
+    assert items == []

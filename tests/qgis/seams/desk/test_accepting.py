@@ -33,9 +33,9 @@ class Delivery:
     def scan(self, folder: Path) -> None:
         """The layer of a scan, which the desk takes for its last one."""
         path = file(seams([0.9, 0.3, 0.9, 0.9]), folder / "seams.gpkg")
-        found = QgsVectorLayer(path, "worst", "ogr")
-        found.setCustomProperty("seam_inspector/mosaic", self.mosaic.id())
-        self.project.addMapLayer(found)
+        result = QgsVectorLayer(path, "worst", "ogr")
+        result.setCustomProperty("seam_inspector/mosaic", self.mosaic.id())
+        self.project.addMapLayer(result)
 
     def save(self, folder: Path) -> None:
         folder.mkdir()

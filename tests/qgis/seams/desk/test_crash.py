@@ -61,9 +61,9 @@ def test_what_a_key_had_set_is_there_after_a_crash_without_asking(
     desk.wait_for_opening()
     settle()
     rows = desk.rows()
-    found = {number: rows[number].observer if number in rows else "removed" for number in judged}
-    others = [number for number in judged if found[number] != judged[number]]
-    assert len(others) <= 1, (judged, found)  # the key that was being written as the process was killed
+    items = {number: rows[number].observer if number in rows else "removed" for number in judged}
+    others = [number for number in judged if items[number] != judged[number]]
+    assert len(others) <= 1, (judged, items)  # the key that was being written as the process was killed
     assert all(row.verdict and not row.stale for row in rows.values())
     assert all(desk.session.result(row.fid) is not None for row in rows.values())
     desk.session.close()

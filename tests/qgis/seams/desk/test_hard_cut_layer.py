@@ -35,10 +35,10 @@ def test_bands_lie_where_the_mosaic_has_them(tmp_path: Path, dtype: str, qgis_ap
     target = tmp_path / "composite.tif"
     write_composite(composite, WindowRequest(1, mosaic, (), WINDOW, InspectionSettings()), str(target))
     written = gdal.Open(str(target))
-    found = written.ReadAsArray()
-    assert found.dtype == np.dtype(dtype)
-    assert [int(band.min()) for band in found[:3]] == [int(band.max()) for band in found[:3]] == [30, 120, 210]
-    assert np.array_equal(found[3], pixels[3, 32:128, 64:192])
+    result = written.ReadAsArray()
+    assert result.dtype == np.dtype(dtype)
+    assert [int(band.min()) for band in result[:3]] == [int(band.max()) for band in result[:3]] == [30, 120, 210]
+    assert np.array_equal(result[3], pixels[3, 32:128, 64:192])
     left, _, _, top = mosaic.grid.window_extent(WINDOW)
     assert written.GetGeoTransform()[::3] == pytest.approx((left, top))
     assert looks_alike(QgsRasterLayer(str(target), "composite"), QgsRasterLayer(str(path), "mosaic"))

@@ -55,6 +55,6 @@ def test_a_scan_takes_no_names_that_are_taken(tmp_path: Path) -> None:
 def test_numbers_that_no_box_can_show_are_no_settings(qgis_app: object, value: float) -> None:
     project = QgsProject()
     for key, kind in (("inputs", Inputs), ("judging", JudgingSettings)):
-        project.writeEntry("SeamInspector", key, json.dumps(dict.fromkeys([one.name for one in fields(kind)], value)))
+        project.writeEntry("SeamInspector", key, json.dumps(dict.fromkeys([item.name for item in fields(kind)], value)))
     assert load_inputs(project) == Inputs()
     assert load_judging(project) == JudgingSettings()

@@ -41,7 +41,7 @@ def choose(panel: ImagesPanel, name: str) -> None:
 
 def words(panel: ImagesPanel) -> list[str]:
     """What the two maps say they show."""
-    return [one.outline._items.label.text() for one in (panel.mosaic, panel.other)]
+    return [item.outline._items.label.text() for item in (panel.mosaic, panel.other)]
 
 
 def test_the_mosaic_stands_beside_the_hard_cut_and_any_source(panel: ImagesPanel, desk: Desk) -> None:
@@ -63,8 +63,8 @@ def test_the_mosaic_stands_beside_the_hard_cut_and_any_source(panel: ImagesPanel
 
 def test_it_is_looked_at_at_2x_and_both_maps_move_as_one(panel: ImagesPanel) -> None:
     settle(0.3)
-    for one in (panel.mosaic, panel.other):
-        assert one.mapUnitsPerPixel() == pytest.approx(PIXEL / 2, rel=1e-6)
+    for item in (panel.mosaic, panel.other):
+        assert item.mapUnitsPerPixel() == pytest.approx(PIXEL / 2, rel=1e-6)
     panel.other.setExtent(panel.other.extent().scaled(3))
     assert panel.mosaic.mapUnitsPerPixel() == pytest.approx(1.5 * PIXEL, rel=1e-6)
     centre = panel.mosaic.center()

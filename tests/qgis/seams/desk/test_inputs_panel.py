@@ -24,7 +24,7 @@ def noisy(scene: Scene) -> list[np.ndarray]:
     """Both sources with the noise and the lean of heights that tell two flights apart."""
     random = np.random.default_rng(3)
     both = (whole(scene.west), np.roll(whole(scene.east), 3, axis=2))
-    return [np.clip(one + random.normal(0, 12, one.shape), 1, 255).astype(np.uint8) for one in both]
+    return [np.clip(item + random.normal(0, 12, item.shape), 1, 255).astype(np.uint8) for item in both]
 
 
 class Desk:
@@ -258,7 +258,7 @@ def test_close_lets_go_of_everything(desk: Desk) -> None:
     before = [owner.receivers(getattr(owner, name)) for owner, name in owners]
     desk.panel.close()
     after = [owner.receivers(getattr(owner, name)) for owner, name in owners]
-    assert [one - two for one, two in zip(before, after)] == [1, 1, 1, 1]
+    assert [item - two for item, two in zip(before, after)] == [1, 1, 1, 1]
     desk.panel.close()
     desk.set_all()
     assert desk.panel.mosaic.currentText() == "choose the mosaic"

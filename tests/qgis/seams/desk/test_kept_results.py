@@ -32,15 +32,15 @@ def test_results_are_there_on_reopening(desk: Desk, tmp_path: Path) -> None:
     reopen(desk, tmp_path)
     assert not desk.session.is_busy
     for number, row in desk.rows().items():
-        found, had = desk.session.result(row.fid), before[number]
-        assert found == had
-        assert found is not had
-        assert found is not None
+        items, had = desk.session.result(row.fid), before[number]
+        assert items == had
+        assert items is not had
+        assert items is not None
         assert had is not None
-        assert found.profile == had.profile
-        assert (found.loss is None) == (had.loss is None)
-        if found.loss is not None and had.loss is not None:
-            np.testing.assert_allclose(found.loss.kept, had.loss.kept, rtol=6e-4)
+        assert items.profile == had.profile
+        assert (items.loss is None) == (had.loss is None)
+        if items.loss is not None and had.loss is not None:
+            np.testing.assert_allclose(items.loss.kept, had.loss.kept, rtol=6e-4)
     with closing(sqlite3.connect(tmp_path / "windows.gpkg")) as file:
         assert file.execute("SELECT sum(length(record)) FROM results").fetchone()[0] < 30_000
 

@@ -45,7 +45,7 @@ def scan(dock: InspectionDock) -> None:
 
 def judge_buttons(iface: QgisInterface) -> list[QPushButton]:
     """In the message bar."""
-    return [one for one in iface.messageBar().findChildren(QPushButton) if one.text().startswith("Judge")]
+    return [button for button in iface.messageBar().findChildren(QPushButton) if button.text().startswith("Judge")]
 
 
 def test_the_button_waits_for_something_to_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:

@@ -71,4 +71,4 @@ def test_seams_have_the_colours_of_verdicts(qgis_app: QgsApplication) -> None:
 
 
 def test_every_layer_has_its_style() -> None:
-    assert all(Path(style_path(one.style)).is_file() for one in SCAN_LAYERS)
+    assert all(Path(style_path(item.style)).is_file() for item in SCAN_LAYERS)

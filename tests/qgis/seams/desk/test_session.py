@@ -78,11 +78,13 @@ def test_what_is_drawn_measured_and_judged_is_in_the_file_at_once(desk: Desk) ->
         desk.session.judge([fid], "visible")
     assert not desk.layer().isEditable()
     saved = QgsVectorLayer(desk.layer().source(), "saved", "ogr")
-    said = [tuple(one[name] for name in ("window_id", "verdict", "observer", "origin")) for one in saved.getFeatures()]
+    names = ("window_id", "verdict", "observer", "origin")
+    said = [tuple(feature[name] for name in names) for feature in saved.getFeatures()]
     assert said == [(1, "significant", "visible", "drawn"), (2, "preserved", "visible", "drawn")]
     for table in ("curves", "pairs", "results", "profiles"):
         beside = QgsVectorLayer(desk.layer().source().replace("=windows", f"={table}"), table, "ogr")
-        assert {one["window_id"] for one in beside.getFeatures()} in ({1, 2}, set() if table == "profiles" else {})
+        numbers = {feature["window_id"] for feature in beside.getFeatures()}
+        assert numbers in ({1, 2}, set() if table == "profiles" else {})
 
 
 def test_results_selection_and_steps_outlast_edits_with_the_tools_of_qgis(desk: Desk) -> None:

@@ -98,15 +98,15 @@ def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
 def gate(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> Iterator[Event]:
     """The desk without inputs; mosaics are opened from a slow drive, not before the gate is set."""
     desk.session.set_inputs(Inputs())
-    found = Event()
+    result = Event()
 
     def slow(ref: RasterRef) -> Raster:
-        assert found.wait(PATIENCE_S)
+        assert result.wait(PATIENCE_S)
         return describe_mosaic(ref)
 
     monkeypatch.setattr(block_files, "describe_mosaic", slow)
-    yield found
-    found.set()
+    yield result
+    result.set()
     wait_for_tasks()
 
 
@@ -201,14 +201,14 @@ def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(
 def test_a_system_that_is_set_by_hand_is_taken_and_said_below_the_inputs(desk: Desk, tmp_path: Path) -> None:
     panel = InputsPanel(desk.session)
     layers = []
-    for one in (desk.mosaic, *desk.sources):
-        path = tmp_path / f"{one.name()}.tif"
-        layers.append(desk.raster(Path(write_raster(path, whole(Path(one.source())), system=2180, nodata=0))))
-        layers[-1].setCrs(one.crs())
+    for image in (desk.mosaic, *desk.sources):
+        path = tmp_path / f"{image.name()}.tif"
+        layers.append(desk.raster(Path(write_raster(path, whole(Path(image.source())), system=2180, nodata=0))))
+        layers[-1].setCrs(image.crs())
     desk.set(desk.inputs(mosaic=layers[0].id(), sources=tuple(layer.id() for layer in layers[1:])))
     said = panel.doubts.text()
-    for one in layers:
-        assert_sentence(said, rf"{one.name()} is taken in .*EPSG:32633.* not in that of its file, EPSG:2180")
+    for image in layers:
+        assert_sentence(said, rf"{image.name()} is taken in .*EPSG:32633.* not in that of its file, EPSG:2180")
     assert not panel.doubts.isHidden()
     block = desk.session.block()
     assert block is not None

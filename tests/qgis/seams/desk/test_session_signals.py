@@ -44,15 +44,15 @@ class Listener:
 @pytest.fixture
 def reads(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """The feature ids of every window that is read from a layer."""
-    read, found = window_layer.read_layer, []
+    read, items = window_layer.read_layer, []
 
     def counted(layer: QgsVectorLayer, fids: Any = None) -> list[Any]:
         rows = read(layer, fids)
-        found.extend(row.fid for row in rows)
+        items.extend(row.fid for row in rows)
         return rows
 
     monkeypatch.setattr(window_layer, "read_layer", counted)
-    return found
+    return items
 
 
 @pytest.mark.parametrize("clicks", [1, 2])
@@ -62,8 +62,8 @@ def test_from_a_click_to_the_flag_each_change_is_read_and_told_once(desk: Desk, 
     reads.clear()
     fid = desk.add(BLURRED_WINDOW)
     settle()
-    told = [(name, list(rows.values()), chosen) for name, rows, chosen in listener.told if name in TOLD[:2]]
-    assert told == [
+    messages = [(name, list(rows.values()), chosen) for name, rows, chosen in listener.told if name in TOLD[:2]]
+    assert messages == [
         ("windowsChanged", [*before, ""], [fid]),
         ("selectionChanged", [*before, ""], [fid]),
         ("windowsChanged", [*before, "significant"], [fid]),

@@ -46,7 +46,7 @@ def test_a_window_that_is_moved_becomes_stale_alone_until_it_is_back(desk: Desk)
     fid, other = desk.add(), desk.add(SHARP_WINDOW)
     before = desk.layer().getFeature(fid).geometry()
     desk.move(fid, outline((200, 64, 128, 128)))
-    assert [desk.session.row(one).stale for one in (fid, other)] == [True, False]  # type: ignore[union-attr]
+    assert [desk.session.row(item).stale for item in (fid, other)] == [True, False]  # type: ignore[union-attr]
     desk.move(fid, before)
     assert not any(row.stale for row in desk.session.windows())
     desk.move(fid, outline((200, 64, 128, 128)))

@@ -23,11 +23,11 @@ def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) ->
     assert desk.steps() == [
         "drawing window 1", "judging window 1", "drawing window 2", "judging 2 windows", "removing window 1"
     ]
-    found = []
+    items = []
     while desk.session.steps.canUndo():
         desk.undo()
-        found.append([(row.window_id, row.observer) for row in desk.session.windows()])
-    assert found == [[(1, "invisible"), (2, "invisible")], [(1, "visible"), (2, "")], [(1, "visible")], [(1, "")], []]
+        items.append([(row.window_id, row.observer) for row in desk.session.windows()])
+    assert items == [[(1, "invisible"), (2, "invisible")], [(1, "visible"), (2, "")], [(1, "visible")], [(1, "")], []]
     assert gone == [first, first, first]
     while desk.session.steps.canRedo():
         desk.redo()

@@ -35,7 +35,7 @@ def test_one_pixel_of_the_image_covers_two_of_the_screen_whatever_the_systems(
     for row in rows:
         view.show(row.fid)
         assert desk.session.selected() == [row.fid]
-        assert [view.is_seen(row.fid) for row in rows] == [one is row for one in rows]
+        assert [view.is_seen(row.fid) for row in rows] == [record is row for record in rows]
         stretch = canvas.mapUnitsPerPixel() / (PIXEL / 2)
         assert stretch == pytest.approx(1 if map_in == UTM33 else 1.6, abs=0.35)  # Mercator stretches
     assert layer.crs().authid() == f"EPSG:{windows_in}"

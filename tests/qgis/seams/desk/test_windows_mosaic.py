@@ -16,12 +16,12 @@ from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Des
 @pytest.fixture
 def asked(desk: Desk) -> list[Message]:
     """A desk with two inspected windows, one of them judged, and what it asks."""
-    found: list[Message] = []
+    items: list[Message] = []
     desk.set(desk.inputs())
     desk.add(SHARP_WINDOW)
     desk.session.judge([desk.add(BLURRED_WINDOW)], "visible")
-    desk.session.mosaicDoubted.connect(found.append)
-    return found
+    desk.session.mosaicDoubted.connect(items.append)
+    return items
 
 
 def other_mosaic(desk: Desk, scene: Scene, folder: Path) -> None:

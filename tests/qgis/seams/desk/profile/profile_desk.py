@@ -75,6 +75,10 @@ class ProfileSession(WindowsSession):
     def mosaic_grid(self) -> Grid:
         return self.grid
 
+    def select(self, fids: list[int]) -> None:
+        self.chosen = list(fids)
+        self.selectionChanged.emit()
+
     def is_pending(self, fid: int) -> bool:
         return self.is_measuring
 

@@ -104,12 +104,12 @@ def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: 
 
 def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis_app: QApplication) -> None:
     canvas, session = QgsMapCanvas(), ProfileSession()
-    found, session.results = session.results, {}
+    values, session.results = session.results, {}
     overlay = LossOverlay(canvas, session)
     session.loss_view.show(True)
     (legend,) = canvas.findChildren(LossLegend)
     assert "No picture yet" in legend.text()
-    session.results = found
+    session.results = values
     session.resultArrived.emit(1)
     wait_until(lambda: len(overlay.pictures) == 1)
     assert "50 % kept, or less" in legend.text()

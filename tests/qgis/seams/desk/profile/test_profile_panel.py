@@ -67,7 +67,7 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     image, y = chart.grab().toImage(), round(chart.painter().y_of(0.7))
     row = [image.pixelColor(x, y) for x in range(300, 340)]
     # thinner where it lies on two rows of pixels
-    dashes = [one for one in row if abs(one.hue() - limit.hue()) < 5 and one.saturation() > 100]
+    dashes = [record for record in row if abs(record.hue() - limit.hue()) < 5 and record.saturation() > 100]
     assert 0 < len(dashes) < len(row)
 
 
@@ -94,16 +94,16 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
 
 
 def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -> None:
-    told: list[object] = []
-    panel.chart.pointed.connect(told.append)
+    messages: list[object] = []
+    panel.chart.pointed.connect(messages.append)
     placed = panel.chart.painter()
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(12 * PIXEL)), 60))
     settle()
-    assert told == [PROFILE.bins[1]]
+    assert messages == [PROFILE.bins[1]]
     assert panel._status.text() == "0.80 to 1.60 m from the seam: 80 % kept (70 to 90 %)"
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(30 * PIXEL)), 60))  # nothing was measured there
     settle()
-    assert told[-1] is None
+    assert messages[-1] is None
     assert panel._status.text().startswith("Beside the seam 56 % kept (51 to 62 %)")
     panel.resize(180, 320)
     settle()
