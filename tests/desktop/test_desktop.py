@@ -140,6 +140,6 @@ def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: 
         assert {words: ratio for words, ratio in contrasts.items() if ratio < READABLE} == {}, place
     if name != "scaled":
         assert report["low_window"][1] <= 700
-        assert 2 * report["low_dock"][0] <= 1000  # the map keeps the half at least
+        assert 2 * report["low_dock"][0] <= 1000  # the half is left to the map
         assert report["low_scrolls"]
         assert report["low_reached"]

@@ -58,11 +58,11 @@ def low(desk: Desk, path: Path) -> None:
     """On a low screen, all inputs unfolded, QGIS's window stays within it, and everything can be scrolled to."""
     inputs = desk.dock.inputs
     iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, desk.dock)
+    desk.window.resizeDocks([desk.dock], [420], Qt.Orientation.Horizontal)
+    desk.pause(0.5)
     inputs.box.fold(False)
     inputs.more.setCollapsed(False)
-    desk.window.resize(1000, 700)
-    desk.pause(0.5)
-    desk.window.resizeDocks([desk.dock], [1], Qt.Orientation.Horizontal)  # as narrow as it can be
+    desk.window.resize(1000, 700)  # QGIS's own bars may want to be wider, and nothing higher
     desk.pause(0.5)
     desk.report["low_window"] = [desk.window.width(), desk.window.height()]
     desk.report["low_dock"] = [desk.dock.width(), desk.dock.height()]
