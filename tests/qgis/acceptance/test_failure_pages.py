@@ -31,7 +31,9 @@ def picture(data: bytes) -> np.ndarray:
     return np.moveaxis(gdal.Open(path).ReadAsArray().astype(float), 0, 2)
 
 
-@pytest.mark.parametrize("name", DELIVERIES)
+@pytest.mark.parametrize("name", [
+    "long", "JPEG 85", *(pytest.param(name, marks=pytest.mark.release) for name in ("short", "seams found"))
+])  # fmt: skip
 def test_all_that_a_page_shows_of_a_failure_is_what_decided(name: str, tmp_path: Path) -> None:
     planted, jpeg, more = DELIVERIES[name]
     block = make_block(tmp_path / "block", planted, jpeg=jpeg)

@@ -1,4 +1,4 @@
-"""Twelve deliveries whose truth is known: scan, decision, report, record and layers say the same metres, and the
+"""Deliveries whose truth is known: scan, decision, report, record and layers say the same metres, and the
 decision is right, or undecided with the reason."""
 from __future__ import annotations
 
