@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
-from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
+from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
 
-from tests.numbers.acceptance.made_decisions import PLAN, decided
+from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
 from tests.numbers.acceptance.public_schemas import NAMESPACES, faults
-from tests.qgis.acceptance.papers import ground, record_of
+from tests.qgis.acceptance.papers import EVIL, ground, record_of
 
 SHEETS = ("sheet_1", "sheet_2")
 FAILED = [(0, 3), (0, 4), (1, 20)]
@@ -135,3 +135,15 @@ def test_what_was_not_measured_has_no_number() -> None:
     assert "failed_share" not in result
     assert "kept" not in result
     assert passed(result["acceptance"]) == ""  # undecided: neither true nor false
+
+
+@pytest.mark.parametrize("name", [EVIL, "]]>", "Łódź 東京", "\ud800", "a" * 300])
+def test_any_name_is_text(name: str, tmp_path: Path) -> None:
+    decision = decided([name, "other"], failed=FAILED, images=(name, name))
+    seen = with_windows(decision, window_on(decision, 3, name, cause=name, remark=name))
+    record = record_of(seen, windows=name, rules=name, report=name, scan={name: name})
+    save_quality_document(tmp_path / "quality.xml", record)
+    document = (tmp_path / "quality.xml").read_text(encoding="utf-8")
+    assert faults(document) == []
+    shown = name.replace("\x07", "\ufffd").replace("\u202e", "\ufffd").replace("\ud800", "\ufffd")
+    assert shown in [element.text for element in ET.fromstring(document.encode()).iter()]
