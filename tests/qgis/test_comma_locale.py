@@ -2,27 +2,16 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.PyQt.QtCore import QLocale
 
 from fuzz.running import outputs
 from tests.qgis.runs import Run, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
-
-
-@pytest.fixture
-def commas() -> Iterator[None]:
-    before = QLocale()
-    QLocale.setDefault(QLocale("pl_PL"))
-    assert QLocale().toString(0.5) == "0,5"
-    yield
-    QLocale.setDefault(before)
 
 
 def calls(scene: Scene, given: dict[str, Any]) -> dict[str, dict[str, Any]]:
