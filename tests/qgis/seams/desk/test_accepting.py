@@ -1,11 +1,13 @@
 """What the desk suggests for a decision is there when QGIS is closed, and takes the place of no earlier document."""
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.desk import accepting
 from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
@@ -14,7 +16,7 @@ from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.seam_scenes import X, Y, file, seams
-from tests.qgis.seams.desk.session_desk import wait_until
+from tests.qgis.seams.desk.session_desk import settle, wait_until
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -79,6 +81,18 @@ def test_nothing_is_left_in_the_profile_or_where_nothing_can_be_written(
 
 
 # The page
+
+
+@pytest.fixture
+def page(delivery: Delivery, tmp_path: Path) -> Iterator[AcceptPage]:
+    delivery.scan(tmp_path / "scans")
+    delivery.save(tmp_path / "project")
+    dock = QWidget()
+    made = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock)
+    made.show()
+    yield made
+    dock.deleteLater()
+    settle()
 
 
 def decided(page: AcceptPage) -> str:
