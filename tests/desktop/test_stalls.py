@@ -20,7 +20,6 @@ def test_two_dozen_windows_of_1024_px(tmp_path: Path, screenshots: Path) -> None
     report = played("stalls", tmp_path, parameters, seconds=900).report
     assert report["windows"] == report["inspected"] == COUNT
     assert report["placed"] > 200
-    assert report["live_profile"]
     assert report["files_after_200"] <= report["files_after_20"] + 4
     assert report["files_released"] > 0
     assert_no_stall(report, ("first", "drawing", "inspecting", "judging", "placing", "moving", "dragging"))

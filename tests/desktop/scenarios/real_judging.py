@@ -1,4 +1,4 @@
-"""A hundred windows of real orthoimages, the worst first, judged by keys alone; a second operator judges blind.
+"""Windows along the seams of real orthoimages, the worst first, judged by keys alone; a second operator judges blind.
 
 Parameters: ``brighton``, ``screenshots`` (folders).
 """

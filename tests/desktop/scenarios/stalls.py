@@ -1,6 +1,6 @@
 """Windows of 1024 px: how long the interface stands still while they are drawn, inspected and judged.
 
-Then hundreds of others are placed, and the curve under the mouse is drawn anew while it moves and drags.
+First the curves under the mouse are drawn anew while it moves and drags; in the end hundreds of windows are placed.
 
 Parameters: ``rasters`` (the mosaic first, then its sources), ``boxes`` (windows in pixels), ``screenshots`` (folder).
 """
@@ -38,6 +38,7 @@ def play(desk: Desk) -> None:
     )
     desk.wait(lambda: session.mosaic_grid() is not None, 20, "mosaic open")
     desk.show_all(mosaic.extent())
+    follow_the_mouse(desk, mosaic)
     with Gaps() as first:  # QGIS makes the layer then
         session.add_window(windows[0])
         desk.wait(lambda: any(map(desk.curves_of, session.selected())), 60, "curves of the first window")
@@ -73,12 +74,16 @@ def play(desk: Desk) -> None:
     session.select(fids[:1])
     desk.wait(lambda: desk.curves_of(fids[0]), 30, "curves")
     desk.screenshot(Path(desk.parameters["screenshots"]) / "stalls.png")
-    follow_the_mouse(desk, mosaic)
+    before = open_files()
+    desk.new_project()
+    desk.pause(1)
+    desk.report["files_released"] = before - open_files()
 
 
 def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer) -> None:
-    """The window under the mouse has its curve and its profile; then one is dragged; and what stays open."""
+    """The window under the mouse has its curves; then one is dragged; and what stays open."""
     session, box, view = desk.session, mosaic.extent(), desk.canvas.viewport()
+    side_m = session.inputs.side_m
     session.set_inputs(replace(session.inputs, side_m=512 * mosaic.rasterUnitsPerPixelX()))
     desk.dock.draw.trigger()
     start, step = box.xMinimum() + 0.3 * box.width(), 0.002 * box.width()
@@ -88,8 +93,7 @@ def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer) -> None:
     with Gaps() as moving:
         move(desk, points, LIVE_S)
     note(desk, "moving", moving)
-    desk.wait(lambda: session.live is not None and session.live.profile is not None, 20, "profile of the live window")
-    desk.report["live_profile"] = True
+    desk.wait(lambda: session.live is not None, 20, "curves of the window under the mouse")
     QTest.mousePress(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, desk.pixel(steps[0]))
     with Gaps() as dragging:
         move(desk, cycle([(x, y - 0.1 * box.height()) for x, y in steps[60:]]), LIVE_S)
@@ -101,10 +105,7 @@ def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer) -> None:
         desk.report[f"files_after_{count}"] = open_files()
     desk.dock.draw.trigger()
     desk.rest_mouse()
-    before = open_files()
-    desk.new_project()
-    desk.pause(1)
-    desk.report["files_released"] = before - open_files()
+    session.set_inputs(replace(session.inputs, side_m=side_m))
 
 
 def move(desk: Desk, points: Iterator[Point], seconds: float) -> None:
