@@ -38,7 +38,8 @@ def play(desk: Desk) -> None:
     )
     desk.wait(lambda: session.mosaic_grid() is not None, 20, "mosaic open")
     desk.show_all(mosaic.extent())
-    follow_the_mouse(desk, mosaic)
+    seams = add_seams(desk, mosaic)
+    follow_the_mouse(desk, mosaic, seams)
     with Gaps() as first:  # QGIS makes the layer then
         session.add_window(windows[0])
         desk.wait(lambda: any(map(desk.curves_of, session.selected())), 60, "curves of the first window")
@@ -66,7 +67,7 @@ def play(desk: Desk) -> None:
         desk.wait(lambda: not session.is_busy, 120, "windows inspected while others are judged")
     note(desk, "judging", judging)
     with Gaps() as placing:
-        place(desk, mosaic)
+        place(desk, mosaic, seams)
     note(desk, "placing", placing)
     desk.report["placed"] = len(session.windows()) - len(fids)
     desk.report["windows"] = len(fids)
@@ -80,11 +81,12 @@ def play(desk: Desk) -> None:
     desk.report["files_released"] = before - open_files()
 
 
-def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer) -> None:
-    """The window under the mouse has its curves; then one is dragged; and what stays open."""
+def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer, seams: QgsVectorLayer) -> None:
+    """Along a seam the window under the mouse has its curves; then one is dragged; and what stays open."""
     session, box, view = desk.session, mosaic.extent(), desk.canvas.viewport()
-    side_m = session.inputs.side_m
-    session.set_inputs(replace(session.inputs, side_m=512 * mosaic.rasterUnitsPerPixelX()))
+    inputs = session.inputs
+    session.set_inputs(replace(inputs, seamlines=seams.id(), side_m=512 * mosaic.rasterUnitsPerPixelX()))
+    desk.wait(lambda: session.seam_point_near(box.center().x(), box.center().y(), 1.0), 20, "seams found")
     desk.dock.draw.trigger()
     start, step = box.xMinimum() + 0.3 * box.width(), 0.002 * box.width()
     steps = [(start + number * step, box.center().y()) for number in range(200)]
@@ -105,7 +107,7 @@ def follow_the_mouse(desk: Desk, mosaic: QgsRasterLayer) -> None:
         desk.report[f"files_after_{count}"] = open_files()
     desk.dock.draw.trigger()
     desk.rest_mouse()
-    session.set_inputs(replace(session.inputs, side_m=side_m))
+    session.set_inputs(inputs)
 
 
 def move(desk: Desk, points: Iterator[Point], seconds: float) -> None:
@@ -121,9 +123,9 @@ def open_files() -> int:
     return len(list(Path("/proc/self/fd").iterdir()))
 
 
-def place(desk: Desk, mosaic: QgsRasterLayer) -> None:
-    """Hundreds of windows along seams across the mosaic."""
-    box, session = mosaic.extent(), desk.session
+def add_seams(desk: Desk, mosaic: QgsRasterLayer) -> QgsVectorLayer:
+    """Seams across the mosaic."""
+    box = mosaic.extent()
     seams = QgsVectorLayer(f"LineString?crs={mosaic.crs().authid()}", "seams", "memory")
     lines = []
     for share in (0.2, 0.35, 0.5, 0.65, 0.8):
@@ -133,7 +135,12 @@ def place(desk: Desk, mosaic: QgsRasterLayer) -> None:
         lines.append(line)
     seams.dataProvider().addFeatures(lines)
     desk.project.addMapLayer(seams)
-    side = 128 * mosaic.rasterUnitsPerPixelX()
+    return seams
+
+
+def place(desk: Desk, mosaic: QgsRasterLayer, seams: QgsVectorLayer) -> None:
+    """Hundreds of windows along the seams."""
+    session, side = desk.session, 128 * mosaic.rasterUnitsPerPixelX()
     session.set_inputs(replace(session.inputs, seamlines=seams.id(), side_m=side, spacing_m=side / 2))
     before = len(session.windows())
     session.place_windows()
