@@ -50,7 +50,17 @@ ENDINGS = {
     "CHART": "png", "PARAMETERS": "json", "MODEL_FILE": "json", "RPC": "txt", "WORLD_FILE": "wld", "QUALITY": "xml",
     "VRT": "vrt", "RPC_IMAGE": "tif",
 }  # fmt: skip
+WITH_FILES = (
+    "acceptmosaic", "checkdelivery", "checknoise", "checkradiometry", "calibratethreshold", "measureresolution",
+    "interiororientation", "fitsensormodel", "comparesensormodels",
+)  # fmt: skip
+"""They write charts, pages or other files beside what they measure."""
 LARGEST = 2**31 - 1  # a number that is as large has no limit of its own
+
+
+def files_of(job: QgsProcessingAlgorithm) -> set[str]:
+    """Outputs that are neither layers nor rasters."""
+    return {output.name() for output in job.destinationParameterDefinitions() if output.type() == "fileDestination"}
 
 
 def test_the_toolbox(provider: QgsProcessingProvider) -> None:
@@ -62,6 +72,8 @@ def test_the_toolbox(provider: QgsProcessingProvider) -> None:
         assert len(job.shortHelpString()) > 80
         assert job.canExecute() == (True, "")
         assert [definition.name() for definition in job.parameterDefinitions() if not definition.help()] == []
+    with_files = {job.name() for job in provider.algorithms() if files_of(job)}
+    assert with_files - MODELS == {*WITH_FILES, "report", "mendseams"}  # the last two are run for them
 
 
 # --- values ------------------------------------------------------------------------------------------------------
@@ -248,13 +260,11 @@ def test_what_does_not_come_to_its_end_replaces_nothing(name: str, end: str, sam
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name in STEPS if name not in ("report", "mendseams")])  # a file is their aim
+@pytest.mark.parametrize("name", WITH_FILES)
 def test_a_file_that_can_not_be_written_costs_nothing(name: str, samples: Path, tmp_path: Path) -> None:
     job, log = algorithm(name), Log()
-    files = {each.name() for each in job.destinationParameterDefinitions() if each.type() == "fileDestination"}
-    if not files:
-        pytest.skip("it writes layers and rasters only")
-    paths = {file: str(tmp_path / "gone" / f"{file}.{ENDINGS.get(file, 'html')}") for file in files - {"RPC_IMAGE"}}
+    files = files_of(job) - {"RPC_IMAGE"}  # a copy of an image
+    paths = {file: str(tmp_path / "gone" / f"{file}.{ENDINGS.get(file, 'html')}") for file in files}
     values = {**sound(name, samples), "RPC_IMAGE": None}
     outcome = run(name, log, **values, **paths)
     assert outcome.complaint is None
