@@ -251,5 +251,3 @@ def memory_mb() -> float:
     """Resident."""
     pages = int(Path("/proc/self/statm").read_text().split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
-
-

@@ -34,7 +34,6 @@ def inspect(scene: Scene, *boxes: tuple[float, ...], log: Log | None = None, **p
     return outcome
 
 
-
 def layout(outcome: Run, name: str) -> list[tuple[str, str]]:
     return [(field.name(), field.typeName()) for field in outcome.layer(name).fields()]
 
