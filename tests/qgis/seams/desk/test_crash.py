@@ -40,7 +40,9 @@ def killed(scene: Scene, folder: Path, kind: str, moment: random.Random) -> dict
     return {int(number): word for _, number, word in said if number.isdigit()}
 
 
-@pytest.mark.parametrize("kind", ["saved", "moved", "unsaved", "second"])
+@pytest.mark.parametrize("kind", [
+    "unsaved", "second", *(pytest.param(kind, marks=pytest.mark.release) for kind in ("saved", "moved"))
+])  # fmt: skip
 def test_what_a_key_had_set_is_there_after_a_crash_without_asking(
     scene: Scene, project: QgsProject, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str
 ) -> None:

@@ -93,7 +93,7 @@ def test_windows_lie_in_the_mosaics_system_when_a_thread_has_emptied_qgis_s(desk
 
 @pytest.mark.slow
 def test_many_projects_in_one_process(scene: Scene, project: QgsProject, tmp_path: Path) -> None:
-    """New project, load, place, inspect, while threads that asked for systems end; ``make soak`` plays more rounds."""
+    """New project, load, place, inspect, while threads that asked for systems end."""
     pool = QThreadPool.globalInstance()
     before = pool.expiryTimeout()
     pool.setExpiryTimeout(20)  # ms, not half a minute
