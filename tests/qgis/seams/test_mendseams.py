@@ -248,6 +248,7 @@ def test_what_was_stopped_goes_on(feathered: Files, scanned: Run, mended: Run, t
     assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
 
 
+@pytest.mark.release
 @needs_dask
 def test_a_cluster_mends_the_same(feathered: Files, scanned: Run, mended: Run, tmp_path: Path) -> None:
     with two_workers(tmp_path) as address:
