@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR)/build/plugins
 ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
 endif
-.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-deliveries benchmark-programs benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-release-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-deliveries benchmark-programs benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -66,19 +66,23 @@ test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what 
 		--confcutdir tests/qgis/seams tests/qt6 $(ALSO_UNDER_QT6)
 	$(ONE_THREAD) $(PYTHON_QT6) -m pytest -q tests/numbers/test_called_in_threads.py  # with the newest scipy
 
-test-in-qgis: link ## Run what test-qgis and test-desktop run, side by side but for what measures stalls
+test-in-qgis: link ## Run the tests inside QGIS and those of the real application side by side
 	@rm -rf .qgis-settings
-	QT_QPA_PLATFORM=offscreen $(ONE_THREAD) $(PYTHON) -m pytest $(WITH_DESKTOP) -m "not stalls" tests/qgis tests/desktop
-	$(PYTHON) -m pytest -p no:pytest_qgis -n auto --maxprocesses 4 --dist worksteal -m stalls tests/desktop
+	QT_QPA_PLATFORM=offscreen $(ONE_THREAD) $(PYTHON) -m pytest $(WITH_DESKTOP) -m "not stalls and not release" \
+		tests/qgis tests/desktop
+
+test-release-in-qgis: link ## Run what test-in-qgis leaves to the days before a release; what measures stalls comes last, alone
+	@rm -rf .qgis-settings
+	QT_QPA_PLATFORM=offscreen $(ONE_THREAD) $(PYTHON) -m pytest $(WITH_DESKTOP) -m "release and not stalls" \
+		tests/qgis tests/desktop
+	$(PYTHON) -m pytest -p no:pytest_qgis -n 1 -m stalls tests/desktop
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings
-	QT_QPA_PLATFORM=offscreen $(ONE_THREAD) $(PYTHON) -m pytest $(SIDE_BY_SIDE) tests/qgis
+	QT_QPA_PLATFORM=offscreen $(ONE_THREAD) $(PYTHON) -m pytest $(SIDE_BY_SIDE) -m "not release" tests/qgis
 
 test-desktop: link ## Run the tests of the real application, each on a virtual screen of its own
-ifneq ($(wildcard tests/desktop/test_*.py),)
-	$(PYTHON) -m pytest -p no:pytest_qgis -n auto --maxprocesses 4 --dist worksteal tests/desktop
-endif
+	$(PYTHON) -m pytest -p no:pytest_qgis -n auto --maxprocesses 4 --dist worksteal -m "not stalls and not release" tests/desktop
 
 mutants: link ## Change the measuring code at random, and tell which changes no test sees: N=40 SEED=1
 	$(ONE_THREAD) $(PYTHON) -m tools.mutants $(if $(N),--count $(N)) $(if $(SEED),--seed $(SEED))
@@ -158,9 +162,8 @@ translate: link ## Collect new texts into the translations, then compile them
 	$(PYTHON) -m tools.collect_translations i18n/seam_inspector_pl.ts
 	$(MAKE) link
 
-soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows, then 300 projects; FEWER=20 for a try
+soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows; FEWER=20 for a try
 	$(PYTHON) -m tests.desktop.soak $(if $(FEWER),--fewer $(FEWER))
-	$(PYTHON) -m tests.desktop.rounds $(if $(FEWER),--fewer $(FEWER))
 
 package: ## Make the plugin's zip and the wheel for Python without QGIS of the last commit, in build/, and check the zip
 	@tools/install.sh package

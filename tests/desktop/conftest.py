@@ -10,6 +10,7 @@ import pytest
 from demo import desktop
 from demo.block import make_block
 from demo.desktop import Run
+from tests.patience import MOST_GAP_S, MOST_WORK_S
 
 SCENARIOS = Path(__file__).parent / "scenarios"
 
@@ -22,17 +23,19 @@ def _can_start() -> None:
 
 
 @pytest.fixture(scope="session")
-def whole_block(repository: Path) -> Path | None:
-    """The block that `make demo` made, 500 x 400 m, when it is there."""
-    folder = repository / "output" / "demo" / "block"
-    return folder if (folder / "done").exists() else None
-
-
-@pytest.fixture(scope="session")
 def small_block(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A block that is made in seconds, 120 x 100 m."""
     folder = tmp_path_factory.mktemp("block")
     make_block(folder, extent_m=(120.0, 100.0))
+    return folder
+
+
+@pytest.fixture
+def brighton(data_folder: Path) -> Path:
+    """Eight real orthoimages, their mosaics and seamlines."""
+    folder = data_folder / "seams" / "brighton"
+    if not folder.is_dir():
+        pytest.skip(f"no real data at {folder}")
     return folder
 
 
@@ -43,18 +46,25 @@ def screenshots(tmp_path: Path) -> Path:
     return Path(folder).resolve() if folder else tmp_path / "screenshots"
 
 
-def check(run: Run) -> None:
-    """The scenario passed, nothing raised, and QGIS ended by itself and soundly."""
+def played(name: str, folder: Path, parameters: dict[str, Any], **options: Any) -> Run:
+    """A scenario that passed: nothing raised, and QGIS ended by itself and soundly. Its figures are printed."""
+    settings = {key: str(value) if isinstance(value, Path) else value for key, value in parameters.items()}
+    run = desktop.play(SCENARIOS / f"{name}.py", folder, settings, **options)
+    print(f"\n{name}: {run.seconds:.0f} s")  # noqa: T201
+    for figure, value in run.report.items():
+        if figure != "screenshots":
+            print(f"    {figure}: {value:.3f}" if isinstance(value, float) else f"    {figure}: {value}")  # noqa: T201
     raised = "\n".join(run.raised)
     assert run.status == "passed", f"{run.status}\n{raised}\n{run.output[-4000:]}"
     assert run.raised == []
     assert "Traceback" not in run.output, run.output[-4000:]
+    assert "mbiguous" not in run.output, run.output[-4000:]
     assert run.code == 0, f"exit code {run.code}\n{run.output[-4000:]}"
+    return run
 
 
-def say(what: str, seconds: float, report: dict[str, Any]) -> None:
-    """What was measured."""
-    print(f"\n{what}: {seconds:.0f} s")  # noqa: T201
-    for name, value in report.items():
-        if name != "screenshots":
-            print(f"    {name}: {value:.3f}" if isinstance(value, float) else f"    {name}: {value}")  # noqa: T201
+def assert_no_stall(report: dict[str, Any], steps: tuple[str, ...]) -> None:
+    """The interface stood still for no longer than an operator bears, in any of the steps."""
+    for step in steps:
+        assert report[f"{step}_work_ms"] <= 1000 * MOST_WORK_S, step
+        assert report[f"{step}_gap_ms"] <= 1000 * MOST_GAP_S, step

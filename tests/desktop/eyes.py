@@ -32,11 +32,11 @@ _FRAMES = (  # of Qt and QGIS
 
 def contrasts(dock: QWidget) -> dict[str, float]:
     """Contrasts of words that the dock draws in ways of its own with what they stand on, as WCAG 2.1 counts them."""
-    found = {}
+    ratios = {}
     for name, widget, box in _words(dock):
         seen = box.translated(widget.mapTo(dock, QPoint()))  # alone, a widget has no background but its own
-        found[name] = round(_contrast(dock, seen), 1)
-    return found
+        ratios[name] = round(_contrast(dock, seen), 1)
+    return ratios
 
 
 def _words(dock: QWidget) -> Iterator[tuple[str, QWidget, QRect]]:
@@ -100,17 +100,17 @@ def cut_headings(table: QTableView) -> list[str]:
     shown = [column for column in range(header.count()) if not table.isColumnHidden(column)]
     sizes = {column: header.sectionSize(column) for column in shown}
     narrow = {column: _inked_columns(header, column) for column in shown}
-    found = []
+    faults = []
     for column in shown:
         for other in shown:
             table.setColumnHidden(other, other != column)
         header.resizeSection(column, 2 * sizes[column])
         if abs(_inked_columns(header, column) - narrow[column]) > 2:
-            found.append(str(model.headerData(column, Qt.Orientation.Horizontal)))
+            faults.append(str(model.headerData(column, Qt.Orientation.Horizontal)))
     for column in shown:
         table.setColumnHidden(column, False)
         header.resizeSection(column, sizes[column])
-    return found
+    return faults
 
 
 def _inked_columns(header: QHeaderView, column: int) -> int:
@@ -124,10 +124,10 @@ def _inked_columns(header: QHeaderView, column: int) -> int:
 
 def without_tooltip(dock: QWidget) -> list[str]:
     """Controls that don't say what they are for, in sight or not."""
-    found = [name_of(widget) for widget in dock.findChildren(QWidget) if _is_control(widget) and not widget.toolTip()]
+    faults = [name_of(widget) for widget in dock.findChildren(QWidget) if _is_control(widget) and not widget.toolTip()]
     for bar in dock.findChildren(QTabBar):
-        found += [f"tab {bar.tabText(tab)}" for tab in range(bar.count()) if not bar.tabToolTip(tab)]
-    return found
+        faults += [f"tab {bar.tabText(tab)}" for tab in range(bar.count()) if not bar.tabToolTip(tab)]
+    return faults
 
 
 def _is_control(widget: QWidget) -> bool:
@@ -155,7 +155,7 @@ def tab_stops(dock: QWidget) -> list[QWidget]:
 
 def steps_up(dock: QWidget) -> list[str]:
     """Where Tab goes up, but into a column to the right, or to the left in a row."""
-    found = []
+    faults = []
     stops = [stop for stop in tab_stops(dock) if not stop.visibleRegion().isEmpty()]  # else it is scrolled there
     for before, after in zip(stops, stops[1:]):
         down = _top(dock, after) - _top(dock, before)
@@ -164,8 +164,8 @@ def steps_up(dock: QWidget) -> list[str]:
             continue
         is_same_row = abs(down) < min(before.height(), after.height()) / 2
         if (across < 0) if is_same_row else (down < 0):
-            found.append(f"{name_of(before)} > {name_of(after)}")
-    return found
+            faults.append(f"{name_of(before)} > {name_of(after)}")
+    return faults
 
 
 def _top(dock: QWidget, widget: QWidget) -> int:
@@ -174,7 +174,7 @@ def _top(dock: QWidget, widget: QWidget) -> int:
 
 def without_focus_mark(dock: QWidget) -> list[str]:
     """What Tab leads to and looks with the focus as without."""
-    found, before = [], QApplication.focusWidget()
+    faults, before = [], QApplication.focusWidget()
     for stop in tab_stops(dock):
         stop.clearFocus()
         QApplication.processEvents()
@@ -182,10 +182,10 @@ def without_focus_mark(dock: QWidget) -> list[str]:
         stop.setFocus(Qt.FocusReason.TabFocusReason)
         QApplication.processEvents()
         if stop.hasFocus() and stop.grab().toImage() == without:
-            found.append(name_of(stop))
+            faults.append(name_of(stop))
     if before is not None:
         before.setFocus()
-    return found
+    return faults
 
 
 def name_of(widget: QWidget) -> str:

@@ -65,16 +65,16 @@ def grown(rounds: list[dict[str, Any]]) -> list[str]:
     first, last = rounds[0], rounds[-1]
     windows = last["windows"] - first["windows"]
     held = max(min(last["windows"], HELD) - first["windows"], 0)
-    found = []
+    items = []
     for name, allowed in ALLOWED_AT_ALL.items():
         growth = last[name] - first[name]
         most = allowed + windows * ALLOWED.get(name, 0) + held * ALLOWED_HELD.get(name, 0)
         if growth > most:
-            found.append(f"{name} grew by {growth:g}; {most:g} are allowed for {windows} more windows")
+            items.append(f"{name} grew by {growth:g}; {most:g} are allowed for {windows} more windows")
     for name in ("inspect_work_ms", "key_work_ms"):
         if last[name] > SLOWER * first[name]:
-            found.append(f"{name} is {last[name]:.1f} in the last round and was {first[name]:.1f} in the first")
-    return found
+            items.append(f"{name} is {last[name]:.1f} in the last round and was {first[name]:.1f} in the first")
+    return items
 
 
 def table(rounds: list[dict[str, Any]]) -> str:
@@ -113,9 +113,9 @@ def main() -> int:
     for place, count in Counter(place for row in rounds for place in row["stalled_at"]).most_common(8):
         print(f"stalled {count} times at {place or 'a place that is not Python'}")
     print(f"most of ours: {rounds[-1]['most_of_ours']}")
-    found = grown(rounds)
-    print("\n".join(found) or f"Nothing grew beyond its allowance in {run.seconds / 60:.0f} min.")
-    return int(bool(found))
+    result = grown(rounds)
+    print("\n".join(result) or f"Nothing grew beyond its allowance in {run.seconds / 60:.0f} min.")
+    return int(bool(result))
 
 
 if __name__ == "__main__":

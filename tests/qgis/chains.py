@@ -49,7 +49,7 @@ class Runner:
 
     def __call__(self, name: str, **parameters: Any) -> Results:
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(f"seaminspector:{name}")
-        sinks = [one for one in algorithm.destinationParameterDefinitions() if one.type() == "sink"]
+        sinks = [output for output in algorithm.destinationParameterDefinitions() if output.type() == "sink"]
         for sink in sinks:
             ending = self._endings[not sink.hasGeometry()]
             path = str(self.folder / f"{len(self.counts)}_{name}_{sink.name().replace(':', '_')}{ending}")

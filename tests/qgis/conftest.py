@@ -13,6 +13,7 @@ import pytest
 from osgeo import gdal, osr
 from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProcessingProvider, QgsProject
 from qgis.gui import QgisInterface, QgsMapCanvas
+from qgis.PyQt.QtCore import QLocale
 
 importlib.invalidate_caches()  # QGIS looked for plugins before the package's link was there
 
@@ -128,3 +129,22 @@ def project(qgis_app: QgsApplication) -> Iterator[QgsProject]:
     """The project, empty again after the test: layers that outlive QGIS crash it at its end."""
     yield QgsProject.instance()
     QgsProject.instance().clear()
+
+
+@pytest.fixture
+def commas(qgis_app: QgsApplication) -> Iterator[None]:
+    """Numbers are written as in Poland."""
+    before = QLocale()
+    QLocale.setDefault(QLocale("pl_PL"))
+    assert QLocale().toString(0.5) == "0,5"
+    yield
+    QLocale.setDefault(before)
+
+
+@pytest.fixture
+def polish(monkeypatch: pytest.MonkeyPatch, qgis_app: QgsApplication) -> Iterator[None]:
+    """QGIS and the plugin speak Polish."""
+    monkeypatch.setattr(QgsApplication, "locale", staticmethod(lambda: "pl"))
+    translation = importlib.import_module("seam_inspector.plugin.toolkit.translation").Translation()
+    yield
+    translation.remove()

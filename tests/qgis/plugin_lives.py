@@ -21,9 +21,9 @@ def started(iface: QgisInterface) -> Any:
 
 
 def action_of(plugin: Any) -> QAction:
-    found = plugin.desk("seamInspectorAction").action
-    assert found is not None
-    return found
+    result = plugin.desk("seamInspectorAction").action
+    assert result is not None
+    return result
 
 
 def receivers() -> list[int]:

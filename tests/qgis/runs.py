@@ -54,9 +54,9 @@ class Run:
 
     def layer(self, name: str = "OUTPUT") -> QgsVectorLayer:
         """A layer among the results."""
-        found = QgsProcessingUtils.mapLayerFromString(self.results[name], self.context)
-        assert found is not None
-        return found
+        items = QgsProcessingUtils.mapLayerFromString(self.results[name], self.context)
+        assert items is not None
+        return items
 
     def features(self, name: str = "OUTPUT") -> list[QgsFeature]:
         """The features of a layer among the results."""

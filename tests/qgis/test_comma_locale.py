@@ -2,29 +2,16 @@
 from __future__ import annotations
 
 import csv
-import os
-import stat
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.PyQt.QtCore import QLocale
 
 from fuzz.running import outputs
 from tests.qgis.runs import Run, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
-
-
-@pytest.fixture
-def commas() -> Iterator[None]:
-    before = QLocale()
-    QLocale.setDefault(QLocale("pl_PL"))
-    assert QLocale().toString(0.5) == "0,5"
-    yield
-    QLocale.setDefault(before)
 
 
 def calls(scene: Scene, given: dict[str, Any]) -> dict[str, dict[str, Any]]:
@@ -48,13 +35,13 @@ def written(name: str, folder: Path, values: dict[str, Any]) -> Run:
 
 def numbers(folder: Path) -> dict[str, list[list[str]]]:
     """Cells of CSV files that are numbers, whatever their decimal sign."""
-    found = {}
+    items = {}
     for path in sorted(folder.glob("*.csv")):
         with open(path, encoding="utf-8", newline="") as file:
             rows = list(csv.reader(file))
-        found[path.name] = [[cell for cell in row if cell.replace(",", ".").lstrip("-").replace(".", "").isdigit()]
+        items[path.name] = [[cell for cell in row if cell.replace(",", ".").lstrip("-").replace(".", "").isdigit()]
                             for row in rows]
-    return found
+    return items
 
 
 @pytest.mark.parametrize("name", ["inspectwindows", "checkradiometry", "fitsensormodel", "interiororientation"])
@@ -68,15 +55,3 @@ def test_tables_have_points(
     expected = numbers(tmp_path / "points")
     assert any(map(len, expected.values()))
     assert numbers(tmp_path / "commas") == expected
-
-
-@pytest.mark.parametrize(("mask", "mode"), [(0o022, 0o644), (0o077, 0o600)])
-def test_files_have_the_rights_that_the_user_asks_for(
-    mask: int, mode: int, scene: Scene, given: dict[str, Any], tmp_path: Path
-) -> None:
-    before = os.umask(mask)
-    try:
-        written("checkradiometry", tmp_path / "out", calls(scene, given)["checkradiometry"]).close()
-    finally:
-        os.umask(before)
-    assert {stat.S_IMODE(one.stat().st_mode) for one in (tmp_path / "out").iterdir()} == {mode}

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from qgis.core import QgsVectorLayer
 
-from tests.numbers.synthetic import ORIGIN, orthoimage, write_plain, write_raster
+from tests.numbers.synthetic import orthoimage, write_plain, write_raster
 from tests.qgis.scenes import Scene, layer, line, saved
 
 
@@ -66,57 +66,6 @@ def test_a_folder_of_ones_own(repository: Path, folder: Path, tmp_path: Path) ->
 
 
 @pytest.mark.usefixtures("qgis_app")
-def test_a_narrow_mosaic_has_smaller_windows(repository: Path, tmp_path: Path) -> None:
-    folder = tmp_path / "data"
-    folder.mkdir()
-    pixels = orthoimage((512, 1024))
-    write_raster(folder / "source.tif", pixels)
-    pixels = np.maximum(pixels, 1)
-    pixels[:, :, :480], pixels[:, :, 590:] = 0, 0  # a strip of 110 px, where windows of 128 px have no room
-    write_raster(folder / "mosaic.tif", pixels, nodata=0)
-    saved(layer("LineString", [line((535, 0), (535, 512))]), folder / "seams.gpkg")
-    finished = demo(repository, folder, tmp_path / "out")
-    assert finished.returncode == 0, finished.stdout + finished.stderr
-    assert "0 windows placed" in finished.stdout
-    assert count(tmp_path / "out", "inspected") > 0
-    too_large = demo(repository, folder, tmp_path / "out", "--side", "12.8")
-    assert "No window has room on the mosaic" in too_large.stdout
-
-
-@pytest.mark.usefixtures("qgis_app")
-def test_orthoimages_that_cover_no_window_wholly(repository: Path, tmp_path: Path) -> None:
-    folder = tmp_path / "data"
-    folder.mkdir()
-    pixels = orthoimage((512, 512))
-    write_raster(folder / "mosaic.tif", pixels)
-    for number, (row, column) in enumerate([(0, 0), (0, 240), (240, 0), (240, 240)]):  # they overlap by 32 px
-        noisy = pixels[:, row : row + 272, column : column + 272] ^ np.uint8(number % 2)
-        write_raster(folder / f"part{number}.tif", noisy, origin=(ORIGIN[0] + 0.1 * column, ORIGIN[1] - 0.1 * row))
-    saved(layer("LineString", [line((256, 0), (256, 512))]), folder / "seams.gpkg")
-    finished = demo(repository, folder, tmp_path / "out", "--spacing", "5")
-    assert finished.returncode == 0, finished.stdout + finished.stderr
-    assert "kept along the seam" in finished.stdout  # the summary
-    assert (tmp_path / "out" / "curves.png").stat().st_size > 0
-    in_part = [line for line in finished.stdout.splitlines() if "takes part there" in line]
-    assert len(in_part) == 1
-    assert in_part[0].strip().startswith("In ")
-
-
-@pytest.mark.usefixtures("qgis_app")
-def test_coarse_pixels_have_wider_windows(repository: Path, tmp_path: Path) -> None:
-    folder = tmp_path / "data"
-    folder.mkdir()
-    pixels = orthoimage((1024, 1024))
-    for name in ("mosaic.tif", "source.tif"):
-        write_raster(folder / name, pixels, gsd=5.0)
-    saved(layer("LineString", [line((20000, 500), (21000, 40000))]), folder / "seams.gpkg")
-    finished = demo(repository, folder, tmp_path / "out")
-    assert finished.returncode == 0, finished.stdout + finished.stderr
-    assert "Placing windows of 1281 m" in finished.stdout
-    assert count(tmp_path / "out", "inspected") > 0
-
-
-@pytest.mark.usefixtures("qgis_app")
 def test_an_algorithms_own_error_is_shown(repository: Path, folder: Path, tmp_path: Path) -> None:
     saved(layer("LineString", []), folder / "seamlines.gpkg")
     finished = demo(repository, folder, tmp_path / "out")
@@ -127,6 +76,7 @@ def test_an_algorithms_own_error_is_shown(repository: Path, folder: Path, tmp_pa
 
 
 @pytest.mark.usefixtures("qgis_app")
+@pytest.mark.release
 def test_brighton(repository: Path, data_folder: Path, tmp_path: Path) -> None:
     finished = demo(repository, data_folder / "seams" / "brighton", tmp_path, "--spacing", "40")
     assert finished.returncode == 0, finished.stdout + finished.stderr

@@ -13,21 +13,21 @@ from fuzz.cases import NO_FILE, SOUND, kinds
 from fuzz.run import endless_cases
 from fuzz.workers import Worker
 from tests.qgis.runs import algorithm
-from tests.qgis.test_overwriting import INPUTS
-from tests.qgis.test_provider import NAMES
+from tests.qgis.test_contract import INPUTS, NAMES
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 
 def test_every_algorithm_has_a_sound_call(provider: QgsProcessingProvider) -> None:
     """A new one has to get its own in fuzz/calls.py, where the desk has one too."""
-    assert {call.algorithm for call in CALLS} - {"desk"} == set(NAMES) == {one.name() for one in provider.algorithms()}
+    assert {call.algorithm for call in CALLS} - {"desk"} == set(NAMES) == {job.name() for job in provider.algorithms()}
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_input_that_is_a_file_is_broken_somewhere(name: str) -> None:
     job = algorithm(name)
-    inputs = {one.name() for one in job.parameterDefinitions() if one.type() in INPUTS and not one.isDestination()}
+    asked = [definition for definition in job.parameterDefinitions() if not definition.isDestination()]
+    inputs = {definition.name() for definition in asked if definition.type() in INPUTS}
     assert inputs <= {case.parameter for case in kinds() if case.algorithm == name and case.breakage == NO_FILE}
 
 
@@ -37,7 +37,7 @@ def test_every_breakage_is_played() -> None:
     assert sum(case.breakage == SOUND for case in kinds()) == len(CALLS)
 
 
-FOUND = (
+ONCE_BROKEN = (
     "inspectwindows/cells/SOURCES/a_pipe/706052501",
     "placewindows/lines/SEAMLINES/a_pipe/1",
     "orthorectify/frame/INTERIOR/a_device/134046355",
@@ -75,7 +75,7 @@ COUNT = 6
 def test_a_few_cases_find_nothing(tmp_path: Path) -> None:
     """No crash, no hang, no traceback, nothing outside the outputs, no error without a sentence."""
     broken = [case for case in kinds() if case.algorithm in QUICK and case.breakage != SOUND]
-    chosen = [*FOUND, *map(str, islice(endless_cases(broken, 1), COUNT))]
+    chosen = [*ONCE_BROKEN, *map(str, islice(endless_cases(broken, 1), COUNT))]
     worker = Worker(tmp_path / "samples", tmp_path / "worker", tmp_path / "findings.txt")
     findings = {}
     for case in chosen:

@@ -15,8 +15,7 @@ from qgis.core import Qgis, QgsProcessingProvider, QgsProject
 from qgis.gui import QgisInterface
 from seam_inspector.plugin.toolkit import packages
 
-from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run
-from tests.qgis.scenes import Scene
+from tests.qgis.runs import algorithm, assert_refused, assert_sentence
 
 Told = list[tuple[str, Any]]
 NAMES = {"pywt": "PyWavelets", "scipy": "scipy"}
@@ -122,7 +121,7 @@ def take_away(monkeypatch: pytest.MonkeyPatch, package: str, modules: list[str])
 def asked_for(name: str, output: str, path: Path) -> dict[str, Any]:
     """One of an algorithm's outputs and no other."""
     job = algorithm(name)
-    others = {one.name(): None for one in job.destinationParameterDefinitions()}
+    others = {definition.name(): None for definition in job.destinationParameterDefinitions()}
     return {**others, output: str(path)}
 
 
@@ -136,40 +135,17 @@ def test_a_chart_or_report_is_refused_before_anything_is_measured(
     assert_refused(name, words, **asked_for(name, output, tmp_path / "page.html"))
 
 
-@pytest.mark.usefixtures("provider")
-@pytest.mark.parametrize(("name", "output"), PAGES)
-def test_a_report_without_its_templates_package_is_refused_before_anything_is_measured(
-    name: str, output: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    take_away(monkeypatch, "jinja2", WRITING)
-    words = "the Python package.s. Jinja2.*then restart QGIS"
-    assert_refused(name, words, **asked_for(name, output, tmp_path / "page.html"))
-
-
-@pytest.mark.usefixtures("provider")
-@pytest.mark.parametrize(("package", "modules"), [("matplotlib", DRAWING), ("jinja2", WRITING)])
-@pytest.mark.parametrize("name", ["checknoise", "checkradiometry"])
-def test_without_chart_and_report_images_are_measured_all_the_same(
-    name: str, scene: Scene, package: str, modules: list[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    take_away(monkeypatch, package, modules)
-    assert algorithm(name).canExecute() == (True, "")
-    outcome = run(name, RASTERS=[str(scene.mosaic)], CHART=None, REPORT=None)
-    assert outcome.complaint is None
-    assert outcome.rows()
-
-
 @pytest.mark.parametrize(("kind", "tested"), [("DRAWN", DRAWN), ("PAGES", PAGES)])
 def test_every_file_with_charts_and_every_page_is_among_those_tested(
     provider: QgsProcessingProvider, kind: str, tested: tuple[tuple[str, str], ...]
 ) -> None:
-    found = {
-        (one.name(), output.name())
-        for one in provider.algorithms()
-        for output in one.destinationParameterDefinitions()
-        if output.name() in getattr(algorithm(one.name()), kind, ())
+    values = {
+        (job.name(), output.name())
+        for job in provider.algorithms()
+        for output in job.destinationParameterDefinitions()
+        if output.name() in getattr(algorithm(job.name()), kind, ())
     }
-    assert found == set(tested)
+    assert values == set(tested)
 
 
 @pytest.mark.parametrize(
@@ -188,24 +164,6 @@ def test_how_to_get_it_depends_on_the_system(
     monkeypatch.setattr(sys, "platform", platform)
     monkeypatch.setattr(shutil, "which", lambda _program: "/usr/bin/apt" if has_apt else None)
     assert_sentence(packages.missing_packages_sentence(), words)
-
-
-def test_in_a_conda_environment_conda_gets_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    (tmp_path / "conda-meta").mkdir()
-    monkeypatch.setattr(packages, "find_spec", lambda name: None if name == "pywt" else object())
-    monkeypatch.setattr(sys, "prefix", str(tmp_path))
-    words = "'conda install -c conda-forge pywavelets' in QGIS's conda environment"
-    assert_sentence(packages.missing_packages_sentence(), words)
-
-
-@pytest.mark.skipif(shutil.which("apt") is None, reason="another system gives other advice")
-def test_all_that_is_missing_is_in_one_message(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(packages, "find_spec", lambda _name: None)
-    words = (
-        "numpy, PyWavelets, scipy, matplotlib, Jinja2.*"
-        "install python3-numpy python3-pywt python3-scipy python3-matplotlib python3-jinja2"
-    )
-    assert_sentence(packages.missing_packages_sentence(charts=True, pages=True), words)
 
 
 def test_a_package_that_cant_be_loaded_is_named(repository: Path, tmp_path: Path) -> None:

@@ -18,7 +18,10 @@ pytestmark = pytest.mark.usefixtures("provider")
 FEATHER_PX = 40.0
 
 
-@pytest.fixture(scope="module", params=["GPKG:", "/vsizip/", "/vsicurl/", "http", "GTIFF_DIR:", "vrt://"])
+@pytest.fixture(scope="module", params=[
+    *("GPKG:", "/vsicurl/"),
+    *(pytest.param(kind, marks=pytest.mark.release) for kind in ("/vsizip/", "http", "GTIFF_DIR:", "vrt://")),
+])  # fmt: skip
 def named(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Files]:
     """A feathered mosaic and its two orthoimages, by such names."""
     folder = tmp_path_factory.mktemp("named")
@@ -78,8 +81,8 @@ def test_a_mosaic_of_any_name_is_mended(named: Files, tmp_path: Path) -> None:
     assert mended.complaint is None
     again = run("scanmosaic", MOSAIC=mended.results["MENDED"], SOURCES=named.sources, PIECE=20.0)
     assert again.results["FAILED_METRES"] == 0
-    for one in (scanned, mended, again):
-        one.close()
+    for run_ in (scanned, mended, again):
+        run_.close()
 
 
 def test_sheets_in_an_archive_are_there(tmp_path: Path) -> None:

@@ -2,9 +2,7 @@
 from __future__ import annotations
 
 import gc
-import json
 import os
-import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,10 +15,8 @@ from osgeo import gdal, ogr
 from qgis.core import (
     QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputLayerDefinition,
-    QgsProcessingParameterDefinition,
     QgsProject,
     QgsProperty,
-    QgsRasterLayer,
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QUrl
@@ -30,47 +26,10 @@ from seam_inspector.plugin.toolkit.algorithms import base
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, saved, windows
-from tests.qgis.test_provider import NAMES
 
 pytestmark = pytest.mark.usefixtures("provider")
 
-INPUTS = {"raster", "multilayer", "source", "vector", "file"}
-WITHOUT_FILES = {"number", "range", "enum", "string", "boolean", "crs", "extent", "field"}
 REFUSED = "which belongs to an input; choose another file"
-
-
-def an_input(definition: QgsProcessingParameterDefinition, folder: Path) -> tuple[Any, Path]:
-    """A value for a parameter, and its file. What it says does not matter: nothing is to be read of it."""
-    name = definition.name().replace(":", "_")
-    if definition.type() in ("raster", "multilayer"):
-        path = Path(write_raster(folder / f"{name}.tif", np.full((8, 8), 9, np.uint8)))
-    elif definition.type() == "file":
-        path = folder / f"{name}.json"
-        path.write_text("{}", encoding="utf-8")
-    else:
-        path = Path(saved(windows(SHARP), folder / f"{name}.gpkg"))
-    return [str(path)] if definition.type() == "multilayer" else str(path), path
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_no_output_takes_the_place_of_an_input(name: str, tmp_path: Path) -> None:
-    job = algorithm(name)
-    asked = [one for one in job.parameterDefinitions() if not one.isDestination()]
-    assert {one.type() for one in asked} <= INPUTS | WITHOUT_FILES  # another type may name files too
-    made = {one.name(): an_input(one, tmp_path) for one in asked if one.type() in INPUTS}
-    values = {name: value for name, (value, _) in made.items()}
-    before = {path: path.read_bytes() for _, path in made.values()}
-    assert made
-    assert job.destinationParameterDefinitions()
-    for output in job.destinationParameterDefinitions():
-        for path in before:
-            for outcome in (
-                run(name, **values, **{output.name(): str(path)}),
-                run_unchecked(name, **values, **{output.name(): str(path)}),
-            ):
-                assert_sentence(outcome.complaint, REFUSED)
-                assert output.description() in str(outcome.complaint)
-            assert {path: path.read_bytes() for path in before} == before
 
 
 def test_what_is_refused_holds_nothing_that_qgis_deletes(tmp_path: Path) -> None:
@@ -81,7 +40,7 @@ def test_what_is_refused_holds_nothing_that_qgis_deletes(tmp_path: Path) -> None
         output = job.destinationParameterDefinitions()[0].name()
         assert_sentence(run_unchecked(name, **values, **{output: path}).complaint, REFUSED)
         gc.collect()
-        frames = [one for one in gc.get_objects() if isinstance(one, FrameType)]
+        frames = [item for item in gc.get_objects() if isinstance(item, FrameType)]
         assert not [frame for frame in frames if frame.f_code is file_identity.check_outputs.__code__]
 
 
@@ -158,7 +117,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
         link.unlink(missing_ok=True)
         link.symlink_to(target)
 
-    whole, one = base.refuse_outputs, file_identity._written
+    whole, item = base.refuse_outputs, file_identity._written
 
     def checked(*arguments: Any) -> dict[str, str]:
         turn(given if when == "before the check" else free)
@@ -168,7 +127,7 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
 
     def looked_at(*arguments: Any) -> Any:
         turn(free)
-        return one(*arguments)
+        return item(*arguments)
 
     turn(free)
     monkeypatch.setattr(base, "refuse_outputs", checked)
@@ -177,54 +136,6 @@ def test_a_layer_s_link_that_is_changed_leads_to_no_input(
     assert_sentence(complaint, "can't be written|would be written over")
     assert fields(given) == before
     assert not free.exists()
-
-
-def test_layers_of_the_project_and_their_ids(image: Path, project: QgsProject) -> None:
-    shown = QgsRasterLayer(str(image), "shown")
-    project.addMapLayer(shown)
-    for given in (shown, shown.id(), "shown"):
-        assert_refused("simulatebayer", REFUSED, RASTER=given, OUTPUT=str(image))
-
-
-@pytest.mark.parametrize("beside", ["image.tfw", "image.tif.aux.xml"])
-def test_sidecars_are_kept(image: Path, beside: str) -> None:
-    before = (image.parent / beside).read_bytes()
-    given = {"RASTERS": [str(image)], "REPORT": str(image.parent / beside)}
-    assert_refused("checkradiometry", REFUSED, **given)
-    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(image.parent / beside))
-    assert (image.parent / beside).read_bytes() == before
-
-
-@pytest.mark.parametrize("ending", [".ovr", ".msk", ".aux.xml"])
-def test_nothing_becomes_a_part_of_an_input(image: Path, ending: str) -> None:
-    """Though there is none yet: the image would be read otherwise from then on."""
-    beside = Path(f"{image}{ending}")
-    beside.unlink(missing_ok=True)
-    assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], REPORT=str(beside))
-    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(beside))
-    assert not beside.exists()
-
-
-def test_a_sidecar_shared_with_an_older_output_is_kept(image: Path) -> None:
-    """GDAL removes a raster with its sidecars before it writes a new one in its place."""
-    older = Path(shutil.copy(image, image.with_suffix(".png")))
-    gdal.GetDriverByName("PNG").CreateCopy(str(older), gdal.Open(str(image)))
-    os.rename(image.with_suffix(".tfw"), image.with_suffix(".wld"))
-    assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=str(older))
-
-
-def test_the_rasters_of_a_virtual_one_are_kept(image: Path, tmp_path: Path) -> None:
-    inner, outer = str(tmp_path / "inner.vrt"), str(tmp_path / "outer.vrt")
-    gdal.BuildVRT(inner, [str(image)]).FlushCache()
-    gdal.BuildVRT(outer, [inner]).FlushCache()
-    for output in (image, inner, outer):
-        assert_refused("simulatebayer", REFUSED, RASTER=outer, OUTPUT=str(output))
-
-
-def test_a_raster_in_an_archive_keeps_the_archive(image: Path, tmp_path: Path) -> None:
-    archive = shutil.make_archive(str(tmp_path / "packed"), "zip", image.parent, image.name)
-    given = {"RASTERS": [f"/vsizip/{archive}/image.tif"], "REPORT": archive}
-    assert_refused("checkradiometry", REFUSED, **given)
 
 
 def test_the_sources_of_an_index_are_kept(scene: Scene, tmp_path: Path) -> None:
@@ -313,19 +224,6 @@ def test_two_outputs_are_two_files(tmp_path: Path) -> None:
     assert run("minimumheight", **given, OUTPUT=tables[0], HEIGHTS=tables[1]).complaint is None
 
 
-def test_an_older_result_is_replaced(image: Path, tmp_path: Path) -> None:
-    older = write_raster(tmp_path / "older.tif", np.zeros((3, 8, 8), np.uint8))
-    assert run("simulatebayer", RASTER=str(image), OUTPUT=older).complaint is None
-    assert gdal.Open(older).RasterXSize == 16
-    report = tmp_path / "older.html"
-    report.write_text("old")
-    assert run("checkradiometry", RASTERS=[str(image)], REPORT=str(report)).complaint is None
-    assert "<html" in report.read_text(encoding="utf-8")
-    rules = tmp_path / "rules.json"
-    rules.write_text(json.dumps({}), encoding="utf-8")
-    assert_refused("checkradiometry", REFUSED, RASTERS=[str(image)], RULES=str(rules), REPORT=str(rules))
-
-
 def seamlines_file(folder: Path) -> Path:
     """A GeoPackage with a line."""
     path = folder / "seam.gpkg"
@@ -358,22 +256,3 @@ def test_the_layers_of_a_query_are_kept(image: Path, tmp_path: Path, project: Qg
         queried = QgsVectorLayer(address.replace(" ", "%20"), "queried", "virtual")
         assert queried.isValid()
         assert_refused("placewindows", REFUSED, SEAMLINES=queried, MOSAIC=str(image), SIDE=7, OUTPUT=str(seam))
-
-
-def test_a_query_that_is_called_as_what_it_asks_has_an_end(image: Path, tmp_path: Path, project: QgsProject) -> None:
-    lines = QgsVectorLayer(str(seamlines_file(tmp_path)), "lines", "ogr")
-    queried = QgsVectorLayer(f"?query=select%20*%20from%20%22{lines.name()}%22", "lines", "virtual")
-    project.addMapLayers([lines, queried])
-    given = {"SEAMLINES": queried, "MOSAIC": str(image), "SIDE": 7}
-    assert_refused("placewindows", REFUSED, **given, OUTPUT=lines.source())
-
-
-def test_the_sentence_names_the_file_at_risk(image: Path) -> None:
-    world = str(image.with_suffix(".tfw"))
-    assert_refused("simulatebayer", re.escape(world), RASTER=str(image), OUTPUT=world)
-
-
-@pytest.mark.parametrize(("name", "values"), [("simulatebayer", ["RASTER"]), ("enhancephoto", ["PHOTO"])])
-def test_a_name_that_is_too_long_gets_a_sentence(image: Path, name: str, values: list[str]) -> None:
-    output = str(image.parent / ("x" * 260 + ".tif"))
-    assert_sentence(run(name, **dict.fromkeys(values, str(image)), OUTPUT=output).complaint, "can't be written")

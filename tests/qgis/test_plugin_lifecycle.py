@@ -15,7 +15,7 @@ from seam_inspector.plugin.seams.desk.session import Session
 
 from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
 from tests.qgis.scenes import Scene, outline, windows
-from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
 pytestmark = pytest.mark.slow
 
@@ -70,17 +70,9 @@ def test_nothing_of_a_closed_project_reaches_the_next_one(scene: Scene, busy: De
     assert not any(busy.session.result(row.fid) for row in busy.session.windows())
 
 
-def test_choosing_another_window_layer_under_way(busy: Desk) -> None:
-    before = busy.layer()
-    busy.use(windows(*BOXES, window_id=("integer", list(range(1, len(BOXES) + 1)))))
-    assert not busy.session.is_busy
-    wait_for_tasks()
-    assert not any(verdicts(busy))
-    busy.session.set_inputs(busy.inputs(windows=before.id()))
-    assert verdicts(busy)[0]  # what had arrived was written
-
-
-@pytest.mark.parametrize("name", ["mosaic", "source", "windows", "seamlines"])
+@pytest.mark.parametrize("name", [
+    "mosaic", "windows", *(pytest.param(name, marks=pytest.mark.release) for name in ("source", "seamlines"))
+])  # fmt: skip
 def test_removing_a_layer_under_way(busy: Desk, name: str) -> None:
     layers = {"mosaic": busy.mosaic, "source": busy.sources[0], "windows": busy.layer(), "seamlines": busy.seamlines}
     busy.project.removeMapLayers([layers[name].id()])
@@ -107,16 +99,6 @@ def test_moving_and_deleting_windows_under_way(busy: Desk) -> None:
     assert [number for number, row in rows.items() if row.stale] == [len(BOXES)]
 
 
-def test_saving_and_discarding_edits_under_way(busy: Desk) -> None:
-    busy.layer().startEditing()
-    settle(0.2)
-    assert busy.layer().commitChanges(False)
-    settle(0.2)
-    busy.layer().rollBack()
-    busy.wait()
-    assert all(row.verdict for row in busy.session.windows()[-10:])
-
-
 def test_closing_the_session_under_way_keeps_what_is_done(busy: Desk) -> None:
     layer, done = busy.layer(), len(verdicts(busy))
     busy.session.close()
@@ -141,7 +123,7 @@ def test_a_task_that_nobody_refers_to_ends(scene: Scene, project: QgsProject, tm
 # The plugin
 
 
-def test_ten_times_on_and_off_leaves_nothing(
+def test_four_times_on_and_off_leaves_nothing(
     qgis_iface: QgisInterface, scene: Scene, project: QgsProject, tmp_path: Path
 ) -> None:
     def use(plugin: Any) -> None:
@@ -152,7 +134,7 @@ def test_ten_times_on_and_off_leaves_nothing(
         dock.session.add_window(BLURRED_WINDOW)
         settle(0.1)
 
-    assert_leaves_nothing(qgis_iface, 10, use)
+    assert_leaves_nothing(qgis_iface, 4, use)
 
 
 def use_in(session: Session, scene: Scene, folder: Path) -> Desk:
@@ -175,15 +157,6 @@ def test_unloading_while_a_task_runs(plugin: Any, scene: Scene, tmp_path: Path) 
     assert all(task.isCanceled() for task in QgsApplication.taskManager().activeTasks())
     gc.collect()
     wait_for_tasks()
-    found = [feature["verdict"] for feature in layer.getFeatures()]
-    assert found[0]
-    assert not found[-1]
-
-
-def test_the_dock_inspects(plugin: Any, scene: Scene, tmp_path: Path) -> None:
-    action_of(plugin).trigger()
-    desk = use_in(plugin.desk("seamInspectorAction").dock.session, scene, tmp_path)
-    for window in (BLURRED_WINDOW, SHARP_WINDOW):
-        desk.add(window)
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
-    assert desk.messages == []
+    items = [feature["verdict"] for feature in layer.getFeatures()]
+    assert items[0]
+    assert not items[-1]

@@ -8,9 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsApplication, QgsProcessingProvider
-from qgis.PyQt.QtCore import QLocale
-from seam_inspector.plugin.toolkit.translation import Translation
+from qgis.core import QgsProcessingProvider
 
 from tests.pages import Outline
 from tests.qgis import test_printed_reports as printed
@@ -36,27 +34,17 @@ DECIMAL_POINT = re.compile(r"(?<![\w.])\d+\.\d+(?![\w.])")
 REPORTS = [report for report in printed.REPORTS if report is not printed.many_groups]
 
 
-@pytest.fixture
-def polish(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    monkeypatch.setattr(QgsApplication, "locale", staticmethod(lambda: "pl"))
-    before, made = QLocale(), Translation()
-    QLocale.setDefault(QLocale("pl_PL"))
-    yield
-    QLocale.setDefault(before)
-    made.remove()
-
-
-@pytest.mark.parametrize("report", REPORTS, ids=lambda one: one.__name__)
+@pytest.mark.parametrize("report", REPORTS, ids=lambda report: report.__name__)
 def test_a_report_and_its_log_are_polish(
-    report: printed.Report, polish: None, provider: QgsProcessingProvider, given: dict[str, Any], tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    report: printed.Report, polish: None, commas: None, provider: QgsProcessingProvider, given: dict[str, Any],
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     said: list[str] = []
 
     def heard(algorithm: str, **parameters: Any) -> Run:
-        found = run(algorithm, **parameters)
-        said.extend([*found.log.warnings, *found.log.infos])
-        return found
+        outcome = run(algorithm, **parameters)
+        said.extend([*outcome.log.warnings, *outcome.log.infos])
+        return outcome
 
     monkeypatch.setattr(printed, "run", heard)
     path = tmp_path / "report.html"
@@ -74,5 +62,5 @@ def test_a_report_and_its_log_are_polish(
 
 
 def _found(pattern: re.Pattern[str], text: str) -> Iterator[tuple[str, int]]:
-    for found in pattern.finditer(text):
-        yield found.group().lower(), found.start()
+    for result in pattern.finditer(text):
+        yield result.group().lower(), result.start()

@@ -34,17 +34,17 @@ def inspection(given: dict[str, Any], folder: Path, path: Path) -> None:
     words = ["", "visible", "visible", ""]
     drawn = windows(SHARP, BLURRED, (192, 0, 128, 128), (0, 0, 9, 9), observer=("string", words))
     rasters = {"MOSAIC": given["mosaic"], "SOURCES": given["sources"]}
-    found = run("inspectwindows", WINDOWS=drawn, **rasters)
-    tables = {name: found.layer(name) for name in ("CURVES", "PAIRS", "PROFILES")}
-    assert run("report", WINDOWS=found.layer(), OUTPUT=str(path), **rasters, **tables).complaint is None
+    inspected = run("inspectwindows", WINDOWS=drawn, **rasters)
+    tables = {name: inspected.layer(name) for name in ("CURVES", "PAIRS", "PROFILES")}
+    assert run("report", WINDOWS=inspected.layer(), OUTPUT=str(path), **rasters, **tables).complaint is None
 
 
 def mending(given: dict[str, Any], folder: Path, path: Path) -> None:
     """A feathered seam, with its pictures."""
     files = write_scene(folder, width=40.0)
-    found = run("scanmosaic", **files.given())
+    scan = run("scanmosaic", **files.given())
     made(
-        "mendseams", path, MOSAIC=files.mosaic, SOURCES=files.sources, SEAMS=found.layer("SEAMS"), WHAT="all",
+        "mendseams", path, MOSAIC=files.mosaic, SOURCES=files.sources, SEAMS=scan.layer("SEAMS"), WHAT="all",
         PATCHES=str(folder / "patches"), MENDED=str(folder / "mended.vrt"),
     )
 
@@ -136,7 +136,9 @@ def printer() -> None:
 
 POLISH = (acceptance, many_groups, inspection)
 """Their tables are the widest, and Polish words are longer."""
-PRINTED = [(one, "en") for one in REPORTS if one is not many_groups] + [(one, "pl") for one in POLISH]
+DAILY = ((radiometry, "en"), (orientation, "en"), (acceptance, "pl"), (inspection, "pl"))
+OTHERS = [(report, "en") for report in REPORTS if report is not many_groups] + [(report, "pl") for report in POLISH]
+PRINTED = [*DAILY, *(pytest.param(*each, marks=pytest.mark.release) for each in OTHERS if each not in DAILY)]
 
 
 @pytest.fixture
@@ -180,12 +182,13 @@ def test_a_report_is_fit_for_paper(
             assert len(lines) > 6, "the last page has hardly anything on it"
 
 
+@pytest.mark.release
 def test_three_sheets_of_radiometry_fit_a_page(
     provider: QgsProcessingProvider, given: dict[str, Any], tmp_path: Path
 ) -> None:
-    rasters = [write_raster(tmp_path / f"sheet_{one}.tif", orthoimage((300, 300))) for one in range(9)]
+    rasters = [write_raster(tmp_path / f"sheet_{number}.tif", orthoimage((300, 300))) for number in range(9)]
     made("checkradiometry", tmp_path / "report.html", RASTERS=rasters, READY_RULES="jrc_lpis_each_band")
     pages = print_page(tmp_path / "report.html", tmp_path)
     of_sheets = [page.text for page in pages if page.text.count(tr("check")) and "sheet_" in page.text][1:-1]
     assert len(pages) <= 2 + 9 / 3
-    assert all(len({one for one in range(9) if f"sheet_{one}.tif:" in text}) >= 3 for text in of_sheets)
+    assert all(len({number for number in range(9) if f"sheet_{number}.tif:" in text}) >= 3 for text in of_sheets)

@@ -14,7 +14,7 @@ from seam_inspector.plugin.sensors.measure.rpc import write_rpc
 from tests.numbers.sensors.sensor_scenes import made_rational, places
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 from tests.qgis.runs import assert_sentence
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, windows
+from tests.qgis.scenes import Scene, layer, line
 
 pytestmark = [pytest.mark.slow, NEEDED]
 
@@ -25,11 +25,11 @@ Process = Callable[..., Finished]
 @pytest.fixture(scope="module")
 def qgis_process(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Process:
     """Runs qgis_process with settings of its own, in which the plugin is enabled."""
-    own = environment(repository, tmp_path_factory.mktemp("settings"))
+    variables = environment(repository, tmp_path_factory.mktemp("settings"))
 
     def call(*arguments: str) -> Finished:
         return subprocess.run(
-            [str(PROGRAM), *arguments], env=own, capture_output=True, text=True, timeout=300, check=False
+            [str(PROGRAM), *arguments], env=variables, capture_output=True, text=True, timeout=300, check=False
         )
 
     assert "seam_inspector" in call("plugins", "enable", "seam_inspector").stdout
@@ -110,51 +110,9 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
     assert len(rows) == 4 * 4 * 4 * 3  # windows, rasters with the composite, bands, components
 
 
-def test_report_and_calibrate(qgis_process: Process, scene: Scene, inspected: Path, tmp_path: Path) -> None:
-    windows, page, chart = inspected / "windows.gpkg", tmp_path / "page.html", tmp_path / "roc.pdf"
-    run = qgis_process(
-        "run", "seaminspector:report", f"--WINDOWS={windows}", f"--CURVES={inspected / 'curves.gpkg'}",
-        f"--MOSAIC={scene.mosaic}", *(f"--SOURCES={path}" for path in scene.sources), f"--OUTPUT={page}",
-    )
-    assert run.returncode == 0, run.stderr
-    assert page.read_text(encoding="utf-8").count("<img") >= 4  # curves and three clips of one flagged window
-    run = qgis_process(
-        "run", "--json", "seaminspector:calibratethreshold", f"--WINDOWS={windows}", f"--CHART={chart}",
-        f"--OUTPUT={tmp_path / 'calibration.csv'}",
-    )
-    assert run.returncode == 0, run.stderr
-    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
-    assert (results["VISIBLE_COUNT"], results["INVISIBLE_COUNT"]) == (0, 0)
-    assert "MAX_RATIO" not in results
-    assert chart.read_bytes().startswith(b"%PDF")
-    assert "0 visible and 0 invisible verdicts" in (tmp_path / "calibration.csv").read_text(encoding="utf-8")
-
-
-def test_predict(qgis_process: Process, scene: Scene, tmp_path: Path) -> None:
-    drawn, predicted, pairs = tmp_path / "drawn.gpkg", tmp_path / "predicted.gpkg", tmp_path / "pairs.csv"
-    QgsVectorFileWriter.writeAsVectorFormatV3(
-        windows(SHARP, BLURRED), str(drawn), QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
-    )
-    run = qgis_process(
-        "run", "--json", "seaminspector:predictloss", f"--WINDOWS={drawn}",
-        *(f"--SOURCES={path}" for path in scene.sources), "--LEVELS=1", "--WIDTH=3.5",
-        "--RAMP=linear", f"--OUTPUT={predicted}", f"--PAIRS={pairs}",
-    )
-    assert run.returncode == 0, run.stderr
-    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
-    assert (results["WINDOW_COUNT"], results["NOT_COMPARABLE_COUNT"]) == (2, 0)
-    opened = QgsVectorLayer(str(predicted), "result", "ogr")
-    assert [0.5 < feature["expected_ratio_1"] < 1 for feature in opened.getFeatures()] == [True, True]
-    for feature in opened.getFeatures():
-        assert feature["expected_ratio_1"] < feature["strip_kept_1"] < feature["window_kept_1"] < 1
-    header, *rows = pairs.read_text(encoding="utf-8").splitlines()
-    assert header == "window_id,source,other,band,rho_1,ratio_1,window_kept_1,strip_kept_1,shift_x,shift_y,resampled"
-    assert len(rows) == 2
-
-
 def test_the_model_by_its_id(inspected: Path) -> None:
-    found = verdicts(inspected / "windows.gpkg")
-    assert (found[0], found[-1], len(found)) == ("preserved", "significant", 4)
+    result = verdicts(inspected / "windows.gpkg")
+    assert (result[0], result[-1], len(result)) == ("preserved", "significant", 4)
     assert QgsVectorLayer(str(inspected / "curves.gpkg"), "curves", "ogr").featureCount() == 4 * 4 * 4 * 4
     assert QgsVectorLayer(str(inspected / "pairs.gpkg"), "pairs", "ogr").featureCount() == 4 * 3 * 4
 
@@ -162,10 +120,10 @@ def test_the_model_by_its_id(inspected: Path) -> None:
 def test_the_models_file(
     qgis_process: Process, scene: Scene, seamlines: str, inspected: Path, tmp_path: Path, repository: Path
 ) -> None:
-    file, found = repository / "resources" / "models" / "inspect_mosaic.model3", tmp_path / "windows.gpkg"
-    run = qgis_process("run", str(file), *model_inputs(scene, seamlines), f"--inspect:windows={found}")
+    file, result = repository / "resources" / "models" / "inspect_mosaic.model3", tmp_path / "windows.gpkg"
+    run = qgis_process("run", str(file), *model_inputs(scene, seamlines), f"--inspect:windows={result}")
     assert run.returncode == 0, run.stderr
-    assert verdicts(found) == verdicts(inspected / "windows.gpkg")
+    assert verdicts(result) == verdicts(inspected / "windows.gpkg")
 
 
 def test_bad_input_ends_with_a_sentence_and_a_failure(
@@ -186,29 +144,6 @@ def test_bad_input_ends_with_a_sentence_and_a_failure(
         assert_sentence(said[0], words)
         assert "Traceback" not in run.stdout + run.stderr
         assert not (tmp_path / "out.gpkg").exists()
-
-
-def test_noise_and_radiometry(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:
-    table, chart, report = (tmp_path / name for name in ("noise.csv", "noise.svg", "noise.html"))
-    run = qgis_process(
-        "run", "--json", "seaminspector:checknoise", f"--RASTERS={scene.west}", f"--RASTERS={scene.east}",
-        f"--SECOND_GROUP={scene.mosaic}", f"--OUTPUT={table}", f"--CHART={chart}", f"--REPORT={report}",
-    )
-    assert run.returncode == 0, run.stderr
-    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
-    assert results["LOW_COUNT"] + results["MODERATE_COUNT"] + results["STRONG_COUNT"] > 0
-    header = table.read_text(encoding="utf-8").splitlines()[0]
-    assert header.startswith("raster,group,window_id,band,detail_1,detail_2,detail_3,background,kurtosis_1")
-    assert chart.stat().st_size > 0
-    assert report.stat().st_size > 0
-    table = tmp_path / "radiometry.gpkg"
-    run = qgis_process(
-        "run", "seaminspector:checkradiometry", f"--RASTERS={scene.mosaic}", f"--SEAMLINES={seamlines}",
-        f"--OUTPUT={table}",
-    )
-    assert run.returncode == 0, run.stderr
-    opened = QgsVectorLayer(str(table), "result", "ogr")
-    assert {feature["check"] for feature in opened.getFeatures()} >= {"contrast", "seam_step"}
 
 
 def test_every_sensor_model_is_fitted_with_the_libraries_that_qgis_has(qgis_process: Process, tmp_path: Path) -> None:

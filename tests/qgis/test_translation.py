@@ -50,7 +50,7 @@ def test_values_and_sentences_within_a_sentence_are_put_in(translation: Translat
 
 @pytest.mark.parametrize("translation", ["pl"], indirect=True)
 def test_words_for_verdicts_models_and_marks_are_polish(translation: Translation) -> None:
-    english = [one.word for one in VERDICTS.values()] + list(VERDICT_WORDS.values())
+    english = [item.word for item in VERDICTS.values()] + list(VERDICT_WORDS.values())
     assert [word for word in english if tr(word) == word] == []
     assert [str(word) for word in photos_messages.WORDS.values() if sentence(word) == str(word)] == []
 

@@ -1,7 +1,6 @@
 """Rasters that algorithms write: whole, or not there; an older one stays until then."""
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -111,10 +110,3 @@ def test_a_full_disk_is_a_sentence_and_an_older_raster_stays(job: Job, folder: P
             failed = run(name, OUTPUT=str(folder / output), **given)
         assert_sentence(failed.complaint, "can't be written|could not be written")
         assert contents(folder) == before
-
-
-def test_a_folder_that_is_not_there_is_a_sentence(job: Job, tmp_path: Path) -> None:
-    name, given = job
-    failed = run(name, OUTPUT="/dev/null/out.tif", **given)
-    assert_sentence(failed.complaint, "can't be written")
-    assert os.listdir(tmp_path) == ["input"]

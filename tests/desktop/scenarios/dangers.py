@@ -1,14 +1,15 @@
-"""What must do no harm: enabling and disabling, and pulling the ground from under a task at work.
+"""What must do no harm: a missing package, enabling and disabling, pulling the ground from under a task at work.
 
 Parameters: ``block`` (folder), ``side_m``.
 """
 from __future__ import annotations
 
 import gc
+import sys
 from functools import partial
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsProject
+from qgis.core import Qgis, QgsApplication, QgsProject
 from qgis.PyQt.QtCore import QCoreApplication, QEvent, QTimer
 from qgis.PyQt.QtWidgets import QAction, QApplication, QDockWidget, QMessageBox, QToolBar, QWidget
 from qgis.utils import active_plugins, iface, loadPlugin, plugins, startPlugin, unloadPlugin
@@ -21,6 +22,7 @@ NAME = "seam_inspector"
 def play(desk: Desk) -> None:
     """The last danger comes when QGIS quits."""
     block, side_m = Path(desk.parameters["block"]), float(desk.parameters["side_m"])
+    miss_a_package(desk)
     come_and_go(desk, block, side_m)
     close_project(desk, block, side_m)
     remove_mosaic(desk, block, side_m)
@@ -28,6 +30,30 @@ def play(desk: Desk) -> None:
     start_work(desk, block, side_m)
     desk.report["busy_at_exit"] = desk.session.is_busy
     QTimer.singleShot(1000, partial(cancel_tasks, desk))
+
+
+def miss_a_package(desk: Desk) -> None:
+    """Without PyWavelets a message says what to do; after a restart with it the desk opens."""
+    assert "pywt" not in sys.modules  # nothing has needed it yet
+    sys.modules["pywt"] = None  # type: ignore[assignment]
+    switch(desk)
+    action(desk, "seamInspectorAction").trigger()
+    desk.pause(0.3)
+    bar = iface.messageBar()
+    desk.report["messages"] = [item.text() for item in bar.items()]
+    desk.report["is_warning"] = bar.currentItem().level() == Qgis.MessageLevel.Warning
+    assert desk.dock is None
+    assert not action(desk, "seamInspectorAction").isChecked()
+    bar.clearWidgets()
+    del sys.modules["pywt"]
+    switch(desk)
+    desk.open_dock()
+    desk.report["messages_after"] = [item.text() for item in bar.items()]
+
+
+def action(desk: Desk, name: str) -> QAction:
+    """Button of the plugin."""
+    return desk.window.findChild(QAction, name)
 
 
 def cancel_tasks(desk: Desk) -> None:
@@ -61,11 +87,12 @@ def come_and_go(desk: Desk, block: Path, side_m: float) -> None:
 
 
 def use_once(desk: Desk) -> None:
-    """Open the dock, take the tool, move over the map, until the looks at the sources have ended.
+    """Open the docks, take the tool, move over the map, until the looks at the sources have ended.
 
     QGIS adds widgets of its own for a task at work, and a tab of its log when the first one has ended.
     """
     desk.open_dock()
+    action(desk, "seamInspectorBarAction").trigger()
     desk.dock.draw.trigger()
     desk.move(tuple(desk.session.mosaic_layer().extent().center()))
     desk.pause(0.1)

@@ -125,7 +125,7 @@ def write_report(desk: Desk, path: Path) -> None:
 
 def click_button(desk: Desk, action: object) -> None:
     """The tool button of an action, as a mouse does."""
-    button = next(one for one in desk.dock.findChildren(QToolButton) if one.defaultAction() is action)
+    button = next(widget for widget in desk.dock.findChildren(QToolButton) if widget.defaultAction() is action)
     assert button.isVisible()
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 

@@ -1,212 +1,255 @@
-"""A hundred windows of real orthoimages, the worst first, judged by keys alone; a second operator judges blind.
+"""A new operator judges all windows of a block by keys, the map with the room of QGIS's panels.
 
-Parameters: ``brighton``, ``screenshots`` (folders).
+Before, what he does is taken back and done again by the keys of undo, wherever the focus is; and keys are held down.
+
+Parameters: ``block``, ``screenshots`` (folders), ``side_m``.
 """
 from __future__ import annotations
 
-import statistics
-import time
+import shutil
 from pathlib import Path
+from typing import Any
 
-from qgis.core import QgsApplication, QgsRectangle
+from qgis.core import QgsFeature, QgsGeometry, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QComboBox, QWidget
+from qgis.PyQt.QtWidgets import QAbstractButton, QApplication, QDockWidget, QLineEdit, QPushButton, QWidget
 from qgis.utils import iface
 
 from demo.desk import Desk
-from demo.gaps import Gaps
+from tests.desktop.scenarios import held_keys
 
-JUDGED = 30
-WORDS = ((Qt.Key.Key_V, "visible"), (Qt.Key.Key_I, "invisible"), (Qt.Key.Key_U, "unsure"))
+KEYS = (Qt.Key.Key_V, Qt.Key.Key_I, Qt.Key.Key_I, Qt.Key.Key_V, Qt.Key.Key_U)
+CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
 
 def play(desk: Desk) -> None:
-    """Places, inspects, judges, and looks at every step."""
-    folder, shots = Path(desk.parameters["brighton"]), Path(desk.parameters["screenshots"])
-    desk.set_up(folder, 7.6, 2.2, mosaic="mosaic_feather0p4m")
-    session = desk.session
+    """Undo, held keys, then in, through all windows, and out again."""
+    block, side_m = Path(desk.parameters["block"]), float(desk.parameters["side_m"])
+    desk.set_up(block, side_m, side_m / 2)  # windows that are larger than the map at 2x, so that there are places
     desk.dock.place.trigger()
-    desk.wait(lambda: session.windows() and not session.is_busy, 30, "windows placed")
-    desk.report["placed"] = len(session.windows())
-    desk.dock.place.trigger()
-    desk.wait_for_work()
-    assert len(session.windows()) == desk.report["placed"], "placing twice doubles nothing"
+    desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
     desk.dock.inspect.trigger()
-    desk.wait(lambda: all(row.verdict for row in session.windows()), 60, "all windows inspected")
+    desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
     desk.wait_for_work()
-    desk.sort_by_loss()
-    desk.session.select([])
-    with desk.judging():  # begins with the worst
-        judge_by_keys(desk, shots)
-    leave_keys(desk)
-    with desk.judging():
-        annotate(desk, shots)
-        judge_blind(desk, shots)
-    compare(desk, shots)
-    look_at_the_table(desk, shots)
-    keep_in_project(desk, shots)
-
-
-def judge_by_keys(desk: Desk, shots: Path) -> None:
-    """One key a window, from the map and the desk; the map follows at 2x."""
-    session, keys = desk.session, 0
-    everywhere = [desk.canvas, desk.dock.judge, iface.mainWindow(), desk.dock]
-    seen, wrong, key_times = [], [], []
-    with Gaps() as gaps:
-        for number in range(JUDGED):
-            key, word = WORDS[number % 7 % 3]
-            fid = session.selected()[0]
-            window = session.row(fid).window_id
-            key_times.append(press(desk, everywhere[number % len(everywhere)], key))
-            keys += 1
-            row = next(row for row in session.windows() if row.window_id == window)
-            seen.append(row.loss or 0.0)
-            if row.observer != word or not in_the_middle(desk):
-                wrong.append((window, number % len(everywhere), row.observer))
-            if number == 12:
-                desk.rest_mouse()
-                desk.wait_for_map()
-                desk.screenshot(shots / "judging.png")
-    desk.report["wrong"] = wrong
-    desk.report["key_ms"] = [round(1000 * one) for one in (statistics.median(key_times), max(key_times))]
-    desk.report["keys_per_window"] = keys / JUDGED
-    desk.report["worst_first"] = seen == sorted(seen, reverse=True)
-    desk.report["judge_gap_ms"], desk.report["judge_work_ms"] = 1000 * gaps.longest_s, 1000 * gaps.longest_work_s
-    desk.report["progress"] = desk.dock.judge._progress.text()
-    before = session.selected()
-    press(desk, desk.canvas, Qt.Key.Key_Backspace)
-    desk.report["taken back"] = desk.dock.judge._progress.text()
-    press(desk, desk.canvas, Qt.Key.Key_V)
-    assert session.selected() == before
-
-
-def leave_keys(desk: Desk) -> None:
-    """What is typed into the desk, into QGIS's Layers panel, or while nothing is judged, judges nothing."""
-    session = desk.session
-    before, judged = session.selected(), [row.observer for row in session.windows()]
-    for widget in (desk.dock.windows.table, desk.canvas, iface.layerTreeView()):
-        for key, _ in WORDS:
-            press(desk, widget, key)
-    assert [row.observer for row in session.windows()] == judged
-    session.select(before)
-    line = desk.dock.windows._search
-    line.setFocus()
-    QTest.keyClicks(line, "vin1")
-    assert line.text() == "vin1", "a text field keeps its letters"
-    assert session.selected() == before
-    line.clear()
-    choice = next(box for box in desk.dock.findChildren(QComboBox) if box.isVisible())
-    QTest.mouseClick(choice, Qt.MouseButton.LeftButton)
-    choice.hidePopup()
-    assert QApplication.focusWidget() is not choice, "a click on a choice leaves it the keys"
-    desk.pause(0.7)
-
-
-def annotate(desk: Desk, shots: Path) -> None:
-    """How sure, and why: one digit, and R with a few words."""
-    session = desk.session
-    press(desk, desk.canvas, Qt.Key.Key_N)  # a digit right after V would be of the window just judged
-    number = session.row(session.selected()[0]).window_id
-    press(desk, desk.canvas, Qt.Key.Key_7)
-    press(desk, desk.canvas, Qt.Key.Key_R)
-    edit = QApplication.focusWidget()
-    QTest.keyClicks(edit, "faint band by the kerb")
-    desk.screenshot(shots / "judging_remark.png")
-    QTest.keyClick(edit, Qt.Key.Key_Return)
-    desk.pause(0.2)
-    (row,) = (row for row in session.windows() if row.window_id == number)
-    assert (row.confidence, row.remark) == (70, "faint band by the kerb"), row
-    press(desk, QApplication.focusWidget() or desk.canvas, Qt.Key.Key_V)
-    assert [row.observer for row in session.windows() if row.window_id == number] == ["visible"]
-
-
-def judge_blind(desk: Desk, shots: Path) -> None:
-    """A second operator, who is told nothing."""
-    session, model = desk.session, desk.dock.judging.model
-    selected = [row.fid for row in session.windows() if row.verdict == "significant"][:1]
-    session.select(selected)
-    desk.pause(0.3)
-    model.change(operator=2, is_blind=True)
-    desk.pause(0.3)
-    assert "significant" not in iface.statusBarIface().currentMessage()
-    press(desk, desk.canvas, Qt.Key.Key_N)
-    for number in range(20):
-        press(desk, desk.canvas, WORDS[number % 5 % 2][0])
-    desk.rest_mouse()
+    undo(desk)
+    desk.report["has_xdotool"] = shutil.which("xdotool") is not None  # it presses keys as the X server does
+    if desk.report["has_xdotool"]:
+        held_keys.play(desk)
+        press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
+    desk.project.addMapLayer(QgsRasterLayer(str(block / "mosaic.tif"), "over"))  # hides the mosaic
+    desk.project.layerTreeRoot().findLayer(desk.session.inputs.mosaic).setItemVisibilityChecked(False)
     desk.wait_for_map()
-    desk.screenshot(shots / "judging_blind.png")
-    desk.report["second"] = sum(bool(row.observer_2) for row in session.windows())
-    desk.report["blind_columns"] = [column.title() for column in desk.dock.windows.table.visible_columns()]
-    model.change(operator=1, is_blind=False)
-
-
-def compare(desk: Desk, shots: Path) -> None:
-    """Where both differ."""
-    session = desk.session
-    for row in session.windows():  # the first one judges the same, but for a few
-        if row.observer_2:
-            other = "invisible" if row.window_id % 6 == 0 else row.observer_2
-            session.judge([row.fid], other)
-    desk.dock.windows.set_filter("", "operators_differ")
-    desk.pause(0.7)
-    desk.report["disagreements"] = len(desk.dock.windows.ordered_fids())
-    desk.screenshot(shots / "judging_differ.png")
-    desk.dock.windows.set_filter("", "")
-
-
-def look_at_the_table(desk: Desk, shots: Path) -> None:
-    """Numbers in the filter, rows for a spreadsheet."""
-    windows = desk.dock.windows
-    windows.set_filter("kept < 0.7 and cause = 'feathering'", "")
-    desk.pause(0.7)
-    desk.report["filtered"] = len(windows.ordered_fids())
-    desk.screenshot(shots / "judging_filter.png")
-    windows._search.setText("kept < 0.7 and sharp > 1")
-    desk.pause(0.7)
-    desk.report["wrong_filter"] = windows._problem.text()
-    desk.screenshot(shots / "judging_wrong_filter.png")
-    windows.set_filter("", "")
-    windows.table.selectRow(0)
-    windows.copy()
-    desk.report["copied"] = QApplication.clipboard().text()
-
-
-def keep_in_project(desk: Desk, shots: Path) -> None:
-    """Filter and place are there when the project is opened again."""
-    desk.dock.windows.sort_by_number()
-    desk.dock.windows.set_filter("kept < 0.9", "")
-    desk.pause(0.7)
-    fids = desk.dock.windows.ordered_fids()
-    desk.dock.zoom_to(fids[3])
-    desk.pause(0.3)
-    before = [desk.session.row(fid).window_id for fid in desk.dock.windows.ordered_fids()]
-    place = desk.session.row(fids[3]).window_id
-    desk.save_and_reopen()
-    desk.pause(1)
-    windows = desk.dock.windows
-    assert [desk.session.row(fid).window_id for fid in windows.ordered_fids()] == before
-    desk.report["reopened"] = [desk.session.row(fid).window_id for fid in desk.session.selected()] == [place]
-    desk.rest_mouse()
-    desk.screenshot(shots / "judging_reopened.png")
-    desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")
-
-
-def press(desk: Desk, widget: QWidget, key: Qt.Key) -> float:
-    """A key where a widget has the focus. Returns the seconds until it is taken."""
     desk.window.activateWindow()
-    widget.setFocus()
+    desk.canvas.setFocus()
     desk.wait(lambda: QApplication.focusWidget() is not None, 5, "focus in the main window")
-    start = time.perf_counter()
-    QTest.keyClick(QApplication.focusWidget(), key)
-    taken = time.perf_counter() - start
+    desk.report["before"] = looks(desk)
+    begin(desk)
+    places(desk)
+    flicker(desk)
+    judge(desk)
+    key(desk, Qt.Key.Key_J)
+    desk.wait_for_map()
+    desk.screenshot(picture(desk, "after"))
+    desk.report["after"] = looks(desk)
+    key(desk, Qt.Key.Key_J)
+    desk.new_project()
+    desk.pause(0.5)
+    is_as_before = looks(desk)["widths"].keys() == desk.report["before"]["widths"].keys()
+    desk.report["as_before_in_a_new_project"] = is_as_before
+
+
+def undo(desk: Desk) -> None:
+    """Each key takes one action back, and does it again."""
+    session = desk.session
+    layer, before = session.window_layer(), everything(desk)
+    assert session.steps.count() == 2, session.steps.count()
+    fid = next(row.fid for row in session.windows() if row.is_compared)
+    session.select([fid])
+    desk.wait(lambda: desk.curves_of(fid), 20, "curve of the window to judge")
+    session.judge([fid], "visible")
+    edited = add_edited_layer(desk)
+    for active in (layer, edited):
+        iface.setActiveLayer(active)
+        desk.pause(0.2)
+        for name, widget in everywhere(desk).items():
+            if name in ("map", "layers") and active is edited:
+                continue  # QGIS's own undo is for the layer that is edited there
+            take_back_and_redo(desk, fid, widget, f"{name}, {active.name()}")
+    desk.dock.draw.trigger()
+    take_back_and_redo(desk, fid, desk.canvas, "map while drawing, another layer edited")
+    desk.dock.draw.trigger()
+    iface.setActiveLayer(layer)
+    draw_and_undo(desk)
+    line = desk.dock.windows.findChild(QLineEdit)
+    line.setFocus()
+    QTest.keyClicks(line, "ab")
+    press(desk, line, Qt.Key.Key_Z, CONTROL)
+    assert session.row(fid).observer == "visible", "a text field keeps its own undo"
+    line.clear()
+    desk.dock.setFloating(True)
+    desk.pause(0.5)
+    take_back_and_redo(desk, fid, desk.dock.windows.table, "floating")
+    desk.dock.setFloating(False)
+    for _ in range(3):
+        press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
+    assert session.windows() == [], "all windows that were placed are one step, and so is their inspection"
+    for _ in range(2):
+        press(desk, desk.dock.windows.table, Qt.Key.Key_Y, CONTROL)
+    desk.wait(lambda: everything(desk) == before, 10, "windows and results back")
+    session.select([session.windows()[-1].fid])
+    desk.press(Qt.Key.Key_Delete)
+    assert len(session.windows()) == len(before) - 1
+    press(desk, desk.dock.windows.table, Qt.Key.Key_Z, CONTROL)
+    assert everything(desk) == before
+    edited.rollBack()  # else QGIS asks
+    desk.project.removeMapLayer(edited.id())
+
+
+def everything(desk: Desk) -> list[tuple[Any, ...]]:
+    """What is known of the windows."""
+    return [(row.window_id, row.verdict, row.observer) for row in desk.session.windows()]
+
+
+def everywhere(desk: Desk) -> dict[str, QWidget]:
+    """Widgets that may have the focus."""
+    buttons = desk.dock.judge.findChildren(QPushButton)
+    return {
+        "table": desk.dock.windows.table,
+        "chart": desk.dock.curves.focusWidget() or desk.dock.curves,
+        "judge bar": next(button for button in buttons if button.isVisible() and button.isEnabled()),
+        "map": desk.canvas,
+        "layers": iface.layerTreeView(),
+    }
+
+
+def add_edited_layer(desk: Desk) -> QgsVectorLayer:
+    """Another layer that has something to undo."""
+    layer = QgsVectorLayer("Point?crs=EPSG:32615", "edited", "memory")
+    desk.project.addMapLayer(layer)
+    layer.startEditing()
+    feature = QgsFeature()
+    feature.setGeometry(QgsGeometry.fromWkt("POINT(0 0)"))
+    layer.beginEditCommand("a point")
+    layer.addFeature(feature)
+    layer.endEditCommand()
+    return layer
+
+
+def take_back_and_redo(desk: Desk, fid: int, widget: QWidget, where: str) -> None:
+    """The judgement, by each of the keys."""
+    session = desk.session
+    count = len(session.windows())
+    for again, modifiers in ((Qt.Key.Key_Z, CONTROL | SHIFT), (Qt.Key.Key_Y, CONTROL)):
+        press(desk, widget, Qt.Key.Key_Z, CONTROL)
+        assert session.row(fid).observer == "", f"Ctrl+Z: {where}"
+        assert len(session.windows()) == count, f"more than a step: {where}"
+        press(desk, widget, again, modifiers)
+        assert session.row(fid).observer == "visible", f"redo: {where}"
+    desk.report.setdefault("undone_from", []).append(where)
+
+
+def draw_and_undo(desk: Desk) -> None:
+    """A drawn window and its result are one step, from the map."""
+    session = desk.session
+    count, steps = len(session.windows()), session.steps.index()
+    desk.dock.draw.trigger()
+    center = session.mosaic_layer().extent().center()
+    desk.drag((center.x(), center.y()), (center.x() + 12.8, center.y() - 12.8))
+    desk.wait(lambda: len(session.windows()) == count + 1 and not session.is_busy, 20, "a window is drawn")
+    desk.wait(lambda: all(row.verdict for row in session.windows()), 20, "its result is written")
+    assert session.steps.index() == steps + 1
+    press(desk, desk.canvas, Qt.Key.Key_Z, CONTROL)
+    assert len(session.windows()) == count
+    desk.dock.draw.trigger()
+
+
+def press(desk: Desk, widget: QWidget, pressed: Qt.Key, modifiers: Qt.KeyboardModifier) -> None:
+    """A key with others, where a widget has the focus."""
+    widget.window().activateWindow()
+    widget.setFocus()
+    desk.pause(0.1)
+    QTest.keyClick(QApplication.focusWidget() or widget, pressed, modifiers)
+    desk.pause(0.15)
+
+
+# Judging
+
+
+def begin(desk: Desk) -> None:
+    """J: the image has the screen."""
+    key(desk, Qt.Key.Key_J)
+    desk.wait_for_map()
+    desk.rest_mouse()
+    canvas, window = desk.canvas, desk.window
+    desk.report["share"] = canvas.width() * canvas.height() / (window.width() * window.height())
+    desk.report["focus"] = QApplication.focusWidget() is canvas
+    desk.report["on_map"] = looks(desk)["shown"]
+    bar = desk.dock.judge
+    desk.report["judge_whole"] = bar.visibleRegion().boundingRect() == bar.rect()
+    desk.screenshot(picture(desk, "begun"))
+
+
+def places(desk: Desk) -> None:
+    """Tab: the window's other places, then the first again."""
+    seen = [desk.canvas.extent().center()]
+    for _ in range(8):
+        key(desk, Qt.Key.Key_Tab)
+        seen.append(desk.canvas.extent().center())
+    desk.report["places"] = len({(round(point.x(), 2), round(point.y(), 2)) for point in seen})
+    desk.report["focus_after_tab"] = QApplication.focusWidget() is desk.canvas
+
+
+def flicker(desk: Desk) -> None:
+    """Space, held and tapped; the next window begins with the mosaic."""
+    shower = desk.dock.flicker
+    QTest.keyPress(QApplication.focusWidget(), Qt.Key.Key_Space)
+    desk.wait(lambda: shower.is_shown and shower.hard_cut.layer, 30, "hard cut drawn")
+    desk.pause(0.4)
+    shown = [shower.is_shown]
+    QTest.keyRelease(QApplication.focusWidget(), Qt.Key.Key_Space)
+    desk.pause(0.1)
+    shown.append(shower.is_shown)
+    for _ in range(2):
+        key(desk, Qt.Key.Key_Space)
+        shown.append(shower.is_shown)
+    key(desk, Qt.Key.Key_Space)
+    key(desk, Qt.Key.Key_N)
+    shown.append(shower.is_shown)
+    key(desk, Qt.Key.Key_P)
+    desk.report["hard_cut"] = shown
+
+
+def judge(desk: Desk) -> None:
+    """All windows, by one key each."""
+    session, count = desk.session, 0
+    while session.selected() and count < 1000:
+        window = session.row(session.selected()[0]).window_id
+        key(desk, KEYS[count % len(KEYS)])
+        assert session.numbered(window).observer, window
+        count += 1
+    desk.report["judged"] = count
+    desk.report["unjudged"] = sum(row.is_compared and not row.observer for row in session.windows())
+    desk.pause(0.3)
+    buttons = desk.dock.judge.findChildren(QAbstractButton)
+    desk.report["steps"] = [button.text() for button in buttons if button.isVisible()]
+    desk.screenshot(picture(desk, "summary"))
+
+
+def looks(desk: Desk) -> dict[str, Any]:
+    """Docks in sight with their widths, and layers on the map."""
+    docks = [dock for dock in desk.window.findChildren(QDockWidget) if dock.isVisible()]
+    widths = {dock.objectName(): dock.width() for dock in docks}
+    shown = [layer.name() for layer in desk.canvas.layers() if not layer.name().startswith("strip")]
+    return {"widths": widths, "shown": shown}
+
+
+def key(desk: Desk, pressed: Qt.Key) -> None:
+    """Where the focus is."""
+    QTest.keyClick(QApplication.focusWidget() or desk.canvas, pressed)
     desk.pause(0.1)  # until it is up
-    return taken
 
 
-def in_the_middle(desk: Desk) -> bool:
-    """Whether the map shows the selected window in its middle, one image pixel on 2 x 2 of the screen's."""
-    extent, row = desk.canvas.extent(), desk.session.row(desk.session.selected()[0])
-    middle = QgsRectangle(*row.extent).center()
-    pixel = desk.session.mosaic_grid().pixel_width / 2
-    return bool(extent.center().distance(middle) < 4 * pixel and abs(desk.canvas.mapUnitsPerPixel() / pixel - 1) < 0.01)
+def picture(desk: Desk, step: str) -> Path:
+    """Path of a step's picture."""
+    return Path(desk.parameters["screenshots"]) / f"judging_{step}.png"

@@ -50,6 +50,27 @@ def play(desk: Desk) -> None:
         desk.screenshot(folder / f"{name}_{side}_images.png")
         look(desk, f"{side}_images")
     desk.show_tab(0)
+    if desk.window.devicePixelRatioF() == 1:
+        low(desk, folder / f"{name}_low.png")
+
+
+def low(desk: Desk, path: Path) -> None:
+    """On a low screen, all inputs unfolded, QGIS's window stays within it, and everything can be scrolled to."""
+    inputs = desk.dock.inputs
+    iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, desk.dock)
+    desk.window.resizeDocks([desk.dock], [420], Qt.Orientation.Horizontal)
+    desk.pause(0.5)
+    inputs.box.fold(False)
+    inputs.more.setCollapsed(False)
+    desk.window.resize(1000, 700)  # QGIS's own bars may want to be wider, and nothing higher
+    desk.pause(0.5)
+    desk.report["low_window"] = [desk.window.width(), desk.window.height()]
+    desk.report["low_dock"] = [desk.dock.width(), desk.dock.height()]
+    body, judge = desk.dock.widget(), desk.dock.judge
+    desk.report["low_scrolls"] = body.scrolled.verticalScrollBar().maximum() > 0
+    bottom = judge.mapTo(body, judge.rect().bottomLeft()).y()
+    desk.report["low_reached"] = 0 < bottom <= body.height()
+    desk.screenshot(path)
 
 
 def look(desk: Desk, side: str) -> None:
@@ -84,7 +105,7 @@ def empty(desk: Desk, path: Path) -> None:
 
 def cut_off(dock: QWidget) -> list[str]:
     """Visible controls that are smaller than they have to be, or stick out of the dock."""
-    found = []
+    cut = []
     for widget in dock.findChildren(QWidget):
         if not widget.isVisible() or not isinstance(widget, (QAbstractButton, QComboBox, QLabel, QLineEdit)):
             continue
@@ -97,5 +118,5 @@ def cut_off(dock: QWidget) -> list[str]:
         is_small = widget.height() < least.height() - 1 or widget.width() < least.width() - 1
         if is_small or right > dock.width():
             size, asked = widget.size(), f"{least.width()}x{least.height()}"
-            found.append(f"{type(widget).__name__} {text!r} {size.width()}x{size.height()} of {asked} at {right}")
-    return found
+            cut.append(f"{type(widget).__name__} {text!r} {size.width()}x{size.height()} of {asked} at {right}")
+    return cut

@@ -185,10 +185,10 @@ def scan(desk: Desk, shots: Path) -> None:
     piece_m = float(desk.parameters["piece_m"])
     desk.session.set_inputs(replace(desk.session.inputs, seamlines="", piece_m=piece_m))
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic open")
-    found: list[object] = []
-    desk.dock.scans.found.connect(found.append)
+    items: list[object] = []
+    desk.dock.scans.found.connect(items.append)
     desk.dock.scan.trigger()
-    desk.wait(lambda: found, 400, "the scan's end")
+    desk.wait(lambda: items, 400, "the scan's end")
     desk.wait_for_map()
     desk.screenshot(shots / "scan.png")
     messages = (item for item in iface.messageBar().items())

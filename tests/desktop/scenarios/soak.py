@@ -42,19 +42,19 @@ def play(desk: Desk) -> None:
     rounds, per_round = parameters["rounds"], parameters["windows"] // parameters["rounds"]
     desk.report["rounds"] = []
     for number in range(1, rounds + 1):
-        told: dict[str, Any] = {"round": number}
-        inspect(desk, per_round, told)
-        judge(desk, parameters["judged"] // rounds, told)
-        look_around(desk, told)
-        draw_and_undo(desk, told)
+        figures: dict[str, Any] = {"round": number}
+        inspect(desk, per_round, figures)
+        judge(desk, parameters["judged"] // rounds, figures)
+        look_around(desk, figures)
+        draw_and_undo(desk, figures)
         if number in SCANNED:
             scan(desk)
-        told["windows"] = sum(bool(row.verdict) for row in desk.session.windows())
-        told["judged"] = sum(bool(row.observer) for row in desk.session.windows())
-        told |= counts(desk)
-        desk.report["rounds"].append(told)
+        figures["windows"] = sum(bool(row.verdict) for row in desk.session.windows())
+        figures["judged"] = sum(bool(row.observer) for row in desk.session.windows())
+        figures |= counts(desk)
+        desk.report["rounds"].append(figures)
         with open(work / "rounds.jsonl", "a", encoding="utf-8") as file:
-            file.write(json.dumps(told) + "\n")
+            file.write(json.dumps(figures) + "\n")
     desk.rest_mouse()
     desk.screenshot(Path(parameters["screenshots"]) / "soak.png")
     desk.drop_changes()
@@ -90,52 +90,52 @@ def set_up(desk: Desk, block: Path, windows: int) -> None:
 
 
 @contextmanager
-def timed(told: dict[str, Any], name: str) -> Iterator[None]:
+def timed(figures: dict[str, Any], name: str) -> Iterator[None]:
     """Stalls, and what the interface's thread worked."""
     before = time.thread_time()
     with Gaps() as gaps:
         yield
-    told[f"{name}_work_s"] = time.thread_time() - before
-    told[f"{name}_stalls"] = sum(work > STALL_S for _, work, _ in gaps.long_ones)
-    told[f"{name}_longest_ms"] = 1000 * gaps.longest_work_s
-    told.setdefault("stalled_at", []).extend(where for _, work, where in gaps.long_ones if work > STALL_S)
+    figures[f"{name}_work_s"] = time.thread_time() - before
+    figures[f"{name}_stalls"] = sum(work > STALL_S for _, work, _ in gaps.long_ones)
+    figures[f"{name}_longest_ms"] = 1000 * gaps.longest_work_s
+    figures.setdefault("stalled_at", []).extend(where for _, work, where in gaps.long_ones if work > STALL_S)
 
 
-def inspect(desk: Desk, count: int, told: dict[str, Any]) -> None:
+def inspect(desk: Desk, count: int, figures: dict[str, Any]) -> None:
     """The next windows, as many in one go."""
     session = desk.session
     fids = [row.fid for row in session.windows() if not row.verdict][:count]
     start = time.perf_counter()
-    with timed(told, "inspect"):
+    with timed(figures, "inspect"):
         session.inspect(fids)
         desk.wait(lambda: not session.is_busy, 60 + count, "windows inspected")
         desk.pause(0.5)
-    told["inspect_ms"] = 1000 * (time.perf_counter() - start) / len(fids)
-    told["inspect_work_ms"] = 1000 * told.pop("inspect_work_s") / len(fids)
+    figures["inspect_ms"] = 1000 * (time.perf_counter() - start) / len(fids)
+    figures["inspect_work_ms"] = 1000 * figures.pop("inspect_work_s") / len(fids)
 
 
-def judge(desk: Desk, count: int, told: dict[str, Any]) -> None:
+def judge(desk: Desk, count: int, figures: dict[str, Any]) -> None:
     """Judge windows by one key each; the map follows."""
     with desk.judging():
         desk.wait(lambda: desk.session.selected(), 10, "a window to judge")
-        judge_by_keys(desk, count, told)
+        judge_by_keys(desk, count, figures)
 
 
-def judge_by_keys(desk: Desk, count: int, told: dict[str, Any]) -> None:
+def judge_by_keys(desk: Desk, count: int, figures: dict[str, Any]) -> None:
     """What they take is counted."""
-    with timed(told, "key"):
+    with timed(figures, "key"):
         for number in range(count):
             before = desk.session.selected()
             press(desk, WORDS[number % 5 % 3])
             desk.wait(lambda before=before: desk.session.selected() != before, 10, "the next window")
-    told["key_work_ms"] = 1000 * told.pop("key_work_s") / max(count, 1)
+    figures["key_work_ms"] = 1000 * figures.pop("key_work_s") / max(count, 1)
 
 
-def look_around(desk: Desk, told: dict[str, Any]) -> None:
+def look_around(desk: Desk, figures: dict[str, Any]) -> None:
     """Tabs, lost detail: what an operator opens and closes."""
     session, dock = desk.session, desk.dock
     fids = [row.fid for row in session.windows() if row.verdict][-TABBED:]
-    with timed(told, "look"):
+    with timed(figures, "look"):
         for fid in fids:
             session.select([fid])
             dock.zoom_to(fid)
@@ -149,12 +149,12 @@ def look_around(desk: Desk, told: dict[str, Any]) -> None:
     desk.show_all(session.mosaic_layer().extent())
 
 
-def draw_and_undo(desk: Desk, told: dict[str, Any]) -> None:
+def draw_and_undo(desk: Desk, figures: dict[str, Any]) -> None:
     """Windows are drawn by a drag each; the last one is deleted, brought back, and deleted again."""
     session = desk.session
     centre = session.mosaic_layer().extent().center()
     pixel = desk.canvas.mapUnitsPerPixel()
-    with timed(told, "draw"):
+    with timed(figures, "draw"):
         desk.dock.draw.trigger()
         for number in range(DRAWN):
             count = len(session.windows())
@@ -179,11 +179,11 @@ def draw_and_undo(desk: Desk, told: dict[str, Any]) -> None:
 def scan(desk: Desk) -> None:
     """The whole mosaic; what was found is taken off the project again, so that each round begins alike."""
     before = set(desk.project.mapLayers())
-    found: list[object] = []
-    desk.dock.scans.found.connect(found.append)
+    items: list[object] = []
+    desk.dock.scans.found.connect(items.append)
     desk.dock.scan.trigger()
-    desk.wait(lambda: found and not desk.dock.scans.is_busy, 600, "the scan's end")
-    desk.dock.scans.found.disconnect(found.append)
+    desk.wait(lambda: items and not desk.dock.scans.is_busy, 600, "the scan's end")
+    desk.dock.scans.found.disconnect(items.append)
     desk.wait_for_work()
     iface.messageBar().clearWidgets()
     group = [node for node in desk.project.layerTreeRoot().findGroups() if not before & set(node.findLayerIds())]
@@ -251,5 +251,3 @@ def memory_mb() -> float:
     """Resident."""
     pages = int(Path("/proc/self/statm").read_text().split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
-
-

@@ -69,8 +69,8 @@ def make_block(
     for seam in range(STRIPS - 1):
         aside = np.arange(SHAPE[1]) + 0.5 - seam_column(seam)[:, np.newaxis]
         share = (aside > 0).astype(float)
-        for one, start, stop in planted:
-            if one == seam:
+        for item, start, stop in planted:
+            if item == seam:
                 share[start:stop] = np.clip(aside[start:stop] / FEATHER_PX + 0.5, 0, 1)
         made = (1 - share) * made + share * images[seam + 1]
     if foreign is not None:
@@ -102,7 +102,7 @@ def seam_layer() -> QgsVectorLayer:
 def cell_layer(names: Sequence[str]) -> QgsVectorLayer:
     """The strips as polygons that name their orthoimages."""
     rows = np.append(np.arange(0, ROWS, 4), ROWS)
-    sides = [np.zeros(ROWS + 1), *(np.append(one := seam_column(seam), one[-1]) for seam in range(STRIPS - 1)),
+    sides = [np.zeros(ROWS + 1), *(np.append(item := seam_column(seam), item[-1]) for seam in range(STRIPS - 1)),
              np.full(ROWS + 1, float(SHAPE[1]))]
     outlines = []
     for left, right in zip(sides, sides[1:]):

@@ -3,12 +3,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from qgis.core import NULL, QgsGeometry, QgsVectorLayer
 from seam_inspector.plugin.imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, sealed_notes
 from seam_inspector.plugin.toolkit.layers import layer_notes, system_wkt, write_layer_notes
 
+from tests.qgis.runs import Run, run
 from tests.qgis.scenes import layer, moved, saved
 
 X, Y = 500_000.0, 5_400_000.0
@@ -59,3 +61,15 @@ def file(made: QgsVectorLayer, path: Path) -> str:
     written = saved(made, path)
     write_layer_notes(written, TOTALS_DOMAIN, layer_notes(made, TOTALS_DOMAIN))
     return written
+
+
+def decide(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
+    """A decision on layers of seams, without papers that nobody asks for."""
+    papers = dict.fromkeys(("DEFECTS", "REPORT", "QUALITY", "CHART"))
+    return run("acceptmosaic", SEAMS=list(layers), **{**papers, **parameters})
+
+
+def decision(outcome: Run) -> str:
+    """The sentence that decides."""
+    starts = ("Accepted by", "Rejected by", "Undecided by")
+    return next(text for text in outcome.log.infos if text.startswith(starts))

@@ -7,10 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import NULL, QgsExpression, QgsExpressionContext, QgsGeometry, QgsRectangle, QgsVectorLayer
-from seam_inspector.plugin.toolkit.layer_styles import load_style
+from qgis.core import NULL, QgsGeometry, QgsRectangle, QgsVectorLayer
 
-from tests.numbers.acceptance.public_schemas import faults
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.papers import EVIL
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
@@ -55,9 +53,9 @@ def accept(*layers: QgsVectorLayer, **parameters: Any) -> Run:
 
 
 def opened(path: Path) -> QgsVectorLayer:
-    found = QgsVectorLayer(str(path), "failures", "ogr")
-    assert found.isValid()
-    return found
+    result = QgsVectorLayer(str(path), "failures", "ogr")
+    assert result.isValid()
+    return result
 
 
 def rows(path: Path) -> list[dict[str, Any]]:
@@ -108,29 +106,6 @@ def test_dates_causes_and_remarks_come_along(tmp_path: Path) -> None:
     assert second["cause"] in (None, "NULL") or not second["cause"]
     assert first["left_date"].startswith("left_date")
     assert first["right_source"].startswith("right_source")
-
-
-def test_as_csv_it_has_places_and_pictures(tmp_path: Path, mosaic: str) -> None:
-    path = tmp_path / "failures.csv"
-    accept(DEFECTS=str(path), MOSAIC=[mosaic])
-    lines = path.read_text(encoding="utf-8").splitlines()
-    assert lines[0] == ",".join(FIELDS)
-    assert len(lines) == 3
-    assert "failures_pictures/defect_002.jpg" in lines[2]
-    assert (tmp_path / "failures_pictures" / "defect_002.jpg").is_file()
-
-
-def test_in_memory_the_pictures_have_whole_paths(mosaic: str) -> None:
-    outcome = accept(DEFECTS="TEMPORARY_OUTPUT", MOSAIC=[mosaic])
-    assert all(Path(path).is_absolute() and Path(path).is_file() for path in outcome.column("picture", "DEFECTS"))
-
-
-def test_a_second_run_leaves_no_picture_of_the_first(tmp_path: Path, mosaic: str) -> None:
-    path = tmp_path / "failures.gpkg"
-    accept(DEFECTS=str(path), MOSAIC=[mosaic])
-    (tmp_path / "failures_pictures" / "mine.jpg").write_bytes(b"mine")
-    accept(seams([P, F, P]), DEFECTS=str(path), MOSAIC=[mosaic])
-    assert sorted(one.name for one in (tmp_path / "failures_pictures").iterdir()) == ["defect_001.jpg", "mine.jpg"]
 
 
 def test_wrong_rasters_are_told_and_left_out(tmp_path: Path, mosaic: str, loss: str) -> None:
@@ -192,37 +167,6 @@ def test_a_run_that_is_stopped_leaves_no_layer_without_the_failures(tmp_path: Pa
     assert not (tmp_path / "r.html").exists()
 
 
-def test_all_papers_at_once_tell_the_same(tmp_path: Path, mosaic: str, loss: str) -> None:
-    outcome = accept(
-        DEFECTS=str(tmp_path / "failures.gpkg"), REPORT=str(tmp_path / "decision.html"),
-        QUALITY=str(tmp_path / "quality.xml"), MOSAIC=[mosaic], LOSS=loss,
-    )  # fmt: skip
-    page = (tmp_path / "decision.html").read_text(encoding="utf-8").replace("<wbr>", "")
-    document = (tmp_path / "quality.xml").read_text(encoding="utf-8")
-    assert faults(document) == []
-    assert f"{outcome.results['FAILED_SHARE']:.10g}" in document
-    assert f"{outcome.results['FAILED_SHARE']:.2f}" in page
-    assert page.count("data:image/jpeg") == 4  # where each lies, and its middle
-    assert "decision.html" in document
-    assert mosaic in page
-    assert outcome.log.warnings == []
-
-
-def test_the_style_shows_the_picture_and_the_number(tmp_path: Path, mosaic: str) -> None:
-    path = tmp_path / "failures.gpkg"
-    accept(DEFECTS=str(path), MOSAIC=[mosaic])
-    found = opened(path)
-    load_style(found, "defects")
-    assert found.labelsEnabled()
-    assert found.labeling().settings().fieldName == "defect"
-    for name, widget in (("picture", "ExternalResource"), ("remark", "TextEdit")):
-        assert found.editorWidgetSetup(found.fields().indexOf(name)).type() == widget
-    context = QgsExpressionContext(found.createExpressionContext())
-    context.setFeature(next(found.getFeatures()))
-    tip = QgsExpression.replaceExpressionText(found.mapTipTemplate(), context)
-    assert f'src="file:///{tmp_path}/failures_pictures/defect_001.jpg"' in tip
-
-
 @pytest.mark.parametrize("broken", ["missing", "broken", "elsewhere"])
 def test_a_mosaic_that_shows_nothing_costs_the_pictures_only(tmp_path: Path, broken: str) -> None:
     path = tmp_path / "mosaic.tif"
@@ -237,29 +181,3 @@ def test_a_mosaic_that_shows_nothing_costs_the_pictures_only(tmp_path: Path, bro
     assert_sentence(said, "mosaic|picture")
     assert len(rows(tmp_path / "failures.gpkg")) == 2
     assert "data:image/jpeg" not in (tmp_path / "decision.html").read_text(encoding="utf-8")
-
-
-def test_a_picture_of_losses_that_can_not_be_read_is_told(tmp_path: Path) -> None:
-    (tmp_path / "loss.tif").write_bytes(b"no raster")
-    outcome = run("acceptmosaic", SEAMS=[seams(KEPT)], LOSS=str(tmp_path / "loss.tif"), QUALITY=str(tmp_path / "q.xml"))
-    said = outcome.complaint or outcome.log.warnings[0]
-    assert_sentence(said, r"loss\.tif|LOSS|losses")
-
-
-def test_papers_that_can_not_be_written_do_not_cost_the_decision(tmp_path: Path) -> None:
-    (tmp_path / "decision.html").mkdir()
-    outcome = accept(REPORT=str(tmp_path / "decision.html"), QUALITY=str(tmp_path / "quality.xml"))
-    assert "REPORT" not in outcome.results
-    assert outcome.results["QUALITY"]
-    assert_sentence(outcome.log.errors[0], r"decision\.html")
-
-
-def test_a_delivery_without_a_failure_has_an_empty_layer(tmp_path: Path, mosaic: str) -> None:
-    outcome = run(
-        "acceptmosaic", SEAMS=[seams([P] * 8)], MOSAIC=[mosaic], DEFECTS=str(tmp_path / "failures.gpkg"),
-        REPORT=str(tmp_path / "decision.html"), QUALITY=str(tmp_path / "quality.xml"),
-    )  # fmt: skip
-    assert outcome.results["ACCEPTED"] == 1
-    assert rows(tmp_path / "failures.gpkg") == []
-    assert not (tmp_path / "failures_pictures").exists()
-    assert "No piece of seam" in (tmp_path / "decision.html").read_text(encoding="utf-8")

@@ -1,24 +1,19 @@
 """The decision on paper: what stands on the page, for any delivery and any name."""
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from qgis.core import Qgis
-from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
-from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, RatedImage, listed_images
-from seam_inspector.plugin.toolkit.resources import plugin_commit
+from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, RatedImage
 
-from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
+from tests.numbers.acceptance.made_decisions import decided
 from tests.pages import Outline, outline
 from tests.qgis.acceptance.papers import ground, record_of
-from tests.qgis.acceptance.test_quality_document import nothing_measured
 
 FAILED = [(0, 3), (0, 4), (1, 20)]
 
@@ -109,15 +104,6 @@ def test_radiometry_stands_on_the_cover_and_changes_nothing(tmp_path: Path) -> N
     assert ["radiometry", "Accepted", "images rejected: 0, undecided: 0 of 1"] in sound.rows
 
 
-def test_a_plan_shows_its_risk_and_windows_lend_their_words(tmp_path: Path) -> None:
-    plain = decided(["sheet_1", "sheet_2"], failed=FAILED, sampling=PLAN)
-    window = window_on(plain, 3, cause="feathering", remark="kerb gone")
-    page = page_of(tmp_path, record_of(with_windows(plain, window)))
-    assert "producer's risk" in page.words
-    assert "kerb gone" in page.words
-    assert "feathering" in page.words
-
-
 @pytest.mark.parametrize("sheets", [1, 40])
 @pytest.mark.parametrize("each", [0, 8])
 def test_every_size_of_delivery_fits(tmp_path: Path, sheets: int, each: int) -> None:
@@ -130,54 +116,3 @@ def test_every_size_of_delivery_fits(tmp_path: Path, sheets: int, each: int) -> 
     assert len(shown) == min(sheets * each, MOST_ROWS)
     assert ("The longest 300 of 320" in page.words) == (sheets * each > MOST_ROWS)
     assert (tmp_path / "report.html").stat().st_size < 2_000_000
-
-
-class Shouting(QTranslator):
-    """A language that is told from English everywhere."""
-
-    def translate(self, context: str, text: str, disambiguation: str | None = None, count: int = -1) -> str:
-        return re.sub(r"(?<!{)\b[^{}]+?\b(?!})", lambda words: words[0].upper(), text)
-
-    def isEmpty(self) -> bool:
-        return False
-
-
-def test_all_words_can_be_translated(tmp_path: Path) -> None:
-    plain = decided(["SHEET_1", "SHEET_2"], failed=FAILED, sampling=PLAN, images=("A.TIF", "B.TIF"))
-    words = ("visible", "invisible")
-    seen = with_windows(plain, *(
-        window_on(plain, one, str(one), observer=words[one % 2], observer_2=words[one % 2], cause="feathering")
-        for one in range(20)
-    ))
-    seen = replace(seen, rules=replace(seen.rules, name="RULES"), sentences=())
-    shouting = Shouting()
-    QCoreApplication.installTranslator(shouting)
-    try:
-        page = page_of(tmp_path, InspectionRecord(seen, (("SHEET_1", "/X"),), "/W", "/R", scan={"wavelet": "HAAR"}))
-    finally:
-        QCoreApplication.removeTranslator(shouting)
-    shown = page.words[page.words.index("REJECTED") :]
-    for name in ("Seam Inspector", "QGIS", Qgis.version(), plugin_commit(), plugin_commit()[:12]):
-        shown = shown.replace(name, "")
-    left = set(re.findall(r"[a-z]{2,}", shown)) - {"contract", "zone"}
-    assert not left
-
-
-def test_nothing_measured_is_no_number(tmp_path: Path) -> None:
-    page = page_of(tmp_path, record_of(nothing_measured()))
-    rules = {row[0]: row[1:] for row in page.rows if len(row) == 4}
-    assert rules["share of the seams that failed"][0] == "\u2013"
-    assert rules["share of the seams that failed"][2] == "can't be told"
-    assert "nan" not in page.words
-
-
-def test_annexes_say_a_folder_once(tmp_path: Path) -> None:
-    paths = [f"/orders/12/images/{number:03}.tif" for number in range(40)]
-    decision = decided(["sheet_1"])
-    page = page_of(tmp_path, record_of(decision, images=listed_images(decision, paths)))
-    assert "Files are in the folder /orders/12/images/" in page.words
-    assert page.words.count("/orders/12/images/") == 1
-    assert {"000.tif", "039.tif"} <= {cell for row in page.rows for cell in row}
-    apart = page_of(tmp_path, record_of(decision, images=listed_images(decision, [*paths, "/other/a.tif"])))
-    assert "Files are in the folder" not in apart.words
-    assert "/orders/12/images/000.tif" in apart.words.replace(" ", "")

@@ -2,19 +2,15 @@
 from __future__ import annotations
 
 import json
-import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
-from osgeo import gdal
-from qgis.core import QgsGeometry, QgsPointXY, QgsProject, QgsRectangle, QgsVectorLayer
-from scipy import stats
+from qgis.core import QgsGeometry, QgsRectangle, QgsVectorLayer
 
-from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
-from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
-from tests.qgis.runs import Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.acceptance.seam_scenes import UTM33, decide, decision, file, seams, straight
+from tests.qgis.runs import Run, assert_refused, assert_sentence
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -25,46 +21,21 @@ RUN = {"check": "longest_failure", "most": 60, "source": "x"}
 READY = Path(__file__).parents[3] / "resources" / "rules" / "acceptance"
 
 
-def decide(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
-    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, **parameters}
-    return run("acceptmosaic", SEAMS=list(layers), **wanted)
-
-
 def numbers(outcome: Run) -> dict[str, float]:
     assert outcome.complaint is None
     return {name: outcome.results.get(name) for name in NUMBERS}
 
 
-def decision(outcome: Run) -> str:
-    (said,) = (text for text in outcome.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
-    return said
-
-
-def test_parameters_and_outputs_are_those_promised() -> None:
-    job = algorithm("acceptmosaic")
-    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
-    promised = {
-        "MIN_KEPT": 0.7, "MAX_SHARE": 2, "MAX_RUN": 50, "PLAN": "all", "LOT_SIZE": 0, "AQL": "1.0",
-        "INSPECTION_LEVEL": "II",
-    }  # fmt: skip
-    assert {name: defaults[name] for name in promised} == promised
-    assert {"REPORT", "QUALITY", "DEFECTS", "CHART", "RULES", "WINDOWS", "MOSAIC", "SEED"} <= defaults.keys()
-    required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
-    assert "SEAMS" in required
-    assert {*NUMBERS, "DECISION", "DEFECTS", "REPORT", "QUALITY"} <= {one.name() for one in job.outputDefinitions()}
-    assert job.group() == "Seam inspection"
-
-
 def test_metres_share_and_longest_failure() -> None:
     outcome = decide(seams([P] * 90 + [0.1, F, P, F, 0.1, 0.3, *[P] * 5]))
-    found = numbers(outcome)
-    assert found == pytest.approx({
+    result = numbers(outcome)
+    assert result == pytest.approx({
         "ACCEPTED": 0, "TOTAL_METRES": 2525, "MEASURED_METRES": 2525, "FAILED_METRES": 125,
         "FAILED_SHARE": 100 * 125 / 2525, "LONGEST_FAILURE": 75,
     })  # fmt: skip
-    said = f"{found['FAILED_SHARE']:.2f}\u00a0% of the measured metres failed and only 2\u00a0% may"
+    said = f"{result['FAILED_SHARE']:.2f}\u00a0% of the measured metres failed and only 2\u00a0% may"
     assert said in decision(outcome)
-    assert f"is {found['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
+    assert f"is {result['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
 
 
 def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:
@@ -93,32 +64,6 @@ def test_what_could_not_be_measured_is_not_passed() -> None:
     assert nothing.results.keys().isdisjoint({"ACCEPTED", "FAILED_SHARE"})
 
 
-@pytest.mark.parametrize(("failed", "accepted"), [(1, 1), (2, 0)])
-@pytest.mark.parametrize("stated", [{"PLAN": "iso2859_2", "LQ": 5}, {"READY_RULES": "iso2859_2_lq_5"}])
-def test_an_isolated_lot_has_a_plan_of_its_own(
-    failed: int, accepted: int, stated: dict[str, object], tmp_path: Path
-) -> None:
-    made = seams([F] * failed + [P] * (80 - failed))
-    paper = {"REPORT": str(tmp_path / "r.html"), "QUALITY": str(tmp_path / "q.xml"), "CHART": str(tmp_path / "c.svg")}
-    outcome = decide(made, LOT_SIZE=1000, **stated, **paper)
-    assert outcome.results["ACCEPTED"] == accepted
-    assert f"{failed} of 80 inspected pieces failed" in decision(outcome)
-    risk = stats.hypergeom.cdf(1, 1000, 50, 80)
-    assert f"the limiting quality of 5 %, {100 * risk:.1f}\u00a0% are accepted" in decision(outcome)
-    for name in ("r.html", "q.xml"):
-        text = (tmp_path / name).read_text(encoding="utf-8")
-        assert "ISO 2859-2:1985" in text
-        assert "ISO 2859-1" not in text
-        assert "AQL" not in text
-    assert not faults((tmp_path / "q.xml").read_text(encoding="utf-8"))
-
-
-@pytest.mark.parametrize("aql", [1, 1.0, "1", "1.0"])
-def test_an_aql_may_be_a_number(aql: object) -> None:
-    outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=1000, AQL=aql)
-    assert outcome.results["ACCEPTED"] == 1
-
-
 def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
     made = seams([0.75] * 2 + [P] * 98)
     assert decide(made).results["ACCEPTED"] == 1
@@ -132,11 +77,6 @@ def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
     assert outcome.results["ACCEPTED"] == 1
     assert outcome.results["FAILED_METRES"] == 50
     assert decision(outcome).startswith("Accepted by 'contract 7'")
-
-
-def test_the_seams_of_a_scan_are_called_as_their_file(tmp_path: Path) -> None:
-    made = QgsVectorLayer(file(seams([F] * 4), tmp_path / "block_7_scan.gpkg"), "Seams", "ogr")
-    assert "in block_7_scan." in next(text for text in decide(made).log.infos if text.startswith("The longest"))
 
 
 @pytest.mark.parametrize("path", sorted(READY.glob("*.json")), ids=lambda path: path.stem)
@@ -189,47 +129,7 @@ def test_a_key_that_stands_twice_is_refused(text: str, tmp_path: Path) -> None:
     assert_refused("acceptmosaic", f"twice.json has '{key}' twice", SEAMS=[seams([P])], RULES=str(path))
 
 
-def test_windows_lend_their_words() -> None:
-    boxes = [f"POLYGON(({X + a} {Y - 9}, {X + a + 25} {Y - 9}, {X + a + 25} {Y + 9}, {X + a} {Y + 9}, {X + a} {Y - 9}))"
-             for a in (0, 25, 50, 75)]
-    judged = layer(
-        "Polygon", [QgsGeometry.fromWkt(box) for box in boxes], UTM33, window_id=("integer", [4, 5, 6, 7]),
-        remark=("string", ["kerb <gone>", None, "", None]), causes=("string", ["feathering", None, None, None]),
-        cause=("string", ["feathering", None, None, None]),
-    )
-    outcome = decide(seams([F, P, P, P]), WINDOWS=judged, DEFECTS="TEMPORARY_OUTPUT")
-    assert outcome.rows("DEFECTS")[0]["remark"] == "kerb <gone>"
-    assert outcome.rows("DEFECTS")[0]["cause"] == "feathering"
-
-
-def test_everything_on_paper(tmp_path: Path) -> None:
-    paths = {name: str(tmp_path / f"{name} 'a' & b.{ending}") for name, ending in
-             (("DEFECTS", "gpkg"), ("REPORT", "html"), ("QUALITY", "xml"), ("CHART", "png"))}
-    for plan in ("all", "iso2859"):
-        outcome = decide(seams([F, F, F] + [P] * 97), PLAN=plan, **paths)
-        assert outcome.complaint is None
-        assert not outcome.log.errors
-        for path in paths.values():
-            assert Path(path).stat().st_size > 1000
-
-
 # --- layers of all kinds ---------------------------------------------------------------------------------------
-
-
-def test_lengths_come_from_the_lines_where_the_layer_has_none() -> None:
-    assert decide(seams([P, F], with_length=False)).results["TOTAL_METRES"] == pytest.approx(50, rel=1e-3)
-
-
-def test_degrees_and_mixed_systems() -> None:
-    degrees = seams([P, F, F], epsg=4326, with_length=False, name="degrees")
-    outcome = decide(degrees)
-    assert outcome.results["TOTAL_METRES"] == pytest.approx(75, rel=1e-3)
-    assert outcome.results["LONGEST_FAILURE"] == pytest.approx(50, rel=1e-3)
-    assert "The layers are in degrees; places and lengths are given in WGS 84 / UTM zone 33N." in outcome.log.infos
-    mixed = decide(degrees, seams([F, P], start=75, epsg=25833, name="other"))
-    assert mixed.results["LONGEST_FAILURE"] == pytest.approx(75, rel=1e-3)
-    feet = decide(seams([F, F, P], epsg=2264, with_length=False, name="feet"))
-    assert feet.results["LONGEST_FAILURE"] == pytest.approx(50, rel=0.1)
 
 
 def test_a_layer_given_twice_counts_once(tmp_path: Path) -> None:
@@ -239,58 +139,6 @@ def test_a_layer_given_twice_counts_once(tmp_path: Path) -> None:
     assert_sentence(outcome.log.warnings[0], "given twice and counts once")
     path = file(made, tmp_path / "seams.gpkg")
     assert decide(path, path).results["TOTAL_METRES"] == 100
-
-
-def test_sheets_of_one_name_are_told_apart(tmp_path: Path) -> None:
-    paths = [file(seams([F], y=100 * number), tmp_path / f"sheet_{number}" / "seams.gpkg") for number in (1, 2)]
-    report = tmp_path / "r.html"
-    assert decide(*paths, REPORT=str(report)).results["TOTAL_METRES"] == 50
-    page = report.read_text(encoding="utf-8")
-    assert "sheet_1/seams" in page
-    assert "sheet_2/seams" in page
-
-
-def test_a_file_of_several_tables_gives_its_seams(tmp_path: Path) -> None:
-    path = tmp_path / "scan.gpkg"
-    worst = layer("Polygon", [QgsGeometry.fromWkt("POLYGON((0 0, 1 0, 1 1, 0 0))")], kept_1=("double", [0.1]))
-    shutil.copy(file(worst, tmp_path / "worst_windows.gpkg"), path)
-    seam_file = file(seams([P] * 4), tmp_path / "seams.gpkg")
-    gdal.VectorTranslate(str(path), seam_file, layerName="seams", accessMode="append")
-    assert decide(str(path)).results["TOTAL_METRES"] == 100
-
-
-def test_a_layer_of_the_project_by_its_name() -> None:
-    made = seams([P] * 4, name="my seams")
-    QgsProject.instance().addMapLayer(made, False)
-    assert decide("my seams").results["TOTAL_METRES"] == 100
-    assert decide(made.id()).results["TOTAL_METRES"] == 100
-    QgsProject.instance().removeMapLayer(made.id())
-
-
-def test_a_filtered_layer_is_refused(tmp_path: Path) -> None:
-    """Its failures may be what the filter hides."""
-    path = file(seams([F] * 3 + [P] * 7), tmp_path / "seams.gpkg")
-    filtered = QgsVectorLayer(path, "north", "ogr")
-    assert filtered.setSubsetString("kept_1 > 0.7")
-    for given in (filtered, f"{path}|subset=kept_1 > 0.7"):
-        assert_refused("acceptmosaic", "is filtered .*kept_1 > 0.7.* remove the filter", SEAMS=[given])
-
-
-def test_features_without_a_line_are_told() -> None:
-    made = layer(
-        "LineString", [straight(0, 25), None, QgsGeometry.fromWkt(f"LINESTRING({X} {Y}, {X} {Y})")], UTM33,
-        kept_1=("double", [P, F, F]),
-    )
-    outcome = decide(made)
-    assert outcome.results["TOTAL_METRES"] == pytest.approx(25, rel=1e-3)
-    assert_sentence(outcome.log.warnings[0], r"made: features without a line are left out \(2\)")
-
-
-def test_text_that_is_a_number_is_one(tmp_path: Path) -> None:
-    lines = [straight(25 * place, 25) for place in range(3)]
-    made = layer("LineString", lines, UTM33, kept_1=("string", ["0.5", "0.9", " "]))
-    outcome = decide(made)
-    assert (outcome.results["FAILED_METRES"], outcome.results["MEASURED_METRES"]) == pytest.approx((25, 50), rel=1e-3)
 
 
 def empty(kind: str = "LineString", **fields: tuple[str, list[Any]]) -> QgsVectorLayer:
@@ -313,38 +161,10 @@ def test_bad_layers_are_refused() -> None:
     assert_sentence(outcome.log.warnings[0], "made is empty")
 
 
-@pytest.mark.parametrize(
-    ("parameters", "words"),
-    [
-        ({"MIN_KEPT": 0}, "has to keep 0 always passes"),
-        ({"MIN_KEPT": 70}, "is 70; give a number from 0 to 1"),
-        ({"AQL": "3"}, "is '3'; known are 0.010"),
-        ({"AQL": 15}, "is '15'; known are 0.010"),
-        ({"CHART": "/tmp/chart.doc"}, "no PNG, SVG or PDF"),
-    ],
-)
-def test_limits_that_can_not_be_are_refused(parameters: dict[str, Any], words: str) -> None:
-    assert_refused("acceptmosaic", words, SEAMS=[seams([P])], **parameters)
-
-
-def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
-    outcome = decide(seams([P] * 80), PLAN="iso2859", LOT_SIZE=10)
-    assert_sentence(outcome.complaint, "The lot size is 10 and the layers hold 80 pieces")
-    assert_sentence(decide(seams([P]), PLAN="iso2859").complaint, "at least 2")
-
-
-@pytest.mark.parametrize("number", [float("nan"), float("inf")])
-def test_a_sheet_whose_corner_is_no_number_is_named(number: float, capfd: pytest.CaptureFixture[str]) -> None:
-    corners = [QgsPointXY(*place) for place in ((0, 0), (9, 0), (number, 9))]
-    index = layer("Polygon", [QgsGeometry.fromPolygonXY([corners])], UTM33, name=("string", ["north"]))
-    assert_refused("acceptmosaic", "sheet north has coordinates that are no numbers", SEAMS=[seams([P])], SHEETS=index)
-    assert "GEOS" not in capfd.readouterr().err
-
-
 def test_a_piece_over_a_border_counts_in_the_sheet_of_its_middle(tmp_path: Path) -> None:
     """390 m in pieces of 30 m, sheets of 100 m."""
     pieces = seams([F if place in (2, 3, 9) else P for place in range(13)], length=30)
-    corner = min((one.geometry().vertexAt(0) for one in pieces.getFeatures()), key=lambda point: point.x())
+    corner = min((feature.geometry().vertexAt(0) for feature in pieces.getFeatures()), key=lambda point: point.x())
     squares = [
         QgsGeometry.fromRect(QgsRectangle(corner.x() + left, corner.y() - 50, corner.x() + left + 100, corner.y() + 50))
         for left in (0, 100, 200, 300)
@@ -359,16 +179,3 @@ def test_a_piece_over_a_border_counts_in_the_sheet_of_its_middle(tmp_path: Path)
     assert [failed[name] for name in "abcd"] == [
         ("30.0 m", "1 / 3"), ("30.0 m", "1 / 4"), ("30.0 m", "1 / 3"), ("0.0 m", "0 / 3")
     ]  # fmt: skip
-
-
-def test_a_piece_whose_middle_lies_on_a_border_makes_no_sheet_of_its_own(tmp_path: Path) -> None:
-    """Three pieces of 30 m, two sheets of 45 m."""
-    pieces = seams([P] * 3, length=30)
-    squares = [QgsGeometry.fromRect(QgsRectangle(X + left, Y - 50, X + left + 45, Y + 50)) for left in (0, 45)]
-    outlines = layer("Polygon", squares, UTM33, name=("string", ["a", "b"]))
-    outcome = decide(pieces, SHEETS=outlines, REPORT=str(tmp_path / "decision.html"))
-    assert not any("none of the sheets" in text for text in outcome.log.warnings)
-    rows = outline((tmp_path / "decision.html").read_text(encoding="utf-8")).rows
-    metres = {row[0]: row[2].replace("\u00a0", " ") for row in rows if len(row) > 5}
-    assert [metres[name] for name in "ab"] == ["60.0 m", "30.0 m"]
-    assert "seams" not in metres

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from osgeo import gdal
 
+from tests.qgis.acceptance.seam_scenes import decision
 from tests.qgis.runs import Run, run
 from tests.qgis.seams.scan_scenes import Files, write_scene
 
@@ -48,10 +49,6 @@ def decide(folder: Path, **more: Any) -> Run:
     return made
 
 
-def decision(made: Run) -> str:
-    return next(text for text in made.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
-
-
 def rewrite(path: Path, at: float = 0.4, keep_time: bool = True) -> None:
     """Another tenth of a file, of the same size."""
     before, held = path.stat(), bytearray(path.read_bytes())
@@ -83,18 +80,6 @@ def test_another_file_of_the_same_size_and_time_decides_nothing(scanned: Path, t
         shutil.copy2(tmp_path / name, scanned / name)
 
 
-def test_a_file_that_was_written_to_between_the_bytes_that_are_looked_at_is_seen_by_its_time(
-    scanned: Path, tmp_path: Path
-) -> None:
-    mosaic = scanned / "mosaic.tif"
-    shutil.copy2(mosaic, tmp_path / "kept.tif")
-    try:
-        os.utime(mosaic, ns=(1, mosaic.stat().st_mtime_ns + 10**9))
-        assert "were changed since they were scanned: 1 (mosaic.tif)" in decision(decide(scanned))
-    finally:
-        shutil.copy2(tmp_path / "kept.tif", mosaic)
-
-
 def test_another_mosaic_decides_nothing_whatever_the_scan_found(project: Path, tmp_path: Path) -> None:
     other = Path(write_scene(tmp_path, width=24.0, name="bad").mosaic)
     for limits in ({}, {"MIN_KEPT": 1.0}):
@@ -104,15 +89,6 @@ def test_another_mosaic_decides_nothing_whatever_the_scan_found(project: Path, t
         assert "files are given that are not those that were scanned: bad.tif" in decision(made)
     renamed = shutil.move(other, tmp_path / "mosaic.tif")
     assert "not those that were scanned: mosaic.tif" in decision(decide(project, MOSAIC=[str(renamed)]))
-
-
-def test_another_orthoimage_of_the_same_name_decides_nothing(project: Path, tmp_path: Path) -> None:
-    west = tmp_path / "west.tif"
-    shutil.copy2(project / "west.tif", west)
-    given = {"MOSAIC": [str(project / "mosaic.tif")], "SOURCES": [str(west)]}
-    assert decide(project, **given).results["DECISION"] == "accepted"
-    rewrite(west)
-    assert "not those that were scanned: west.tif" in decision(decide(project, **given))
 
 
 @pytest.mark.parametrize(("lost", "outcome"), [("mosaic.tif", "undecided"), ("west.tif", "accepted")])
@@ -154,15 +130,6 @@ def test_a_vrt_is_the_sheets_that_it_names(
         assert named in decision(made)
 
 
-@pytest.mark.parametrize("name", ["whole.vrt", "whole.tif"])
-def test_what_was_scanned_may_be_given_as_a_vrt(scanned: Path, tmp_path: Path, name: str) -> None:
-    gdal.BuildVRT(str(tmp_path / name), [str(scanned / "mosaic.tif")]).FlushCache()
-    given = {"MOSAIC": [str(tmp_path / name)]}
-    assert decide(scanned, **given).results["DECISION"] == "accepted"
-    gdal.BuildVRT(str(tmp_path / name), [str(scanned / "west.tif")]).FlushCache()
-    assert "not those that were scanned: west.tif" in decision(decide(scanned, **given))
-
-
 def show(path: Path) -> None:
     """What QGIS writes when it shows a raster."""
     dataset = gdal.Open(str(path))
@@ -170,6 +137,12 @@ def show(path: Path) -> None:
 
 
 @pytest.mark.slow
+def swap(vrt: Path) -> None:
+    """Put two sheets each in the other's place."""
+    text = vrt.read_text(encoding="utf-8")
+    vrt.write_text(text.replace("a.tif", "?").replace("b.tif", "a.tif").replace("?", "b.tif"), encoding="utf-8")
+
+
 def test_a_mosaic_is_all_of_its_files(scanned: Path, tmp_path: Path) -> None:
     mosaic = tmp_path / "mosaic.img"
     gdal.Translate(str(mosaic), str(scanned / "mosaic.tif"), format="HFA", creationOptions=["USE_SPILL=YES"])
@@ -181,23 +154,3 @@ def test_a_mosaic_is_all_of_its_files(scanned: Path, tmp_path: Path) -> None:
         made = decide(tmp_path, **given)
         assert words in decision(made)
         assert "mosaic.ige" in decision(made)
-
-
-def swap(vrt: Path) -> None:
-    """Put two sheets each in the other's place."""
-    text = vrt.read_text(encoding="utf-8")
-    vrt.write_text(text.replace("a.tif", "?").replace("b.tif", "a.tif").replace("?", "b.tif"), encoding="utf-8")
-
-
-def test_a_server_that_only_a_layer_names_is_not_asked(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whoever hands in the layer would learn who reads it."""
-    asked: list[str] = []
-    monkeypatch.setattr(gdal, "VSIStatL", lambda path, *_: asked.append(path))
-    dataset = gdal.OpenEx(str(project / "seams.gpkg"), gdal.OF_VECTOR | gdal.OF_UPDATE)
-    layer = dataset.GetLayer(0)
-    notes = layer.GetMetadata("SEAM_INSPECTOR")
-    notes["mosaic_files"] = '[["http://supplier.example/mosaic.tif", 0, 0, "12 34 etag"]]'
-    layer.SetMetadata(notes, "SEAM_INSPECTOR")
-    del layer, dataset
-    assert "files of the scanned mosaic are not found any more: 1 (mosaic.tif)" in decision(decide(project))
-    assert not asked

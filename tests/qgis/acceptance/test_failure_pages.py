@@ -31,13 +31,15 @@ def picture(data: bytes) -> np.ndarray:
     return np.moveaxis(gdal.Open(path).ReadAsArray().astype(float), 0, 2)
 
 
-@pytest.mark.parametrize("name", DELIVERIES)
+@pytest.mark.parametrize("name", [
+    "long", "JPEG 85", *(pytest.param(name, marks=pytest.mark.release) for name in ("short", "seams found"))
+])  # fmt: skip
 def test_all_that_a_page_shows_of_a_failure_is_what_decided(name: str, tmp_path: Path) -> None:
     planted, jpeg, more = DELIVERIES[name]
     block = make_block(tmp_path / "block", planted, jpeg=jpeg)
     seams = scan(block, tmp_path / "scan", **more).results["SEAMS"]
-    found = decide(tmp_path / "paper", seams, MOSAIC=[block.mosaic], SOURCES=list(block.sources))
-    assert found.complaint is None
+    outcome = decide(tmp_path / "paper", seams, MOSAIC=[block.mosaic], SOURCES=list(block.sources))
+    assert outcome.complaint is None
     page = outline((tmp_path / "paper" / "decision.html").read_text(encoding="utf-8"))
     failures = list(QgsVectorLayer(str(tmp_path / "paper" / "failures.gpkg"), "", "ogr").getFeatures())
     titles = re.findall(r"Failure (\d+): ([\d.]+).m, least kept (\d+)", page.words)
@@ -45,7 +47,7 @@ def test_all_that_a_page_shows_of_a_failure_is_what_decided(name: str, tmp_path:
     pieces = {round(row["kept_1"], 3): row for row in QgsVectorLayer(seams, "", "ogr").getFeatures() if row["kept_1"]}
     curves = page.captions.count("Kept by the worst piece, by distance from the seam")
     assert curves == len(failures)
-    panels = [one for one in map(picture, page.pictures("jpeg")) if one.shape[:2] == (PROOF_PX, PROOF_PX)]
+    panels = [item for item in map(picture, page.pictures("jpeg")) if item.shape[:2] == (PROOF_PX, PROOF_PX)]
     assert len(panels) == 4 * len(failures)  # mosaic, cut, two orthoimages
     mosaic = gdal.Open(block.mosaic)
     left, top = mosaic.GetGeoTransform()[::3]
@@ -54,7 +56,7 @@ def test_all_that_a_page_shows_of_a_failure_is_what_decided(name: str, tmp_path:
         assert float(length) == pytest.approx(row["length"], abs=0.06)
         assert float(kept) == pytest.approx(100 * row["kept_1"], abs=0.51)
         piece = pieces[row["kept_1"]]
-        strip, *steps = ([*map(float, one.split())] for one in piece["profile"].split("; "))
+        strip, *steps = ([*map(float, item.split())] for item in piece["profile"].split("; "))
         assert strip[2] == pytest.approx(piece["kept_1"], abs=ROUNDED)
         within = [share for _, far, share in steps if far <= strip[1] + 1e-6]
         assert min(within) - ROUNDED <= strip[2] <= max(within) + ROUNDED, piece["profile"]

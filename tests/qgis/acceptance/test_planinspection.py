@@ -1,15 +1,14 @@
 """``planinspection`` as QGIS runs it: how many, which, and that the sample goes on into the decision and the desk."""
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsGeometry, QgsProcessingContext, QgsProject, QgsVectorLayer
+from qgis.core import QgsVectorLayer
 
-from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
-from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
-from tests.qgis.scenes import PIXEL, Scene, layer, line, pixel_box
+from tests.qgis.acceptance.seam_scenes import UTM33, seams, straight
+from tests.qgis.runs import Run, assert_refused, assert_sentence, run
+from tests.qgis.scenes import Scene, layer, line
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -24,15 +23,6 @@ def numbers(outcome: Run) -> tuple[object, ...]:
     assert outcome.complaint is None
     names = ("SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "LOT_SIZE", "CODE_LETTER")
     return tuple(outcome.results.get(name) for name in names)
-
-
-def test_parameters_and_outputs_are_those_promised() -> None:
-    job = algorithm("planinspection")
-    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
-    assert {"LOT_SIZE", "AQL", "INSPECTION_LEVEL", "COUNT", "SEED", "MOSAIC", "SIDE"} <= defaults.keys()
-    assert (defaults["PLAN"], defaults["UNIT"]) == ("iso2859", "pieces")
-    outputs = {output.name() for output in job.outputDefinitions()}
-    assert {"OUTPUT", "SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "LOT_SIZE", "CODE_LETTER"} <= outputs
 
 
 def test_a_sample_by_the_standard_in_proportion_from_every_sheet() -> None:
@@ -76,18 +66,6 @@ def test_the_sample_is_decided_on() -> None:
     assert not any("without a break: " in text for text in (*judged.log.infos, *outcome.log.infos))
 
 
-def test_the_papers_of_a_sample_say_nothing_of_the_longest_failure(tmp_path: Path) -> None:
-    planned = plan(seams([0.5] * 200 + [P] * 800), PLAN="iso2859", AQL="1.0")
-    report, quality = tmp_path / "report.html", tmp_path / "quality.xml"
-    outcome = run(
-        "acceptmosaic", SEAMS=[planned.layer()], PLAN="iso2859", AQL="1.0", REPORT=str(report), QUALITY=str(quality),
-        DEFECTS=None, CHART=None,
-    )
-    assert outcome.complaint is None
-    assert "failed without a break" not in report.read_text(encoding="utf-8")
-    assert "longest_failure" not in quality.read_text(encoding="utf-8")
-
-
 def test_a_sample_that_an_operator_judged_is_decided_on(scene: Scene) -> None:
     seam = layer("LineString", [line((200, 0), (300, 256)), line((400, 0), (400, 256))])
     given = {"PLAN": "count", "COUNT": 8, "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "PIECE": 5}
@@ -107,12 +85,6 @@ def test_a_sample_that_an_operator_judged_is_decided_on(scene: Scene) -> None:
     assert_refused("acceptmosaic", "give WINDOWS", SEAMS=[drawn.layer()], **wanted)
 
 
-@pytest.mark.parametrize("count", [1, 12, 5000])
-def test_as_many_as_are_asked_for(count: int) -> None:
-    outcome = plan(seams([P] * 40), PLAN="count", COUNT=count)
-    assert numbers(outcome) == (min(count, 40), None, 40, None)
-
-
 def test_plain_seamlines_are_cut() -> None:
     made = layer("LineString", [straight(0, 1000), straight(0, 250, 30)])
     outcome = plan(made, PLAN="count", COUNT=1000, PIECE=25)
@@ -124,33 +96,6 @@ def test_plain_seamlines_are_cut() -> None:
     assert stations == pytest.approx([25 / 0.9996 * n for n in range(40)])
     for row, feature in zip(rows, outcome.features()):
         assert feature.geometry().length() == pytest.approx(row["length"] * 0.9996)
-
-
-def test_windows_open_in_the_desk(scene: Scene) -> None:
-    seam = layer("LineString", [line((200, 0), (300, 256))])
-    outcome = plan(
-        seam, PLAN="count", COUNT=4, UNIT="windows", MOSAIC=str(scene.mosaic), SIDE=64 * PIXEL, PIECE=5,
-    )
-    rows = outcome.rows()
-    assert list(rows[0]) == ["window_id", "seam_id", "station", "sheet", "sample", "lot_size"]
-    assert [row["window_id"] for row in rows] == [1, 2, 3, 4]
-    for feature in outcome.features():
-        column, row, width, height = pixel_box(feature.geometry())
-        assert (width, height) == (64, 64)
-        assert column == round(column)
-        assert 0 <= column <= 512 - 64
-        assert 0 <= row <= 256 - 64
-    inspected = run("inspectwindows", WINDOWS=outcome.layer(), MOSAIC=str(scene.mosaic), SOURCES=scene.sources)
-    assert inspected.results["WINDOW_COUNT"] == 4
-
-
-def test_pieces_off_the_mosaic_are_told(scene: Scene) -> None:
-    here, far = layer("LineString", [line((200, 0), (200, 256))]), layer("LineString", [line((900, 0), (900, 256))])
-    given = {"PLAN": "count", "UNIT": "windows", "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "PIECE": 5}
-    outcome = plan(here, far, **given)
-    assert_sentence(outcome.log.warnings[0], "5 pieces do not lie on the mosaic")
-    assert outcome.results["LOT_SIZE"] == 5
-    assert_sentence(plan(far, **given).complaint, "None of the seams lies on the mosaic")
 
 
 def test_a_field_of_sheets() -> None:
@@ -181,31 +126,3 @@ def test_a_sample_larger_than_what_is_given_is_told() -> None:
     outcome = plan(seams([P] * 40), LOT_SIZE=1000)
     assert outcome.results["SAMPLE_SIZE"] == 40
     assert_sentence(outcome.log.warnings[0], "The plan needs 80 pieces and the layers hold 40")
-
-
-def test_degenerate_lines_are_left_out() -> None:
-    point = QgsGeometry.fromWkt(f"LINESTRING({X} {Y}, {X} {Y})")
-    outcome = plan(layer("LineString", [point, straight(0, 50), None]), PLAN="count")
-    assert outcome.results["LOT_SIZE"] == 2
-
-
-def test_files_as_a_script_gives_them(tmp_path: Path) -> None:
-    path = file(seams([P] * 30), tmp_path / "a 'sheet' & more.gpkg")
-    outcome = plan(path, OUTPUT=str(tmp_path / "sample.gpkg"), PLAN="count", COUNT=3)
-    assert (tmp_path / "sample.gpkg").exists()
-    assert outcome.rows()[0]["sheet"] == "a 'sheet' & more"
-
-
-@pytest.mark.parametrize("unit", ["pieces", "windows"])
-def test_the_two_samples_have_names_of_their_own(scene: Scene, unit: str, tmp_path: Path) -> None:
-    context, output = QgsProcessingContext(), str(tmp_path / "sample.gpkg")
-    context.setProject(QgsProject.instance())
-    details = QgsProcessingContext.LayerDetails("Sample", QgsProject.instance(), "OUTPUT")
-    context.addLayerToLoadOnCompletion(output, details)
-    made = layer("LineString", [line((200, 0), (300, 256))])
-    parameters = {
-        "SEAMS": [made], "PLAN": "count", "COUNT": 2, "UNIT": unit, "MOSAIC": str(scene.mosaic), "PIECE": 5,
-        "SIDE": 64 * PIXEL, "OUTPUT": output,
-    }  # fmt: skip
-    assert algorithm("planinspection").run(parameters, context, Log())[1]
-    assert context.layerToLoadOnCompletionDetails(output).name == f"Sample ({unit})"

@@ -9,12 +9,7 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
-from seam_inspector.plugin.acceptance.paper.inspection_record import described_bands, scan_settings
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
-from seam_inspector.plugin.imagery.open_raster import describe_placed
-from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.scan.loss_raster import loss_raster
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
 from tests.numbers.acceptance.public_schemas import NAMESPACES, faults
@@ -25,29 +20,29 @@ FAILED = [(0, 3), (0, 4), (1, 20)]
 
 
 def text(element: ET.Element, path: str) -> str:
-    found = element.find(path, NAMESPACES)
-    assert found is not None, path
-    return "".join(found.itertext()).strip()
+    result = element.find(path, NAMESPACES)
+    assert result is not None, path
+    return "".join(result.itertext()).strip()
 
 
 def elements(document: str) -> dict[str, ET.Element]:
     """Elements by their identifiers."""
     assert faults(document) == []
     root = ET.fromstring(document.encode())
-    return {one.get("id", ""): one for report in root.iterfind(".//mdq:report", NAMESPACES) for one in report}
+    return {item.get("id", ""): item for report in root.iterfind(".//mdq:report", NAMESPACES) for item in report}
 
 
 def values(element: ET.Element) -> list[float]:
     """Values of all sheets together."""
     first = element.find("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
     assert first is not None
-    return [float(one.text or "") for one in first.iterfind("mdq:value/gco:Record", NAMESPACES)]
+    return [float(name.text or "") for name in first.iterfind("mdq:value/gco:Record", NAMESPACES)]
 
 
 def unit(element: ET.Element) -> str:
-    found = element.find("mdq:result/mdq:DQ_QuantitativeResult/mdq:valueUnit", NAMESPACES)
-    assert found is not None
-    return found.attrib[f"{{{NAMESPACES['xlink']}}}href"]
+    result = element.find("mdq:result/mdq:DQ_QuantitativeResult/mdq:valueUnit", NAMESPACES)
+    assert result is not None
+    return result.attrib[f"{{{NAMESPACES['xlink']}}}href"]
 
 
 def passed(element: ET.Element) -> str:
@@ -56,30 +51,30 @@ def passed(element: ET.Element) -> str:
 
 def test_one_report_per_measure_with_value_unit_and_conformance() -> None:
     decision = decided(SHEETS, failed=FAILED)
-    found = elements(quality_document(record_of(decision)))
-    assert list(found) == ["acceptance", "failed_share", "longest_failure", "kept", "measured_share"]
+    result = elements(quality_document(record_of(decision)))
+    assert list(result) == ["acceptance", "failed_share", "longest_failure", "kept", "measured_share"]
     share = decision.whole.failed_share
     assert share is not None
-    assert values(found["failed_share"]) == pytest.approx([100 * share])
-    assert unit(found["failed_share"]).endswith("UCUM/%25")
-    assert passed(found["failed_share"]) == passed(found["acceptance"]) == "false"
-    assert values(found["longest_failure"]) == pytest.approx([decision.longest_failure_m])
-    assert unit(found["longest_failure"]).endswith("UCUM/m")
-    assert passed(found["longest_failure"]) == "true"
-    assert values(found["kept"]) == pytest.approx([0.45])
-    assert values(found["measured_share"]) == pytest.approx([100.0])
-    assert text(found["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:specification") == "contract"
-    explained = text(found["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:explanation")
+    assert values(result["failed_share"]) == pytest.approx([100 * share])
+    assert unit(result["failed_share"]).endswith("UCUM/%25")
+    assert passed(result["failed_share"]) == passed(result["acceptance"]) == "false"
+    assert values(result["longest_failure"]) == pytest.approx([decision.longest_failure_m])
+    assert unit(result["longest_failure"]).endswith("UCUM/m")
+    assert passed(result["longest_failure"]) == "true"
+    assert values(result["kept"]) == pytest.approx([0.45])
+    assert values(result["measured_share"]) == pytest.approx([100.0])
+    assert text(result["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:specification") == "contract"
+    explained = text(result["failed_share"], "mdq:result/mdq:DQ_ConformanceResult/mdq:explanation")
     assert f"{100 * share:.2f}\u00a0%" in explained
 
 
 def test_each_sheet_has_a_result_of_its_own() -> None:
     decision = decided(SHEETS, failed=FAILED)
-    found = elements(quality_document(record_of(decision)))["failed_share"]
+    items = elements(quality_document(record_of(decision)))["failed_share"]
     results = {
-        text(one, "mdq:resultScope//mcc:dataset"): float(text(one, "mdq:value"))
-        for one in found.iterfind("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
-        if one.find("mdq:resultScope", NAMESPACES) is not None
+        text(name, "mdq:resultScope//mcc:dataset"): float(text(name, "mdq:value"))
+        for name in items.iterfind("mdq:result/mdq:DQ_QuantitativeResult", NAMESPACES)
+        if name.find("mdq:resultScope", NAMESPACES) is not None
     }
     assert results == pytest.approx({sheet.name: 100 * (sheet.failed_share or 0) for sheet in decision.sheets})
 
@@ -92,7 +87,7 @@ def test_scope_time_and_lineage() -> None:
     assert faults(document) == []
     scope = root.find(".//mdq:DQ_DataQuality/mdq:scope", NAMESPACES)
     assert scope is not None
-    assert [one.text for one in scope.iterfind(".//mcc:dataset/gco:CharacterString", NAMESPACES)] == list(SHEETS)
+    assert [name.text for name in scope.iterfind(".//mcc:dataset/gco:CharacterString", NAMESPACES)] == list(SHEETS)
     west, east = (float(text(scope, f".//gex:{side}BoundLongitude")) for side in ("west", "east"))
     assert 14.9 < west < east < 15.1
     assert 49 < float(text(scope, ".//gex:southBoundLatitude")) < 50
@@ -111,7 +106,7 @@ def test_the_picture_of_losses_is_a_coverage_result(tmp_path: Path) -> None:
     coverage = kept.find("mdq:result/mdq:QE_CoverageResult", NAMESPACES)
     assert coverage is not None
     assert text(coverage, ".//mdq:fileName") == "loss & Łódź.tif"
-    sizes = [one.text for one in coverage.iterfind(".//msr:dimensionSize/gco:Integer", NAMESPACES)]
+    sizes = [name.text for name in coverage.iterfind(".//msr:dimensionSize/gco:Integer", NAMESPACES)]
     assert sizes == [str(loss.rows), str(loss.columns)]
     assert float(text(coverage, ".//msr:resolution")) == pytest.approx(0.5 / 0.9996, abs=1e-4)  # UTM, on the ground
 
@@ -119,14 +114,27 @@ def test_the_picture_of_losses_is_a_coverage_result(tmp_path: Path) -> None:
 def test_a_plan_is_told_with_its_risks() -> None:
     seen = decided(SHEETS, failed=FAILED, sampling=PLAN)
     assert seen.plan is not None
-    found = elements(quality_document(record_of(seen)))
-    assert {"sampling", "sampling_risk"} <= set(found)
-    assert values(found["sampling"]) == [seen.plan.nonconforming]
+    result = elements(quality_document(record_of(seen)))
+    assert {"sampling", "sampling_risk"} <= set(result)
+    assert values(result["sampling"]) == [seen.plan.nonconforming]
     method = "mdq:evaluationMethod/mdq:DQ_SampleBasedInspection/mdq:"
-    assert text(found["sampling"], f"{method}samplingRatio") == f"{seen.plan.plan.sample_size} / 80"
-    assert "AQL 1" in text(found["sampling"], f"{method}samplingScheme")
+    assert text(result["sampling"], f"{method}samplingRatio") == f"{seen.plan.plan.sample_size} / 80"
+    assert "AQL 1" in text(result["sampling"], f"{method}samplingScheme")
     risks = seen.plan.characteristic
-    assert values(found["sampling_risk"]) == pytest.approx([100 * risks.producers_risk, 100 * risks.limiting_quality])
+    assert values(result["sampling_risk"]) == pytest.approx([100 * risks.producers_risk, 100 * risks.limiting_quality])
+
+
+def nothing_measured() -> Decision:
+    decision = decided()
+    pieces = tuple(replace(piece, kept_1=None, kept_low=None, kept_high=None) for piece in decision.delivery.pieces)
+    return decide(replace(decision.delivery, pieces=pieces), decision.rules)
+
+
+def test_what_was_not_measured_has_no_number() -> None:
+    result = elements(quality_document(record_of(nothing_measured())))
+    assert "failed_share" not in result
+    assert "kept" not in result
+    assert passed(result["acceptance"]) == ""  # undecided: neither true nor false
 
 
 @pytest.mark.parametrize("name", [EVIL, "]]>", "Łódź 東京", "\ud800", "a" * 300])
@@ -138,45 +146,4 @@ def test_any_name_is_text(name: str, tmp_path: Path) -> None:
     document = (tmp_path / "quality.xml").read_text(encoding="utf-8")
     assert faults(document) == []
     shown = name.replace("\x07", "\ufffd").replace("\u202e", "\ufffd").replace("\ud800", "\ufffd")
-    assert shown in [one.text for one in ET.fromstring(document.encode()).iter()]
-
-
-def nothing_measured() -> Decision:
-    decision = decided()
-    pieces = tuple(replace(piece, kept_1=None, kept_low=None, kept_high=None) for piece in decision.delivery.pieces)
-    return decide(replace(decision.delivery, pieces=pieces), decision.rules)
-
-
-def test_what_was_not_measured_has_no_number() -> None:
-    found = elements(quality_document(record_of(nothing_measured())))
-    assert "failed_share" not in found
-    assert "kept" not in found
-    assert passed(found["acceptance"]) == ""  # undecided: neither true nor false
-
-
-def test_a_delivery_without_a_place_has_no_extent() -> None:
-    decision = decided(failed=FAILED[:1])
-    lost = replace(decision, delivery=replace(decision.delivery, wkt=""))
-    document = quality_document(record_of(lost))
-    assert faults(document) == []
-    assert "EX_Extent" not in document
-    assert "MD_ReferenceSystem" not in document
-
-
-def test_how_the_scan_measured_is_read_from_its_picture_of_losses(tmp_path: Path) -> None:
-    mosaic, settings = ground(tmp_path / "mosaic.tif"), ScanSettings(wavelet="haar", piece_m=12.5)
-    with loss_raster(str(tmp_path / "loss.tif"), mosaic, 32, settings.told) as raster:
-        raster.close([])
-    told = scan_settings(RasterRef(str(tmp_path / "loss.tif")))
-    assert told == {"wavelet": "haar", "levels": "3", "density": "seams", "piece_m": "12.5"}
-    assert scan_settings(RasterRef(mosaic.ref.path)) == {}
-
-
-def test_the_coverage_s_attributes_are_those_of_the_picture_of_losses(tmp_path: Path) -> None:
-    path = str(tmp_path / "loss.tif")
-    with loss_raster(path, ground(tmp_path / "mosaic.tif"), 32, ScanSettings().told) as raster:
-        raster.close([])
-    loss = describe_placed(RasterRef(path))
-    document = quality_document(record_of(decided(), loss=loss, loss_bands=described_bands(loss.ref)))
-    told = text(elements(document)["kept"], ".//mrc:attributeDescription/gco:RecordType")
-    assert told == "kept_1, contrast_1, added_1, source, mixture"
+    assert shown in [element.text for element in ET.fromstring(document.encode()).iter()]

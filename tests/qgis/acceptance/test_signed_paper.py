@@ -9,20 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsSettings, QgsVectorLayer
 from seam_inspector.plugin.acceptance.paper.defect_files import PROOF_PX
-from seam_inspector.plugin.acceptance.paper.inspection_record import file_digests
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.proven_acceptance import proof_panels
 from seam_inspector.plugin.seams.measure.window.inspection import open_block
 from seam_inspector.plugin.toolkit.resources import plugin_commit
-from seam_inspector.plugin.toolkit.version_differences import field
 
 from tests.pages import Outline, outline
 from tests.qgis.acceptance.seam_scenes import seams
 from tests.qgis.acceptance.test_whole_deliveries_on_paper import index
-from tests.qgis.runs import Run, algorithm, run
+from tests.qgis.runs import Run, run
 from tests.qgis.seams.scan_scenes import Files, write_scene
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -72,36 +69,12 @@ def test_the_head_says_whose_delivery_it_is(paper: tuple[Run, Path]) -> None:
         assert value in xml
 
 
-def test_an_empty_head_is_left_out(tmp_path: Path) -> None:
-    made = run("acceptmosaic", SEAMS=[seams([0.9])], DEFECTS=None, REPORT=str(tmp_path / "decision.html"))
-    assert made.complaint is None
-    words = page(tmp_path).words
-    assert "Acceptance of an orthophoto mosaic" in words
-    assert "Producer" not in words
-
-
-def test_forms_remember_and_scripts_do_not(tmp_path: Path) -> None:
-    key = "seam_inspector/remembered/CONTRACT"
-    try:
-        assert run("acceptmosaic", SEAMS=[seams([0.9])], DEFECTS=None, REPORT=None, CONTRACT="8/2026").complaint is None
-        form = algorithm("acceptmosaic")
-        definition = form.parameterDefinition("CONTRACT")
-        assert definition.guiDefaultValueOverride() == "8/2026"
-        assert not definition.defaultValue()
-        made = run("acceptmosaic", SEAMS=[seams([0.9])], DEFECTS=None, REPORT=str(tmp_path / "decision.html"))
-        assert made.complaint is None
-        assert "8/2026" not in page(tmp_path).words
-        assert QgsSettings().value(key) == "8/2026"
-    finally:
-        QgsSettings().remove(key)
-
-
 def test_each_failure_is_proved_beside_its_orthoimages(paper: tuple[Run, Path]) -> None:
     made, folder = paper
     read = page(folder)
     failures = made.features("DEFECTS")
     assert failures
-    captions = [one for one in read.captions if one.startswith(("The mosaic", "Its orthoimages", "Orthoimage "))]
+    captions = [item for item in read.captions if item.startswith(("The mosaic", "Its orthoimages", "Orthoimage "))]
     assert captions == ["The mosaic", "Its orthoimages, cut hard", "Orthoimage east.tif", "Orthoimage west.tif"] * len(
         failures
     )
@@ -119,7 +92,7 @@ def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_ke
     block = open_block(feathered.mosaic, feathered.sources)
     part = middle_part(block.mosaic)
     mosaic, cut, east, west = (
-        one.pixels.astype(float) for one in proof_panels(block, part, ("west", "east.tif"))
+        item.pixels.astype(float) for item in proof_panels(block, part, ("west", "east.tif"))
     )
     for shown, path in ((mosaic, feathered.mosaic), (east, feathered.east), (west, feathered.west)):
         true = gdal.Open(path).ReadAsArray(part.column, part.row, part.width, part.height)
@@ -130,18 +103,6 @@ def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_ke
 
     assert fine(mosaic) < 0.97 * fine(cut)
     assert fine(cut) == pytest.approx((fine(east) + fine(west)) / 2, rel=0.1)
-
-
-def test_a_failure_beside_missing_pixels_is_shown_too(feathered: Files, tmp_path: Path) -> None:
-    """Nothing can be measured in a window of which a part has no data, and the orthoimages lie there all the same."""
-    holed = str(tmp_path / "holed.tif")
-    gdal.Translate(holed, feathered.mosaic, noData=0)
-    opened = gdal.Open(holed, gdal.GA_Update)
-    opened.WriteArray(np.zeros((3, 90, 90), np.uint8))
-    del opened
-    block = open_block(holed, feathered.sources)
-    found = proof_panels(block, middle_part(block.mosaic), ("west", "east.tif"))
-    assert {one.name for one in found} >= {"", "east.tif", "west.tif"}
 
 
 def test_without_orthoimages_there_is_the_mosaic_alone(
@@ -171,12 +132,6 @@ def test_sheets_come_back_with_their_verdicts() -> None:
     assert all(feature.geometry().area() == pytest.approx(10_000) for feature in made.features("SHEETS_OUT"))
 
 
-def test_a_sample_tells_of_no_sheet() -> None:
-    made = run("acceptmosaic", SEAMS=[seams([0.5] * 40)], PLAN="iso2859", DEFECTS=None, REPORT=None)
-    assert made.complaint is None
-    assert made.column("verdict", "SHEETS_OUT") == [None]
-
-
 def test_digests_are_what_anybody_computes(paper: tuple[Run, Path], feathered: Files) -> None:
     _, folder = paper
     told = subprocess.run(["sha256sum", feathered.mosaic], capture_output=True, text=True, check=True).stdout.split()[0]
@@ -189,29 +144,6 @@ def test_digests_are_what_anybody_computes(paper: tuple[Run, Path], feathered: F
     assert hashlib.sha256("".join(rows).encode()).hexdigest() in words
 
 
-def test_digests_can_be_stopped(tmp_path: Path) -> None:
-    (tmp_path / "large").write_bytes(bytes(10_000_000))
-    told: list[float] = []
-
-    def goes_on(share: float) -> bool:
-        told.append(share)
-        return len(told) < 2
-
-    assert file_digests([str(tmp_path / "large")], goes_on) is None
-    assert told == [0.0, pytest.approx(0.42, abs=0.01)]
-
-
-def test_the_annex_lists_orthoimages_with_their_dates(tmp_path: Path, feathered: Files) -> None:
-    made = seams([0.9] * 4)
-    layer = dated(made)
-    report = tmp_path / "decision.html"
-    made_now = run("acceptmosaic", SEAMS=[layer], SOURCES=[feathered.west], DEFECTS=None, REPORT=str(report))
-    assert made_now.complaint is None
-    rows = {row[0]: row for row in page(tmp_path).rows if row}
-    assert rows[feathered.west][1] == "2019-07-04"
-    assert rows["far_east.tif"][1] == "2019-08-11"
-
-
 def test_the_table_of_radiometry_stands_on_the_cover(tmp_path: Path, feathered: Files) -> None:
     checked = run("checkradiometry", RASTERS=[feathered.west, feathered.mosaic], OUTPUT=str(tmp_path / "r.gpkg"))
     report = tmp_path / "decision.html"
@@ -222,15 +154,3 @@ def test_the_table_of_radiometry_stands_on_the_cover(tmp_path: Path, feathered: 
     assert row[2].endswith("of 2")
     refused = run("acceptmosaic", SEAMS=[seams([0.9] * 4)], RADIOMETRY=seams([0.9]), REPORT=str(report))
     assert "is not a table of 'Check radiometry'" in str(refused.complaint)
-
-
-def dated(made: QgsVectorLayer) -> QgsVectorLayer:
-    said = {
-        "left_source": "west", "right_source": "far_east.tif", "left_date": "2019-07-04", "right_date": "2019-08-11",
-    }  # fmt: skip
-    provider = made.dataProvider()
-    provider.addAttributes([field(name, "text") for name in said])
-    made.updateFields()
-    places = {made.fields().indexOf(name): value for name, value in said.items()}
-    provider.changeAttributeValues({feature.id(): places for feature in made.getFeatures()})
-    return made

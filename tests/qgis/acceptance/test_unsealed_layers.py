@@ -3,31 +3,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 from osgeo import gdal, ogr
-from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
+from qgis.core import QgsVectorLayer
 
-from tests.pages import outline
-from tests.qgis.acceptance.seam_scenes import file, sealed, seams
-from tests.qgis.runs import Run, assert_refused, run
+from tests.qgis.acceptance.seam_scenes import decide, decision, file, sealed, seams
+from tests.qgis.runs import Run, run
 from tests.qgis.scenes import saved
 
 pytestmark = pytest.mark.usefixtures("provider")
 
 F, P = 0.5, 0.95
 CHANGED, UNSEALED = "were changed since their scan: 1 (seams)", "without the seal of a scan: 1 (seams)"
-
-
-def decide(*layers: QgsVectorLayer | str, **more: Any) -> Run:
-    made = run("acceptmosaic", SEAMS=list(layers), **{"DEFECTS": None, "REPORT": None, "QUALITY": None, **more})
-    assert made.complaint is None
-    return made
-
-
-def decision(made: Run) -> str:
-    return next(text for text in made.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
 
 
 def sql(*statements: str) -> Callable[[Path], None]:
@@ -106,21 +94,6 @@ def test_a_layer_that_was_changed_is_not_accepted(
     assert any("in the GeoPackages themselves or copies of these files" in text for text in outcome.log.warnings)
 
 
-def test_a_layer_of_which_no_row_is_a_piece_of_seam_any_more_is_refused(tmp_path: Path) -> None:
-    file(sealed(seams([P] * 9)), path := tmp_path / "seams.gpkg")
-    sql("UPDATE seams SET level = 'stretch'")(path)
-    assert_refused("acceptmosaic", "none of their rows is a piece of seam", SEAMS=[str(path)])
-
-
-def test_each_layer_of_a_lot_is_looked_at(tmp_path: Path) -> None:
-    layers = [seams([P] * 10, y=50 * place, name=f"s{place}") for place in range(3)]
-    assert decide(*layers).results["DECISION"] == "accepted"
-    layers[1].removeCustomProperty("SEAM_INSPECTOR/digest")
-    outcome = decide(*layers, SHEETS_OUT="TEMPORARY_OUTPUT")
-    assert "without the seal of a scan: 1 (s1)" in decision(outcome)
-    assert outcome.column("verdict", "SHEETS_OUT") == ["accepted", "undecided", "accepted"]
-
-
 def test_edits_that_are_not_saved_yet_break_the_seal() -> None:
     made = seams([P] * 10)
     made.startEditing()
@@ -148,14 +121,6 @@ def test_copies_that_keep_the_seal_are_the_scan_s_and_exports_are_told_the_way(t
         assert any("exports, merged layers and other formats lose the seal" in text for text in outcome.log.warnings)
 
 
-def test_a_system_that_is_only_named_otherwise_is_the_same() -> None:
-    made = seams([P] * 10)
-    made.setCrs(QgsCoordinateReferenceSystem("EPSG:25833"))  # ETRS89, the same places
-    moved = seams([P] * 10)
-    moved.setCrs(QgsCoordinateReferenceSystem("EPSG:32634"))
-    assert [decide(one).results["DECISION"] for one in (made, moved)] == ["accepted", "undecided"]
-
-
 # --- samples ----------------------------------------------------------------------------------------------------
 
 
@@ -174,16 +139,3 @@ def test_a_sample_is_sealed_as_what_it_was_drawn_of(tmp_path: Path) -> None:
     whole[1].removeCustomProperty("SEAM_INSPECTOR/digest")
     unsealed = sample(*whole)
     assert decide(unsealed.layer(), **plan).results["DECISION"] == "undecided"
-
-
-# --- rows of pieces that were not measured ------------------------------------------------------------------------
-
-
-# --- failures that are surely failures ------------------------------------------------------------------------------
-
-
-def test_the_cover_says_how_much_of_what_failed_may_keep_enough(tmp_path: Path) -> None:
-    report = tmp_path / "r.html"
-    decide(seams([F] * 3 + [0.68] + [P] * 60), REPORT=str(report))  # intervals of 0.05 either side
-    words = " ".join(outline(report.read_text(encoding="utf-8")).words.replace("\u00a0", " ").split())
-    assert "100.0 mof it failed 25.0 %of these may keep enough (95 %)" in words

@@ -11,8 +11,6 @@ from qgis.core import QgsGeometry
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.measure.delivery import SheetOutline
-from seam_inspector.plugin.acceptance.paper import acceptance_report
-from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS
 from seam_inspector.plugin.acceptance.paper.charts import seams_figure
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
 
@@ -22,7 +20,7 @@ from tests.pages import outline
 from tests.qgis.acceptance.papers import record_of
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
 from tests.qgis.acceptance.test_acceptance_report import page_of
-from tests.qgis.runs import assert_refused, run
+from tests.qgis.runs import run
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -52,7 +50,7 @@ def test_all_sheets_that_were_given_are_named_in_order(tmp_path: Path) -> None:
     text = record.read_text(encoding="utf-8")
     assert faults(text) == []
     (scope,) = ET.fromstring(text.encode()).iterfind(".//mdq:DQ_DataQuality/mdq:scope", NAMESPACES)
-    named = [one for one in "".join(scope.itertext()).split() if one.startswith("sheet_")]
+    named = [item for item in "".join(scope.itertext()).split() if item.startswith("sheet_")]
     assert named == ["sheet_1", "sheet_2", "sheet_3", "sheet_10"]
 
 
@@ -64,29 +62,17 @@ def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     drawn = seams_figure(given, ())
     assert plain is not None
     assert drawn is not None
-    assert {one.get_text() for one in drawn.axes[0].texts} - {one.get_text() for one in plain.axes[0].texts} >= {"far"}
+    words, others = ({text.get_text() for text in figure.axes[0].texts} for figure in (drawn, plain))
+    assert words - others >= {"far"}
     ratio = np.ptp(drawn.axes[0].get_xlim()) / np.ptp(drawn.axes[0].get_ylim())
     assert ratio == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of seams 1 km high and 100 m wide
-
-
-def test_the_map_numbers_what_the_table_holds(tmp_path: Path) -> None:
-    decision = decided([f"sheet_{one}" for one in range(40)], failed=[(n, 4 * m) for n in range(40) for m in range(8)])
-    shown: list[int] = []
-
-    def drawn(_: Decision, defects: object, _mosaics: object) -> None:
-        shown.extend(defect.run.number for defect in defects)  # type: ignore[attr-defined]
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(acceptance_report, "seams_figure", drawn)
-        page_of(tmp_path, record_of(decision))
-    assert max(shown) == MOST_ROWS
 
 
 def judged() -> Decision:
     """Sound pieces, of which an operator saw one lost."""
     plain = decided(["sheet_1"])
     words = ["visible"] + ["invisible"] * 39
-    windows = tuple(window_on(plain, one, str(one), observer=word) for one, word in enumerate(words))
+    windows = tuple(window_on(plain, text, str(text), observer=word) for text, word in enumerate(words))
     return decide(replace(plain.delivery, windows=windows), plain.rules, by_observer=True)
 
 
@@ -106,22 +92,3 @@ def test_a_sample_is_not_the_delivery(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=pieces, lot_size=400), plain.rules)))
     assert "of seam in the sample" in page.words
     assert "seams of all sheets" not in page.words
-
-
-@pytest.mark.parametrize(("output", "name"), [
-    ("REPORT", "decision.pdf"), ("REPORT", "decision"), ("REPORT", "decision.txt"), ("QUALITY", "quality.html"),
-])
-def test_a_file_is_what_its_name_says(output: str, name: str, tmp_path: Path) -> None:
-    wanted = {"DEFECTS": None, "REPORT": None, output: str(tmp_path / name)}
-    assert_refused("acceptmosaic", f"{name} has the wrong ending", SEAMS=[seams([0.5])], **wanted)
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_layer_in_memory_is_called_that(tmp_path: Path) -> None:
-    page, record = tmp_path / "decision.html", tmp_path / "quality.xml"
-    made = run("acceptmosaic", SEAMS=[seams([0.5])], DEFECTS=None, REPORT=str(page), QUALITY=str(record))
-    assert made.complaint is None
-    for path in (page, record):
-        text = path.read_text(encoding="utf-8")
-        assert "temporary layer" in text
-        assert "LineString?" not in text

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsProcessingContext, QgsRectangle
+from qgis.core import QgsGeometry, QgsRectangle
 
 from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
-from tests.qgis.runs import Log, algorithm, assert_refused, run
+from tests.qgis.runs import run
 from tests.qgis.scenes import layer
 from tests.qgis.seams.scan_scenes import Files, drawn_seam, write_scene
 
@@ -53,24 +53,6 @@ def test_a_folder_becomes_sheets_and_a_mosaic(folder: Path, tmp_path: Path, scen
     assert (gdal.Open(str(tmp_path / "all.vrt")).ReadAsArray() == gdal.Open(scene.mosaic).ReadAsArray()).all()
 
 
-def test_missing_and_unordered_sheets_are_told(folder: Path, tmp_path: Path) -> None:
-    index = ordered(folder, "sheet_z")
-    shutil.copytree(folder, tmp_path / "more")
-    shutil.copy(folder / "sheet_a.tif", tmp_path / "more" / "sheet_c.tif")
-    made = run("checkdelivery", FOLDER=str(tmp_path / "more"), SHEETS=index, VRT=str(tmp_path / "all.vrt"))
-    assert made.complaint is None
-    found = {row["sheet"]: row["findings"] for row in made.rows()}
-    assert found == {
-        "sheet_a": None, "sheet_b": None, "sheet_c": "it was not ordered", "sheet_z": "the file is missing"
-    }
-    assert (made.results["MISSING_COUNT"], made.results["FAULTY_COUNT"], made.results["COMPLETE"]) == (1, 2, 0)
-
-
-def test_a_delivery_has_to_be_somewhere(tmp_path: Path) -> None:
-    assert_refused("checkdelivery", "Neither a folder nor sheets", VRT=str(tmp_path / "all.vrt"))
-    assert "holds no rasters" in str(run("checkdelivery", FOLDER=str(tmp_path), VRT="TEMPORARY_OUTPUT").complaint)
-
-
 def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files, tmp_path: Path) -> None:
     wanted = {"accept:report": "decision.html", "accept:quality": "quality.xml", "accept:failures": "failures.gpkg",
               "accept:decided_sheets": "sheets.gpkg", "check:mosaic": "all.vrt", "scan:loss": "loss.tif",
@@ -90,7 +72,7 @@ def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files,
     assert "Its orthoimages, cut hard" in page.captions
     text = (tmp_path / "quality.xml").read_text(encoding="utf-8")
     assert faults(text) == []
-    measures = {one.get("id"): "".join(one.itertext()) for one in ET.fromstring(text).iterfind(".//*[@id]")}
+    measures = {item.get("id"): "".join(item.itertext()) for item in ET.fromstring(text).iterfind(".//*[@id]")}
     assert "sheet_z: the file is missing." in measures["files"]
 
 
@@ -104,7 +86,7 @@ def decided(folder: Path, sheets: object, files: Files, out: Path) -> str:
     )  # fmt: skip
     assert made.complaint is None
     told = (*made.log.infos, *made.log.warnings)
-    return next(one for one in told if re.match("(Accepted|Rejected|Undecided) by", one))
+    return next(item for item in told if re.match("(Accepted|Rejected|Undecided) by", item))
 
 
 @pytest.fixture(scope="module")
@@ -160,25 +142,3 @@ def test_sheets_that_are_missing_or_damaged_leave_it_open(sound: tuple[Files, Pa
     headline = decided(tmp_path / "damaged", ordered(folder), files, tmp_path / "out")
     assert headline.startswith("Undecided")
     assert "whose pixels can't all be read: 1 (sheet_b)" in headline
-
-
-def test_what_a_step_needs_of_another_has_not_to_be_asked_for(
-    folder: Path, scene: Files, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Neither the mosaic, the seams nor an absolute path: the sheets are found from where their layer lies."""
-    monkeypatch.chdir(folder.parent)
-    report, log = tmp_path / "decision.html", Log()
-    values = {"folder": folder.name, "sources": scene.sources, "piece": 20.0, "accept:report": str(report)}
-    results, succeeded = algorithm("accept_delivery").run(values, QgsProcessingContext(), log)
-    assert succeeded, log.errors
-    assert Path(results["check:mosaic"]).is_file()
-    page = outline(report.read_text(encoding="utf-8"))
-    assert {row[0]: row[1:] for row in page.rows if len(row) == 3}["completeness and form of the files"]
-
-
-def test_scripts_get_the_models_own_defaults() -> None:
-    model = algorithm("accept_delivery")
-    given = model._with_defaults({"piece": 5.0})
-    names = "piece", "min_kept", "max_share", "max_run", "min_measured"
-    assert [given[name] for name in names] == [5.0, 0.7, 2.0, 50.0, 90.0]
-    assert model._with_defaults({})["piece"] == 10.0

@@ -21,7 +21,7 @@ def page(name: str) -> str:
 
 def blocks(name: str, language: str) -> list[str]:
     """What stands in a page's blocks of a language."""
-    return [code for found, code in _BLOCK.findall(page(name)) if found == language]
+    return [code for result, code in _BLOCK.findall(page(name)) if result == language]
 
 
 def shell_call(block: str) -> Call:

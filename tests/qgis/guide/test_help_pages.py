@@ -49,36 +49,26 @@ def help_file(one: QgsProcessingAlgorithm) -> Path:
 
 
 def test_the_help_button_opens_the_page_of_its_algorithm(provider: QgsProcessingProvider) -> None:
-    for one in provider.algorithms():
-        for made in (one, one.create()):
+    for job in provider.algorithms():
+        for made in (job, job.create()):
             page = help_file(made).read_text("utf-8")
-            found = TITLE.search(page)
-            assert found is not None
-            assert found[1] == one.displayName()
+            match = TITLE.search(page)
+            assert match is not None
+            assert match[1] == job.displayName()
 
 
 def test_the_tables_of_the_pages_are_those_of_the_dialogs(repository: Path, provider: QgsProcessingProvider) -> None:
     """`make help-pages` renews them."""
     tables = tool(repository, "algorithm_tables")
-    for one in provider.algorithms():
-        page = (tables.PAGES / f"{one.name()}.md").read_text("utf-8")
-        assert page == tables.with_tables(page, one.create()), f"{one.name()}: {RENEW}"
+    for job in provider.algorithms():
+        page = (tables.PAGES / f"{job.name()}.md").read_text("utf-8")
+        assert page == tables.with_tables(page, job.create()), f"{job.name()}: {RENEW}"
 
 
 def test_the_table_of_keys_is_that_of_the_desk(repository: Path) -> None:
     keys = tool(repository, "keys_table")
     page = keys.PAGE.read_text("utf-8")
     assert page == keys.with_keys(page), RENEW
-
-
-def test_a_table_names_every_parameter_and_output(repository: Path, provider: QgsProcessingProvider) -> None:
-    for one in provider.algorithms():
-        made = algorithm(one.name())
-        page = (repository / "docs" / "algorithms" / f"{one.name()}.md").read_text("utf-8")
-        named = re.findall(r"^\| (?:.+? )?`([\w:]+)`(?: \(advanced\))? \|", page, re.MULTILINE)
-        wanted = [definition.name() for definition in made.parameterDefinitions()]
-        wanted += [output.name() for output in made.outputDefinitions()]
-        assert set(wanted) <= set(named), one.name()
 
 
 def test_the_help_is_that_of_the_guide(repository: Path) -> None:
@@ -88,8 +78,8 @@ def test_the_help_is_that_of_the_guide(repository: Path) -> None:
     names = [*(f"{name}.html" for name in pages), "help.css"]
     assert sorted(path.name for path in help_pages.HELP.iterdir()) == sorted(names)
     for name in pages:
-        found = (help_pages.HELP / f"{name}.html").read_text("utf-8")
-        assert found == help_pages.rendered(name, pages), f"{name}: {RENEW}"
+        values = (help_pages.HELP / f"{name}.html").read_text("utf-8")
+        assert values == help_pages.rendered(name, pages), f"{name}: {RENEW}"
 
 
 def test_links_of_the_help_lead_to_its_pages_or_to_the_homepage(repository: Path) -> None:

@@ -112,12 +112,12 @@ def test_the_example_in_python_and_that_on_the_command_line(name: str, checkout:
 @NEEDED
 @pytest.mark.parametrize("name", BY_QGIS_PROCESS)
 def test_blocks_run_in_a_shell_as_they_stand(name: str, repository: Path, checkout: Path, tmp_path: Path) -> None:
-    own = environment(repository, tmp_path / "settings")
+    variables = environment(repository, tmp_path / "settings")
     (tmp_path / "qgis_process").symlink_to(str(PROGRAM))
-    own["PATH"] = f"{tmp_path}{os.pathsep}{own.get('PATH', '')}"
+    variables["PATH"] = f"{tmp_path}{os.pathsep}{variables.get('PATH', '')}"
     script = f"set -e\nqgis_process plugins enable seam_inspector\n{blocks(name, 'shell')[0]}"
     finished = subprocess.run(
-        ["sh", "-c", script], cwd=checkout, env=own, capture_output=True, text=True, timeout=120, check=False
+        ["sh", "-c", script], cwd=checkout, env=variables, capture_output=True, text=True, timeout=120, check=False
     )
     assert finished.returncode == 0, finished.stdout + finished.stderr
 
@@ -126,9 +126,10 @@ def test_blocks_for_a_machine_without_qgis_need_none(repository: Path, checkout:
     codes = [code for name in NAMES for code in blocks(name, "python")[1:]]
     assert len(codes) >= 5
     program = "\n".join(["import sys", "sys.modules['qgis'] = None", *codes])
-    own = {**os.environ, "PYTHONPATH": str(repository / "build" / "plugins")}
+    environment = {**os.environ, "PYTHONPATH": str(repository / "build" / "plugins")}
     finished = subprocess.run(
-        [sys.executable, "-c", program], cwd=checkout, env=own, capture_output=True, text=True, timeout=120, check=False
+        [sys.executable, "-c", program],
+        cwd=checkout, env=environment, capture_output=True, text=True, timeout=120, check=False,
     )
     assert finished.returncode == 0, finished.stderr
 
@@ -162,11 +163,12 @@ def judge(windows: str, judged: str) -> None:
 
 def test_no_page_with_commands_is_left_out() -> None:
     pages = (path for path in DOCS.rglob("*.md") if path.parent != PAGES)
-    found = {path.relative_to(DOCS).as_posix() for path in pages if commands(path)}
-    assert found - {page for _, page in READ_PAGES} == {OPEN}
+    values = {path.relative_to(DOCS).as_posix() for path in pages if commands(path)}
+    assert values - {page for _, page in READ_PAGES} == {OPEN}
     assert "..." in "".join(commands(DOCS / OPEN))
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("folder", "page"), READ_PAGES)
 def test_the_commands_of_a_page_run(
     folder: str, page: str, reader: Path, calls: list[Call], monkeypatch: pytest.MonkeyPatch

@@ -21,12 +21,15 @@ def demo(repository: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[st
     """What `make demo` prints of the whole block, and the folder with its results."""
     folder = tmp_path_factory.mktemp("demo")
     command = [sys.executable, "-m", "demo.run", "--output", str(folder)]
-    own = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(repository / "build" / "plugins")}
-    ran = subprocess.run(command, cwd=repository, env=own, capture_output=True, text=True, timeout=300, check=False)
+    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(repository / "build" / "plugins")}
+    ran = subprocess.run(
+        command, cwd=repository, env=environment, capture_output=True, text=True, timeout=300, check=False
+    )
     assert ran.returncode == 0, ran.stderr
     return ran.stdout, folder
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("name", ["start/own_rasters.md", "method/curves.md"])
 def test_the_tables_are_those_that_are_printed(repository: Path, demo: tuple[str, Path], name: str) -> None:
     printed, _ = demo
@@ -47,6 +50,7 @@ def _is_same(line: str, other: str) -> bool:
     return all(abs(float(a) - float(b)) <= 2.5 * 10.0 ** -len(a.partition(".")[2]) for a, b in zip(numbers, others))
 
 
+@pytest.mark.release
 def test_the_first_window_of_the_readme_is_that_of_the_report(repository: Path, demo: tuple[str, Path]) -> None:
     printed, folder = demo
     readme = (repository / "README.md").read_text("utf-8")
@@ -55,5 +59,5 @@ def test_the_first_window_of_the_readme_is_that_of_the_report(repository: Path, 
     page = " ".join(html.unescape((folder / "report.html").read_text("utf-8")).split())
     sentence, page = (re.sub(r"(?<=\d),(?=\d{3}\b)", "", text) for text in (sentence, page))  # by the region
     like = _NUMBER.pattern.join(map(re.escape, _NUMBER.split(sentence)))
-    assert any(_is_same(sentence, found) for found in re.findall(like, page)), like
+    assert any(_is_same(sentence, result) for result in re.findall(like, page)), like
     assert ("Six windows" in readme) == ("6 windows placed" in printed)

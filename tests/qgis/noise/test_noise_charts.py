@@ -9,7 +9,7 @@ from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.noise.charts import MAX_LEGEND, draw_noise, draw_rule, noise_figure
+from seam_inspector.plugin.noise.charts import MAX_LEGEND, draw_noise, noise_figure
 from seam_inspector.plugin.noise.measure.band_noise import noisiest_band
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
 from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, NoiseRequest, Part
@@ -42,13 +42,6 @@ def test_one_window_of_one_raster_is_measured_and_drawn(scene: Scene, qgis_app: 
         assert list(lines[name].get_xdata()) == [1, 2, 3]
     widths = {name: line.get_linewidth() for name, line in lines.items() if name in result.bands}
     assert max(widths, key=lambda name: widths[name]) == noisiest_band(result.bands)
-
-
-def test_the_rule_is_drawn_at_the_level_before() -> None:
-    detail = (0.5, 0.3, 0.1)
-    axes = new_figure(4, 3).subplots()
-    draw_rule(axes, detail)
-    assert [line.get_ydata()[0] for line in axes.get_lines()] == pytest.approx(detail[:-1])
 
 
 def test_histograms_hold_every_pixel(scene: Scene) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 import json
 import math
 import re
-import time
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -16,9 +15,9 @@ from qgis.core import QgsRasterLayer
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
 from seam_inspector.plugin.photos.measure.orientation_files import read_measures
 
-from tests.numbers.photos.photos import Look, Place
+from tests.numbers.photos.photos import Place
 from tests.numbers.synthetic import write_plain
-from tests.qgis.photos.photo_scenes import PhotoScene, make_photo, points, write_calibration
+from tests.qgis.photos.photo_scenes import PhotoScene, make_photo, points
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -120,12 +119,6 @@ def test_the_world_file_puts_the_photo_in_millimetres(scene: PhotoScene, tmp_pat
     assert again.column("column") == pytest.approx(outcome.column("column"), abs=1e-6)
 
 
-def test_where_qgis_shows_a_photo_without_a_place_on_the_map(scene: PhotoScene) -> None:
-    shown = QgsRasterLayer(str(scene.photo), "photo").extent()
-    assert (shown.xMinimum(), shown.xMaximum()) == (0, scene.frame.pixels.shape[1])
-    assert (shown.yMinimum(), shown.yMaximum()) == (-scene.frame.pixels.shape[0], 0)
-
-
 def test_a_mark_measured_by_hand_takes_the_place_of_a_failed_one(blotted: PhotoScene) -> None:
     first = run("interiororientation", **blotted.inputs, **CROSS)
     assert dict(zip(first.column("mark"), first.column("status"))) == {
@@ -143,46 +136,6 @@ def test_a_mark_measured_by_hand_takes_the_place_of_a_failed_one(blotted: PhotoS
     field = points({"2": truth}, measure=("integer", [0]))
     third = run("interiororientation", **blotted.inputs, **CROSS, POSITIONS=field)
     assert third.column("status") == second.column("status")
-
-
-def test_approximate_positions_are_measured(scene: PhotoScene) -> None:
-    near = {name: (column + 9, row - 7) for name, (column, row) in scene.frame.places.items()}
-    outcome = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points(near))
-    assert outcome.column("status") == ["measured"] * 4
-    assert max(distances(outcome, scene.frame.places).values()) < 0.1
-    single = run("interiororientation", **scene.inputs, **CROSS, POSITIONS=points({"3": near["3"]}))
-    assert max(distances(single, scene.frame.places).values()) < 0.1
-
-
-def test_a_template_cut_out_of_the_photo(scene: PhotoScene, tmp_path: Path) -> None:
-    column, row = (int(value) for value in scene.frame.places["1"])
-    cut = scene.frame.pixels[row - 24 : row + 21, column - 20 : column + 23]  # not in the middle
-    outcome = run("interiororientation", **scene.inputs, TEMPLATE=write_plain(tmp_path / "cut.tif", cut))
-    assert outcome.column("status") == ["measured"] * 4
-    assert max(distances(outcome, scene.frame.places).values()) < 0.3
-
-
-@pytest.mark.parametrize("words", [{"MODEL": "similarity"}, {"MODEL": "projective"}, {"SURFACE": "brightness"}])
-def test_choices(tmp_path: Path, words: dict[str, str]) -> None:
-    scene = make_photo(tmp_path, Look("ring with dot", dots=True), seed=5)
-    outcome = run("interiororientation", **scene.inputs, **words, TEMPLATE_KIND="ring with dot")
-    assert outcome.complaint is None
-    assert max(distances(outcome, scene.frame.places).values()) < 0.5
-    if words.get("MODEL") == "projective":
-        assert any("say nothing" in warning for warning in outcome.log.warnings)
-
-
-def test_without_numbers_it_says_that_it_assumes(tmp_path: Path) -> None:
-    scene = make_photo(tmp_path, Look(diagonal=True), seed=6)
-    outcome = run("interiororientation", **scene.inputs, **CROSS)
-    assert outcome.column("status") == ["measured"] * 4
-    assert any("How the photo lay in the scanner is not known" in warning for warning in outcome.log.warnings)
-    more = write_calibration(tmp_path / "strip.csv", more="data_strip,-125,0\n")
-    pixels = np.pad(scene.frame.pixels, ((0, 0), (0, 200)), constant_values=30)  # the strip is at the right
-    write_plain(scene.photo, pixels)
-    turned = run("interiororientation", PHOTO=str(scene.photo), CALIBRATION=str(more), **CROSS)
-    places = scene.frame.places
-    assert distances(turned, {"1": places["3"], "2": places["4"], "3": places["1"], "4": places["2"]})["1"] < 0.1
 
 
 # --- bad input -------------------------------------------------------------------------------------------------
@@ -205,16 +158,6 @@ def test_a_bad_calibration_is_refused(scene: PhotoScene, tmp_path: Path, rows: s
     assert_refused("interiororientation", words, PHOTO=str(scene.photo), CALIBRATION=str(path))
 
 
-def test_other_files_are_refused(scene: PhotoScene, tmp_path: Path) -> None:
-    calibration = str(scene.calibration)
-    assert_refused("interiororientation", "does not exist", PHOTO="/nowhere/p.tif", CALIBRATION=calibration)
-    assert_refused("interiororientation", "not a raster", PHOTO=calibration, CALIBRATION=calibration)
-    assert_refused("interiororientation", "can't be read", PHOTO=str(scene.photo), CALIBRATION="/nowhere/c.csv")
-    assert_refused("interiororientation", "neither a CSV", PHOTO=str(scene.photo), CALIBRATION=str(scene.photo))
-    assert_refused("interiororientation", "too few pixels|needs at least", **scene.inputs,
-                   TEMPLATE=write_plain(tmp_path / "small.tif", scene.frame.pixels[:3, :3]))
-
-
 def complaint(scene: PhotoScene, **parameters: Any) -> str | None:
     return run("interiororientation", **{**scene.inputs, **CROSS, **parameters}).complaint
 
@@ -224,48 +167,6 @@ def test_a_photo_without_marks(scene: PhotoScene, tmp_path: Path) -> None:
     assert_sentence(complaint(scene, PHOTO=white), "All pixels of white.tif are alike")
     noise = np.random.default_rng(1).integers(0, 255, (600, 600)).astype(np.uint8)
     assert_sentence(complaint(scene, PHOTO=write_plain(tmp_path / "noise.tif", noise)), "No mark was found")
-
-
-def test_a_photo_larger_than_any_scan(scene: PhotoScene, tmp_path: Path) -> None:
-    """Some kilobytes that declare 10^12 pixels, all of which marks would be looked for in."""
-    for kind, name, words in (
-        (gdal.GDT_Byte, "interiororientation", r"sparse\.tif has 900000 x 900000 px and no scanned photo has more"),
-        (gdal.GDT_Float32, "enhancephoto", r"sparse\.tif is 900000 px wide and 250000 are the most"),
-    ):
-        options = ["SPARSE_OK=TRUE", "TILED=YES", "BLOCKXSIZE=4096", "BLOCKYSIZE=4096", "BIGTIFF=YES"]
-        path = str(tmp_path / "sparse.tif")
-        gdal.GetDriverByName("GTiff").Create(path, 900_000, 900_000, 1, kind, options).FlushCache()
-        started = time.process_time()
-        assert_refused(name, words, PHOTO=path, CALIBRATION=str(scene.calibration))
-        assert time.process_time() - started < 5
-
-
-def test_a_template_larger_than_the_search_area(scene: PhotoScene, tmp_path: Path) -> None:
-    cut = write_plain(tmp_path / "cut.tif", scene.frame.pixels[:60, :60])
-    assert_sentence(complaint(scene, TEMPLATE=cut, SEARCH=2), "template is .* mm wide and the search area 4.0 mm")
-
-
-def test_bad_positions(scene: PhotoScene) -> None:
-    places = scene.frame.places
-    swapped = {"1": places["2"], "2": places["1"], "3": places["3"], "4": places["4"]}
-    for given, words in (
-        (points({"9": places["1"]}), "a mark '9' that the calibration does not have"),
-        (points({"1": places["1"], "2": places["1"]}), "'1' and '2' are at one place"),
-        (points(swapped), "from where the calibration places them"),
-        (points({"": places["1"]}), "no point with a name"),
-    ):
-        assert_sentence(complaint(scene, POSITIONS=given), words)
-
-
-def test_positions_on_a_photo_whose_pixels_lie_on_one_line(scene: PhotoScene, tmp_path: Path) -> None:
-    """It is on its own pixels, as one that was never georeferenced."""
-    wrapped = tmp_path / "photo.vrt"
-    gdal.Translate(str(wrapped), str(scene.photo), format="VRT").FlushCache()
-    text = wrapped.read_text().replace("<VRTRasterBand", "<GeoTransform>5,1,2,7,2,4</GeoTransform><VRTRasterBand", 1)
-    wrapped.write_text(text)
-    outcome = run("interiororientation", **{**scene.inputs, "PHOTO": str(wrapped)}, **CROSS,
-                  POSITIONS=points(dict(scene.frame.places)))
-    assert outcome.complaint is None
 
 
 def test_the_report_shows_where_a_failed_mark_should_be(blotted: PhotoScene, tmp_path: Path) -> None:
@@ -299,5 +200,3 @@ def test_too_few_marks_found_keep_what_was_measured(blotted: PhotoScene, tmp_pat
     assert not any(key in outcome.results for key in ("PARAMETERS", "WORLD_FILE"))
     assert_sentence(outcome.log.errors[0], "the affine model needs 3")
     assert report.is_file()
-
-

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer, edit
+from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
 
 from tests.numbers.synthetic import orthoimage, write_plain
 from tests.qgis.photos.photo_scenes import points
@@ -112,22 +112,6 @@ def test_the_papers_ten_photos_in_one_run(folders: dict[str, Path], second: str)
     assert outcome.column("distance", "DIFFERENCES") == pytest.approx(distances, abs=1e-4)
     strict = run("comparemarks", FIRST_FOLDER=str(folders["layers"]), SECOND_FOLDER=str(folders[second]), LIMIT=0.1)
     assert (strict.results["WITHIN_LIMIT"], strict.column("verdict")) == (0, ["beyond"])
-
-
-def test_merged_layers_are_compared_with_a_folder(folders: dict[str, Path]) -> None:
-    """What QGIS's 'Merge vector layers' makes of marks, with our field ``photo`` in it; one photo is not in it."""
-    places = {f"{photo} {name}": place for photo in range(COUNT - 1)
-              for name, place in measured_places(photo, False).items()}
-    marks = [key.split()[1] for key in places]
-    merged = in_pixels(places, photo=("string(20)", [f"{key.split()[0]}.tif" for key in places]))
-    with edit(merged):
-        for row, mark in zip(merged.getFeatures(), marks):
-            merged.changeAttributeValue(row.id(), merged.fields().indexOf("mark"), mark)
-    outcome = run("comparemarks", FIRST=merged, SECOND_FOLDER=str(folders["micmac"]))
-    assert outcome.complaint is None
-    assert outcome.results["COUNT"] == 36
-    assert any("Marks that only one of the measurements has" in line and "(9 1, 9 2, 9 3, 9 4)" in line
-               for line in outcome.log.warnings)
 
 
 def test_measurements_that_can_not_be_compared(folders: dict[str, Path], tmp_path: Path) -> None:

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import QgsGeometry
 
-from tests.numbers.synthetic import ORIGIN, read_pixels, write_raster
-from tests.qgis.runs import Log, algorithm, assert_refused, assert_sentence, run, run_unchecked
-from tests.qgis.scenes import Scene, layer, line, windows
+from tests.numbers.synthetic import read_pixels, write_raster
+from tests.qgis.runs import assert_sentence, run
+from tests.qgis.scenes import layer, line
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -36,16 +35,6 @@ def figures(rows: list[dict[str, Any]], raster: str) -> dict[tuple[str, str], An
     return {(row["check"], row["band"]): row["value"] for row in rows if row["raster"] == raster}
 
 
-def test_parameters_and_outputs_are_those_promised() -> None:
-    job = algorithm("checkradiometry")
-    names = [definition.name() for definition in job.parameterDefinitions()]
-    wanted = "RASTERS SHEETS WINDOWS READY_RULES RULES VALUE_RANGE GREY_AREAS SEAMLINES OUTPUT MAYBE_GREY REPORT"
-    assert names == wanted.split()
-    required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
-    assert required == ["READY_RULES", "OUTPUT"]
-    assert {"OUTPUT", "REPORT", "MAYBE_GREY", "DECISION", "REASONS"} <= {one.name() for one in job.outputDefinitions()}
-
-
 def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
     outcome = run("checkradiometry", RASTERS=mosaics, READY_RULES="jrc_lpis_each_band")
     rows = outcome.rows()
@@ -54,9 +43,9 @@ def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
     assert list(dict.fromkeys(row["check"] for row in rows)) == CHECKS
     assert len(rows) == 2 * (5 * 3 + 1)
     pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
-    found = figures(rows, "cut.tif")
-    assert found["contrast", "green"] == pytest.approx(pixels[1].std() / 255)
-    assert found["clipped_low", "red"] == pytest.approx((pixels[0] <= 4).mean())
+    result = figures(rows, "cut.tif")
+    assert result["contrast", "green"] == pytest.approx(pixels[1].std() / 255)
+    assert result["clipped_low", "red"] == pytest.approx((pixels[0] <= 4).mean())
     for row in rows:
         if row["check"] == "colour_balance":  # nobody said what is grey
             assert (row["value"], row["passed"], row["decision"]) == (None, None, "rejected")
@@ -71,16 +60,6 @@ def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
     assert outcome.results["NOT_MEASURABLE_COUNT"] == 2
 
 
-def test_an_index_names_rasters_too(mosaics: list[str]) -> None:
-    square = [QgsGeometry.fromWkt("POLYGON((0 0,1 0,1 1,0 0))")] * 3
-    index = layer("Polygon", square, location=("string", [mosaics[1], None, mosaics[0]]))
-    rows = run("checkradiometry", RASTERS=mosaics[:1], SHEETS=index).rows()
-    assert list(dict.fromkeys(row["raster"] for row in rows)) == ["cut.tif", "balanced.tif"]
-    assert_refused("checkradiometry", "No raster", SHEETS=layer("Polygon", square[:1], location=("string", [None])))
-    wrong = layer("Polygon", square[:2], name=("string", mosaics))
-    assert "no field 'location'" in str(run("checkradiometry", SHEETS=wrong).complaint)
-
-
 def test_the_ready_rules_judge_luminosity(mosaics: list[str]) -> None:
     outcome = run("checkradiometry", RASTERS=mosaics)
     bands = {row["check"]: [] for row in outcome.rows()}
@@ -90,8 +69,8 @@ def test_the_ready_rules_judge_luminosity(mosaics: list[str]) -> None:
     assert [bands[check] for check in CHECKS] == [["luminosity"]] * 4 + [["red", "green", "blue"], ["all"]]
     red, green, blue = read_pixels(mosaics[0], 0, 0, 512, 256).astype(float)
     mixed = 0.299 * red + 0.587 * green + 0.114 * blue
-    found = figures(outcome.rows(), "cut.tif")
-    assert found["contrast", "luminosity"] == pytest.approx(mixed.std() / 255, rel=1e-4)
+    result = figures(outcome.rows(), "cut.tif")
+    assert result["contrast", "luminosity"] == pytest.approx(mixed.std() / 255, rel=1e-4)
 
 
 def test_unity_and_contrast_stand_beside_each_other(mosaics: list[str], tmp_path: Path) -> None:
@@ -127,40 +106,6 @@ def test_own_rules(mosaics: list[str], tmp_path: Path) -> None:
     assert {row["source"] for row in outcome.rows()} == {"contract 12", "contract 13"}
 
 
-def test_windows_are_checked_for_themselves(mosaics: list[str]) -> None:
-    drawn = windows((0, 0, 128, 128), (300, 0, 100, 140), (9000, 0, 128, 128), window_id=("integer", [4, 5, 6]))
-    outcome = run("checkradiometry", RASTERS=mosaics, WINDOWS=drawn, READY_RULES="jrc_lpis_each_band")
-    assert sorted({row["window_id"] for row in outcome.rows()}) == [4, 5]
-    found = {(row["window_id"], row["check"]): row["value"] for row in outcome.rows() if row["band"] == "red"
-             and row["raster"] == "cut.tif"}
-    pixels = read_pixels(mosaics[0], 300, 0, 100, 140)
-    assert found[5, "contrast"] == pytest.approx(pixels[0].std() / 255)
-    assert any("Window 6 lies on none of the rasters" in said for said in outcome.log.warnings)
-
-
-def test_a_window_on_one_of_two_rasters_is_not_missed(mosaics: list[str], tmp_path: Path) -> None:
-    pixels = read_pixels(mosaics[0], 0, 0, 512, 256)
-    beside = write_raster(tmp_path / "beside.tif", pixels, origin=(ORIGIN[0] + 51.2, ORIGIN[1]))
-    drawn = windows((0, 0, 128, 128), (600, 0, 128, 128), (0, 0, 9, 9), window_id=("integer", [1, 2, 3]))
-    outcome = run("checkradiometry", RASTERS=[mosaics[0], beside], WINDOWS=drawn)
-    assert {(row["raster"], row["window_id"]) for row in outcome.rows()} == {("cut.tif", 1), ("beside.tif", 2)}
-    (said,) = outcome.log.warnings
-    assert_sentence(said, "Window 3 is left out on cut.tif: The window covers 9 x 9 px")
-
-
-def test_what_can_not_be_measured_has_its_reason(tmp_path: Path) -> None:
-    path = write_raster(tmp_path / "empty.tif", np.zeros((3, 200, 200), np.uint8), nodata=0)
-    outcome = run("checkradiometry", RASTERS=[path], SEAMLINES=layer("LineString", [line(*SEAM)]))
-    rows = outcome.rows()
-    assert len(rows) == 4 + 3 * 3 + 1
-    assert {(row["value"], row["passed"]) for row in rows} == {(None, None)}
-    assert {row["reason"] for row in rows} == {
-        "not measurable: 0 pixels are valid and at least 4096 are needed; choose a larger part."
-    }
-    assert outcome.results["NOT_MEASURABLE_COUNT"] == len(rows)
-    assert outcome.results["DECISION"] == "undecided"
-
-
 def test_a_bad_raster_is_named_and_the_others_are_checked(mosaics: list[str], tmp_path: Path) -> None:
     cut = Path(mosaics[0]).read_bytes()
     (tmp_path / "short.tif").write_bytes(cut[: len(cut) // 2])
@@ -174,41 +119,6 @@ def test_a_bad_raster_is_named_and_the_others_are_checked(mosaics: list[str], tm
     assert_sentence(outcome.log.warnings[0], "does not exist")
     assert_sentence(outcome.log.warnings[1], r"short\.tif is left out")
     assert "short.tif is left out" in report.read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize(
-    ("parameters", "words"),
-    [
-        ({"RASTERS": []}, "No rasters are given"),
-        ({"RASTERS": ["/nowhere/a.tif"]}, "None of the rasters can be used: a.tif is left out"),
-        ({"RULES": "broken"}, r"The rules in broken.json are no JSON \(see line 1"),
-        ({"RULES": "/nowhere/rules.json"}, "The rules in rules.json can't be read"),
-        ({"WINDOWS": []}, "The window layer is empty"),
-        ({"WINDOWS": [(9000, 0, 128, 128)]}, "Window 1 lies on none of the rasters"),
-        ({"SEAMLINES": []}, "The seamline layer is empty|holds no line"),
-    ],
-)
-def test_bad_input_ends_with_a_sentence(
-    mosaics: list[str], tmp_path: Path, parameters: dict[str, Any], words: str
-) -> None:
-    (tmp_path / "broken.json").write_text("{")
-    given = {"RASTERS": mosaics, **parameters}
-    if given.get("RULES") == "broken":
-        given["RULES"] = str(tmp_path / "broken.json")
-    if "WINDOWS" in given:
-        given["WINDOWS"] = windows(*given["WINDOWS"])
-    if "SEAMLINES" in given:
-        given["SEAMLINES"] = layer("LineString", given["SEAMLINES"])
-    for outcome in (run("checkradiometry", **given), run_unchecked("checkradiometry", **given)):
-        assert_sentence(outcome.complaint, words)
-
-
-def test_it_stops_when_cancelled(scene: Scene) -> None:
-    log = Log()
-    log.cancel()
-    outcome = run("checkradiometry", log, RASTERS=scene.sources)
-    assert outcome.complaint is None
-    assert outcome.rows() == []
 
 
 def test_what_measured_nothing_leaves_no_file_and_an_older_one_as_it_was(mosaics: list[str], tmp_path: Path) -> None:

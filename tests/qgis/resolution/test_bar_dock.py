@@ -9,25 +9,21 @@ from pathlib import Path
 
 import pytest
 from qgis.core import (
-    QgsApplication,
     QgsCoordinateReferenceSystem,
-    QgsPointXY,
     QgsProject,
     QgsRasterLayer,
     QgsRectangle,
 )
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapTool
-from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QPoint, Qt
-from qgis.PyQt.QtGui import QColor, QKeyEvent
-from qgis.PyQt.QtWidgets import QAction, QApplication
+from qgis.PyQt.QtCore import QEvent, Qt
+from qgis.PyQt.QtGui import QKeyEvent
+from qgis.PyQt.QtWidgets import QAction
 from seam_inspector.plugin.resolution.desk import bar_dock
 from seam_inspector.plugin.resolution.desk.bar_dock import BarDock
-from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.resolution.bar_operator import RIGHT, Operator
-from tests.qgis.resolution.bar_scenes import COARSEST_CM, bar_layer, make_bar_scene
-from tests.qgis.scenes import at, layer
+from tests.qgis.resolution.bar_scenes import COARSEST_CM, make_bar_scene
+from tests.qgis.scenes import layer
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
 
 
@@ -85,32 +81,6 @@ def test_the_profile_is_shown_while_the_line_moves(operator: Operator) -> None:
     assert [band.isVisible() for band in operator.bands] == [True]
 
 
-def test_pixels_are_read_in_the_background_and_the_last_line_wins(
-    operator: Operator, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    threads, measured = set(), []
-    genuine = bar_dock.measure_line
-
-    def measure(raster, line, bars, width):  # type: ignore[no-untyped-def]
-        threads.add(threading.current_thread())
-        measured.append(line.segment)
-        return genuine(raster, line, bars, width)
-
-    monkeypatch.setattr(bar_dock, "measure_line", measure)
-    start, end = operator.ends(1)
-    operator.press(start)
-    for step in range(40):
-        operator.move((end[0] - 40 + step, end[1]))
-    operator.move(end)
-    wait_for_tasks()
-    wait_until(lambda: not operator.dock._background.is_under_way("bar group"))
-    wait_for_tasks()
-    assert threading.main_thread() not in threads
-    assert len(measured) < 20  # those that came too fast are left out
-    assert measured[-1].end[0] == pytest.approx(end[0], abs=0.3)
-    assert "resolved" in operator.dock.verdict.text()
-
-
 @pytest.fixture
 def slow_header(operator: Operator, monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
     """Images open once it is set, at the latest at the test's end."""
@@ -147,27 +117,6 @@ def test_the_lines_of_a_target_are_judged_together(operator: Operator) -> None:
     assert {result.measured.line.group for result in operator.dock.results} == {5}
 
 
-def kept_share(operator: Operator) -> int:
-    """% of the full amplitude, as the dock says."""
-    found = re.search(r"amplitude (\d+)\u00a0% of the full one", operator.dock.verdict.text())
-    assert found
-    return int(found[1])
-
-
-def test_another_target_is_judged_at_once(operator: Operator) -> None:
-    operator.draw(1)
-    operator.dock.group.setValue(7)
-    operator.draw(4)
-    wait_until(lambda: "Group 7, 50.00" in operator.dock.verdict.text())
-    operator.dock.settings.grd_of.setCurrentIndex(1)
-    operator.dock.settings.reference_grd.setValue(COARSEST_CM / 2)
-    wait_until(lambda: "Group 7, 25.00" in operator.dock.verdict.text())
-    assert "times as far apart" not in operator.dock.verdict.text()
-    of_the_group = kept_share(operator)
-    operator.dock.settings.full_amplitude.setCurrentIndex(1)
-    wait_until(lambda: kept_share(operator) < of_the_group - 5)
-
-
 def test_an_image_that_opens_slowly(operator: Operator, slow_header: threading.Event) -> None:
     another_image(operator)
     start, end = operator.ends(1)
@@ -186,17 +135,6 @@ def test_an_image_that_opens_slowly(operator: Operator, slow_header: threading.E
     assert operator.rows() == [(1, "along")]
 
 
-def test_an_image_whose_opening_is_stopped_is_not_chosen(operator: Operator, slow_header: threading.Event) -> None:
-    another_image(operator)
-    wait_until(QgsApplication.taskManager().activeTasks)
-    for task in QgsApplication.taskManager().activeTasks():
-        task.cancel()
-    slow_header.set()
-    wait_until(lambda: operator.dock.image.currentLayer() is None)
-    assert operator.dock.verdict.text().startswith("No image of a bar target is chosen")
-    assert not operator.dock.draw.isChecked()
-
-
 def test_an_image_that_can_not_be_opened_says_why(operator: Operator, tmp_path: Path) -> None:
     gone = tmp_path / "gone.tif"
     gone.write_bytes(Path(operator.scene.path).read_bytes())
@@ -207,80 +145,6 @@ def test_an_image_that_can_not_be_opened_says_why(operator: Operator, tmp_path: 
     wait_until(lambda: "gone.tif does not exist" in operator.dock.verdict.text())
     assert not operator.dock.draw.isEnabled()
     assert not operator.dock.draw.isChecked()
-
-
-def test_two_clicks_draw_as_well_as_a_drag(operator: Operator) -> None:
-    start, end = operator.ends(2)
-    operator.press(start)
-    operator.release(start)
-    operator.move(end)
-    operator.press(end)
-    operator.release(end)
-    assert operator.rows() == [(1, "along")]
-    lines = operator.dock.line_layer()
-    assert lines is not None
-    (row,) = lines.getFeatures()
-    drawn = row.geometry().asPolyline()
-    assert drawn[0].distance(QgsPointXY(*at(*start))) < 0.03
-    assert drawn[1].distance(QgsPointXY(*at(*end))) < 0.03
-
-
-def test_a_typed_group_and_the_other_direction(operator: Operator) -> None:
-    operator.dock.lines.setLayer(None)
-    existing = bar_layer([operator.scene.geometry(4, "across")], [4], ["across"])
-    QgsProject.instance().addMapLayer(existing)
-    operator.dock.lines.setLayer(existing)
-    operator.dock.group.setValue(2)
-    operator.draw(2)
-    operator.dock.direction.setCurrentIndex(1)
-    assert operator.dock.group.value() == 5  # the one after the last across the flight
-    operator.draw(5, "across")
-    assert sorted(operator.rows()) == [(2, "along"), (4, "across"), (5, "across")]
-    existing.rollBack()
-
-
-def test_what_can_not_be_measured_says_why(operator: Operator) -> None:
-    operator.press((5, 3))
-    operator.move((25, 3))
-    wait_until(lambda: "No bars stand out" in operator.dock.verdict.text())
-    operator.move((7, 3))
-    wait_until(lambda: "px long" in operator.dock.verdict.text())
-    assert operator.dock.profile.bands_shown == 0
-
-
-def test_the_profile_is_painted_and_goes_with_its_line(operator: Operator) -> None:
-    profile = operator.dock.profile
-    profile.resize(400, 300)
-
-    def colours() -> set[str]:
-        image = profile.grab().toImage()
-        return {QColor(image.pixel(x, y)).name() for x in range(image.width()) for y in range(image.height())}
-
-    assert len(colours()) == 1  # nothing was measured
-    start, end = operator.ends(1)
-    operator.press(start)
-    operator.move(end)
-    wait_until(lambda: operator.dock.results, "for the profile")
-    drawn, limit = colours(), QColor(chart_style(profile).limit)
-    assert "#0072b2" in drawn
-    assert any(abs(one.hue() - limit.hue()) < 10 and one.saturation() > 128 for one in map(QColor, drawn))
-    operator.release(end, RIGHT)
-    assert len(colours()) == 1
-    assert operator.dock.verdict.text() == operator.dock.draw.toolTip()
-
-
-def test_side_by_side_where_the_dock_is_wide(operator: Operator) -> None:
-    dock = operator.dock
-    for width, height, is_beside in ((420, 800, False), (1200, 320, True), (420, 800, False)):
-        dock.setFloating(True)  # the tests' main window is not shown, nor would be what is docked there
-        dock.resize(width, height)
-        dock.show()
-        settle()
-        profile, last = dock.profile, dock.group
-        place = profile.mapTo(dock, QPoint()) - last.mapTo(dock, QPoint())
-        assert (place.x() > 0) == is_beside
-        assert (place.y() < 0) == is_beside
-    dock.hide()
 
 
 def test_a_closed_dock_gives_the_map_its_former_tool_back(operator: Operator) -> None:
@@ -294,38 +158,6 @@ def test_a_closed_dock_gives_the_map_its_former_tool_back(operator: Operator) ->
     dock.hide()
     assert canvas.mapTool() is former
     assert not dock.draw.isChecked()
-
-
-def test_drawn_lines_are_seen_on_bright_and_on_dark_ground_with_their_numbers(operator: Operator) -> None:
-    operator.draw(1)
-    lines = operator.dock.line_layer()
-    assert lines is not None
-    inner, outer = (part.color() for part in reversed(lines.renderer().symbol().symbolLayers()))
-    assert inner.lightness() > 120 > outer.lightness()
-    assert lines.labelsEnabled()
-    assert lines.labeling().settings().fieldName == "group"
-
-
-def test_a_line_over_another_group_than_its_number_says_is_told(operator: Operator) -> None:
-    start, end = operator.ends(3)
-    operator.press(start)
-    operator.move(end)
-    wait_until(lambda: operator.dock.results)
-    assert "0.63 times as far apart" in operator.dock.verdict.text()
-
-
-def test_a_layer_without_the_fields_is_told(operator: Operator, qgis_iface: QgisInterface,
-                                            monkeypatch: pytest.MonkeyPatch) -> None:
-    told: list[str] = []
-    monkeypatch.setattr(qgis_iface.messageBar(), "pushMessage", lambda _title, text, *_rest: told.append(text))
-    other = layer("LineString", [], group=("integer", []))
-    QgsProject.instance().addMapLayer(other)
-    operator.dock.lines.setLayer(other)
-    other.dataProvider().deleteAttributes([0])
-    other.updateFields()
-    operator.draw(1)
-    assert told == ["The layer has no field 'group'; add it and fill it in."]
-    assert operator.rows() == []
 
 
 def test_escape_and_the_right_button(operator: Operator) -> None:
@@ -359,48 +191,6 @@ def test_the_previous_tool_comes_back_and_nothing_stays(operator: Operator) -> N
         assert canvas.mapTool() is previous
         assert len(canvas.scene().items()) == items
     canvas.unsetMapTool(previous)
-
-
-def test_another_dock_of_ours_does_not_come_back(operator: Operator) -> None:
-    """Drawing here, there and here again ends with the map's own tool, not with the other dock's."""
-    canvas, other = operator.canvas, BarDock(operator.dock._iface)
-    pan = QgsMapTool(canvas)
-    canvas.setMapTool(pan)
-    other.image.setLayer(operator.dock.image.currentLayer())
-    wait_until(other.draw.isEnabled, "for the image")
-    for draw in (operator.dock.draw, other.draw, operator.dock.draw):
-        draw.trigger()
-    assert canvas.mapTool() is operator.tool
-    assert not other.draw.isChecked()
-    operator.release(operator.ends(1)[1], RIGHT)
-    assert canvas.mapTool() is pan
-    canvas.unsetMapTool(pan)
-    other.close_desk()
-    other.deleteLater()
-
-
-def test_a_previous_tool_that_was_deleted_meanwhile(operator: Operator) -> None:
-    operator.dock.draw.trigger()
-    previous = QgsMapTool(operator.canvas)
-    operator.canvas.setMapTool(previous)
-    operator.dock.draw.trigger()
-    sip.delete(previous)
-    operator.dock.draw.trigger()
-    assert operator.canvas.mapTool() is None
-    assert not operator.dock.draw.isChecked()
-
-
-def test_an_image_that_vanishes(operator: Operator) -> None:
-    start, end = operator.ends(1)
-    operator.press(start)
-    operator.move(end)
-    QgsProject.instance().removeMapLayer(operator.dock.image.currentLayer().id())
-    QApplication.processEvents()
-    operator.move(end)
-    operator.release(end)
-    wait_for_tasks()
-    assert not operator.dock.draw.isEnabled()
-    assert operator.rows() == []
 
 
 def test_the_plugin_shows_the_dock_and_takes_it_along(qgis_iface: QgisInterface, project: QgsProject) -> None:

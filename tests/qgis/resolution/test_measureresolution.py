@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import math
-import re
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +9,10 @@ import numpy as np
 import pytest
 from qgis.core import QgsProcessingProvider
 
-from tests.numbers.resolution.bar_targets import STEP, Bars, image, theoretical_cycle
+from tests.numbers.resolution.bar_targets import STEP, theoretical_cycle
 from tests.numbers.synthetic import write_raster
 from tests.qgis.resolution.bar_scenes import COARSEST_CM, BarScene, bar_layer, make_bar_scene
-from tests.qgis.runs import Log, Run, assert_refused, run
+from tests.qgis.runs import Log, Run, run
 from tests.qgis.scenes import ORIGIN, PIXEL, layer, line, moved
 
 FIELDS = (
@@ -68,34 +67,11 @@ def test_fields_numbers_and_verdicts(target: BarScene) -> None:
     assert abs(coarsest["shift_px"]) < 0.05
 
 
-def test_one_band_and_one_direction(target: BarScene) -> None:
-    keys = [key for key in target.groups if key[1] == "across"]
-    made = measure(RASTER=target.path, GROUPS=target.lines(keys), BAND=2, **TARGET)
-    assert {row["band"] for row in made.rows()} == {"green"}
-    assert "GRD_ACROSS" in made.results
-    assert "GRD_ALONG" not in made.results  # nothing was measured, so there is no number
-    assert "GRD_MEAN" not in made.results
-
-
 def test_lines_in_another_reference_system(target: BarScene) -> None:
     keys = [(1, "along"), (2, "along")]
     shapes = [moved(target.geometry(*key), 4326) for key in keys]
     made = measure(RASTER=target.path, GROUPS=bar_layer(shapes, [1, 2], ["along"] * 2, 4326), **TARGET)
     assert [row["resolved"] for row in made.rows()] == [1] * 6
-
-
-def test_chart_and_report(target: BarScene, tmp_path: Path) -> None:
-    chart, report = tmp_path / "chart.svg", tmp_path / "report.html"
-    made = measure(
-        RASTER=target.path, GROUPS=target.lines(), CHART=str(chart), REPORT=str(report), **TARGET
-    )
-    assert made.complaint is None
-    drawn, page = chart.read_text(encoding="utf-8"), report.read_text(encoding="utf-8")
-    for words in ("group 1, 100.00 cm: resolved", "group 5, 39.69 cm: not resolved", "along the flight"):
-        assert words in drawn
-    assert f"{made.results['GRD_ALONG']:.2f} ± {made.results['GRD_ALONG_ERROR']:.2f} cm" in page
-    assert page.count("data:image/svg+xml") == 1 + 5  # the target, and a row for each group
-    assert "http" not in page.replace("http://www.w3.org", "").replace("http-equiv", "")
 
 
 def test_a_distance_has_its_uncertainty_in_table_log_and_report(target: BarScene, tmp_path: Path) -> None:
@@ -110,34 +86,6 @@ def test_a_distance_has_its_uncertainty_in_table_log_and_report(target: BarScene
     words = f"{grd:.2f} ± {error:.2f} cm"
     assert f"along the flight: {words}" in log.infos
     assert words in report.read_text(encoding="utf-8")
-
-
-def test_the_targets_own_contrast_is_stated_and_a_low_one_is_told(target: BarScene, tmp_path: Path) -> None:
-    log = Log()
-    made = measure(log, RASTER=target.path, GROUPS=target.lines(), **TARGET)
-    assert made.results["TARGET_CONTRAST"] == pytest.approx(5, rel=0.05)  # 200 DN over 40
-    bars = Bars(40, 40, 10, 25)
-    hazy = write_raster(tmp_path / "hazy.tif", image((80, 80), [bars], 0.8) // 2 + 60, gsd=PIXEL)
-    log, lines = Log(), BarScene(hazy, {(1, "along"): bars}).lines()
-    made = measure(log, RASTER=hazy, GROUPS=lines, **TARGET)
-    assert made.results["TARGET_CONTRAST"] == pytest.approx(2, rel=0.05)
-    assert any("differ by a factor of 2.0 and the method asks for 5" in warning for warning in log.warnings)
-
-
-def test_distances_of_one_bar_and_the_coarsest_groups_amplitude(target: BarScene) -> None:
-    """Where 50 cm are one bar of the first group, all is as where 100 cm are its bar and gap, and half as wide."""
-    both, one = (
-        measure(RASTER=target.path, GROUPS=target.lines(), **{**TARGET, **other})
-        for other in ({}, {"REFERENCE_GRD": COARSEST_CM / 2, "GRD_OF": "bar"})
-    )
-    assert one.column("resolved") == both.column("resolved")
-    assert one.results["GRD_ALONG"] == pytest.approx(both.results["GRD_ALONG"] / 2)
-    strict = measure(RASTER=target.path, GROUPS=target.lines(), FULL_AMPLITUDE="coarsest", **TARGET)
-    assert sum(strict.column("resolved")) < sum(both.column("resolved"))
-    full = {(row["direction"], row["band"]): set() for row in strict.rows()}
-    for row in strict.rows():
-        full[row["direction"], row["band"]].add(round(row["full_amplitude"], 6))
-    assert all(len(values) == 1 for values in full.values())
 
 
 def test_several_observers_of_each_line(target: BarScene, tmp_path: Path) -> None:
@@ -178,9 +126,9 @@ def test_each_bad_line_has_its_reason_and_the_others_are_measured(target: BarSce
         (line((0, 0), (5000, 0)), 10, "along", "are the most"),
     ]
     shapes, groups, directions, words = zip(*cases)
-    found = reasons(target, bar_layer(shapes, groups, directions))
-    assert len(found) == len(cases)
-    for reason, word in zip(found, words):
+    result = reasons(target, bar_layer(shapes, groups, directions))
+    assert len(result) == len(cases)
+    for reason, word in zip(result, words):
         assert (reason is None) == (word is None), reason
         assert word is None or word in str(reason)
 
@@ -194,78 +142,6 @@ def test_lines_that_show_nothing_at_all_are_no_success(target: BarScene, places:
     assert f"None of the {len(shapes)} lines shows bars" in str(made.complaint)
     told = " ".join([*log.infos, *log.warnings])
     assert "leaves target.tif" in told or "No bars stand out" in told
-
-
-@pytest.mark.parametrize("parameters", [{"REFERENCE_GROUP": 10_000}, {"REFERENCE_GROUP": 10_000, "REVERSED": True}])
-def test_a_reference_group_far_from_all_others_is_a_sentence(target: BarScene, parameters: dict[str, object]) -> None:
-    log = Log()
-    made = measure(log, RASTER=target.path, GROUPS=target.lines(), **{**TARGET, **parameters})
-    assert "lines shows bars that can be measured" in str(made.complaint)
-    assert any("too far from the reference group 10000" in words for words in [*log.infos, *log.warnings])
-
-
-def test_a_target_numbered_the_other_way_is_told(target: BarScene) -> None:
-    log = Log()
-    keys = [(1, "along"), (2, "along"), (3, "along")]
-    shapes = [target.geometry(*key) for key in keys]
-    backwards = bar_layer(shapes, [3, 2, 1], ["along"] * 3)
-    measure(log, RASTER=target.path, GROUPS=backwards, **TARGET)
-    assert any("set REVERSED" in warning for warning in log.warnings)
-    log = Log()
-    made = measure(log, RASTER=target.path, GROUPS=backwards, **{**TARGET, "REFERENCE_GROUP": 3,
-               "REVERSED": True})
-    assert not [warning for warning in log.warnings if "REVERSED" in warning]
-    assert made.results["GRD_ALONG"] == pytest.approx(COARSEST_CM / STEP**4)
-
-
-def test_saturated_bars_are_told(target: BarScene, tmp_path: Path) -> None:
-    bars = Bars(40, 40, 10, 25)
-    pixels = np.clip(2.0 * image((80, 80), [bars], 0.8), 0, 255).astype(np.uint8)
-    scene = BarScene(write_raster(tmp_path / "bright.tif", pixels, gsd=PIXEL), {(1, "along"): bars})
-    (reason,) = reasons(scene, scene.lines())
-    assert "saturated at 255 DN" in str(reason)
-
-
-def test_another_scale_is_told_and_the_bars_are_believed(target: BarScene) -> None:
-    log = Log()
-    made = measure(
-        log, RASTER=target.path, GROUPS=target.lines([(1, "along"), (2, "along")]),
-        **{**TARGET, "REFERENCE_GRD": 5.0},
-    )
-    assert [row["resolved"] for row in made.rows()] == [1] * 6
-    assert any(re.search(r"(19\.9|20\.0)\d times as far apart .* check the reference group", warning)
-               for warning in log.warnings)
-
-
-@pytest.mark.parametrize(
-    ("parameters", "words"),
-    [
-        ({"BAND": 4}, "has no band 4 to measure; give 1 to 3"),
-        ({"RASTER": "/nowhere/t.tif"}, "does not exist"),
-    ],
-)
-def test_bad_settings_are_refused(target: BarScene, parameters: dict[str, object], words: str) -> None:
-    assert_refused(
-        "measureresolution", words, **{"RASTER": target.path, "GROUPS": target.lines(), **TARGET, **parameters}
-    )
-
-
-@pytest.mark.parametrize(
-    ("fields", "words"),
-    [({"direction": ("string", ["along"])}, "no field 'group'"), ({"group": ("integer", [1])}, "no field 'direction'")],
-)
-def test_missing_fields(target: BarScene, fields: dict[str, object], words: str) -> None:
-    made = measure(
-        RASTER=target.path, GROUPS=layer("LineString", [target.geometry(1)], **fields), **TARGET
-    )
-    assert words in str(made.complaint)
-
-
-def test_no_lines_and_a_chart_of_another_format(target: BarScene, tmp_path: Path) -> None:
-    made = measure(RASTER=target.path, GROUPS=target.lines([]), **TARGET)
-    assert "has no lines" in str(made.complaint)
-    made = measure(RASTER=target.path, GROUPS=target.lines(), CHART=str(tmp_path / "c.doc"), **TARGET)
-    assert "c.doc is no PNG, SVG or PDF file" in str(made.complaint)
 
 
 # the real photograph of a USAF-1951 target

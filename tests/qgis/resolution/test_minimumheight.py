@@ -1,7 +1,6 @@
 """``seaminspector:minimumheight`` and ``seaminspector:simulatebayer`` as QGIS runs them."""
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from osgeo import gdal
 from qgis.core import QgsProcessingProvider, QgsVectorLayer
 from seam_inspector.plugin.resolution.measure import bayer
 
-from tests.numbers.synthetic import orthoimage, read_pixels, write_raster
+from tests.numbers.synthetic import orthoimage, write_raster
 from tests.qgis.runs import Log, assert_refused, run
 from tests.qgis.scenes import layer
 
@@ -46,13 +45,6 @@ def test_each_sensor_has_its_reference() -> None:
     assert_refused("minimumheight", "for RMK, but", OBSERVATIONS=observations, REFERENCE_HEIGHT="RMK 2000")
 
 
-@pytest.mark.parametrize(("row", "words"), [((33.67, 3000.0), "interchanged"), ((3000.0, 0.3367), "holds metres")])
-def test_columns_interchanged_and_other_units_are_doubted(row: tuple[float, float], words: str) -> None:
-    log = Log()
-    run("minimumheight", log, OBSERVATIONS=table([row]))
-    assert any(words in warning for warning in log.warnings)
-
-
 def test_groups_and_passes() -> None:
     rows = [("DMC", "PAN", "along", 3000, 30.0 + number) for number in range(5)] + [("DMC", "RGB", "along", 2500, 60.0)]
     observations = table(rows, sensor="string", image_type="string", direction="string", height="integer", grd="double")
@@ -72,49 +64,12 @@ def test_groups_and_passes() -> None:
     assert made.results["GROUP_COUNT"] == 2
 
 
-def test_flying_heights_kept_apart_as_in_table_4() -> None:
-    observations = table([(2500, 60.0), (3000, 67.35), (3500, 75.6)], height="integer", grd="double")
-    made = run("minimumheight", OBSERVATIONS=observations, BY_HEIGHT=True)
-    assert [(row["height"], round(row["mean"])) for row in made.rows()] == [
-        ("2500", 1250), ("3000", 1336), ("3500", 1389)
-    ]
-    assert run("minimumheight", OBSERVATIONS=observations).column("count") == [3]
-
-
 def test_bad_rows_are_told_and_cost_nothing_else() -> None:
     log = Log()
     made = run("minimumheight", log, OBSERVATIONS=table([(3000.0, 30.0), (None, 30.0), (3000.0, -1.0)]))
     assert made.column("count") == [1]
     assert [warning for warning in log.warnings if "Row 2 is left out: 'height' or 'grd' holds no number" in warning]
     assert [warning for warning in log.warnings if "Row 3 is left out" in warning and "positive" in warning]
-
-
-def test_heights_and_distances_without_end_are_told_and_make_no_mean() -> None:
-    log, rows = Log(), [(3000.0, "30"), (math.inf, "30"), (3000.0, "inf"), (1e300, "1e-300"), (3000.0, "x")]
-    made = run("minimumheight", log, OBSERVATIONS=table(rows, height="double", grd="string"))
-    assert made.column("mean") == [3000]
-    left_out = [warning for warning in log.warnings if "is left out" in warning]
-    reasons = ("'inf'", "'inf'", "1e+300 m", "'x' is not a number")
-    assert [word in warning for word, warning in zip(reasons, left_out)] == [True] * 4
-
-
-def test_several_observers_in_a_row() -> None:
-    rows = [(3000, 33.67, 30.0, None), (3000, 30.0, 30.0, 33.67), (3000, None, None, 30.0)]
-    observations = table(rows, height="integer", grd="double", grd_2="double", grd_anna="double")
-    made = run("minimumheight", OBSERVATIONS=observations)
-    (row,) = made.rows()
-    assert (row["count"], row["observers"]) == (3, 6)
-    low = 3000 * 30 / 33.67
-    heights = [(low + 3000) / 2, (low + 6000) / 3, 3000]
-    assert made.column("h_min", "HEIGHTS") == pytest.approx(heights)
-    assert made.column("observers", "HEIGHTS") == [2, 3, 1]
-    assert row["mean"] == pytest.approx(np.mean(heights))
-    assert row["observer_spread"] == pytest.approx((3000 - low) * np.sqrt((1 / 2 + 2 / 3) / 3))
-
-
-def test_a_height_that_no_flight_has_is_refused() -> None:
-    observations = table([(3000.0, 30.0)])
-    assert_refused("minimumheight", "reference height is -5", OBSERVATIONS=observations, REFERENCE_HEIGHT=-5)
 
 
 def test_a_table_without_its_fields_or_rows() -> None:
@@ -139,15 +94,6 @@ def test_a_simulated_bayer_image(tmp_path: Path, pattern: str, demosaic: str) ->
         gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand
     ]
     assert np.array_equal(seen.ReadAsArray(), bayer.simulated(scene, pattern, demosaic))
-
-
-def test_a_single_band_in_16_bit(tmp_path: Path) -> None:
-    path = write_raster(tmp_path / "grey.tif", orthoimage((30, 30), dtype=np.uint16)[0])
-    made = run("simulatebayer", RASTER=path, DEMOSAIC="edge_aware", OUTPUT=str(tmp_path / "seen.tif"))
-    assert made.complaint is None
-    seen = read_pixels(str(tmp_path / "seen.tif"), 0, 0, 30, 30)
-    assert seen.dtype == np.uint16
-    assert seen.shape == (3, 30, 30)
 
 
 def test_what_can_not_be_simulated_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

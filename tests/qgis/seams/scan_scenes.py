@@ -78,14 +78,14 @@ def drawn_seam() -> Any:
 
 def points_along(geometries: Iterable[QgsGeometry], step: float) -> np.ndarray:
     """(n, 2) map places, every so many map units along lines."""
-    found = []
+    items = []
     for geometry in geometries:
         for part in geometry.asMultiPolyline() if geometry.isMultipart() else [geometry.asPolyline()]:
             path = np.array([(point.x(), point.y()) for point in part])
             station = np.append(0, np.cumsum(np.hypot(*np.diff(path, axis=0).T)))
             at = np.arange(0, station[-1], step)
-            found.append(np.column_stack([np.interp(at, station, axis) for axis in path.T]))
-    return np.concatenate(found)
+            items.append(np.column_stack([np.interp(at, station, axis) for axis in path.T]))
+    return np.concatenate(items)
 
 
 def share_within(places: np.ndarray, of: np.ndarray, distance: float) -> float:

@@ -31,9 +31,9 @@ def test_without_being_asked_the_curves_are_as_they_were(scene: Scene) -> None:
 
 
 def test_the_curves_hold_the_directions_of_pywavelets(scene: Scene) -> None:
-    found = rows(scene, DIRECTIONS=True)
+    result = rows(scene, DIRECTIONS=True)
     paths = {"mosaic.tif": scene.mosaic, "west.tif": scene.west, "east.tif": scene.east}
-    directional = {key: row for key, row in found.items() if key[2] in ("LH", "HL", "HH")}
+    directional = {key: row for key, row in result.items() if key[2] in ("LH", "HL", "HH")}
     assert len(directional) == len(paths) * 4 * LEVELS * 3
     for name, path in paths.items():
         pixels = read_pixels(str(path), *SHARP)
@@ -41,21 +41,8 @@ def test_the_curves_hold_the_directions_of_pywavelets(scene: Scene) -> None:
             variance = np.mean(without_mean(plane) ** 2)
             for level, parts in enumerate(wavedec(plane, "coif3", LEVELS)[:0:-1], 1):  # from the finest on
                 for component, part in zip(("LH", "HL", "HH"), parts):
-                    row = found[name, band, component, level]
+                    row = result[name, band, component, level]
                     assert row["variance"] == pytest.approx(np.sum(part**2) / plane.size, rel=1e-4)
                     assert row["relative_variance"] == pytest.approx(np.sum(part**2) / plane.size / variance, rel=1e-4)
-                three = [found[name, band, component, level]["relative_variance"] for component in ("LH", "HL", "HH")]
-                assert sum(three) == pytest.approx(found[name, band, "detail", level]["relative_variance"], rel=1e-4)
-
-
-def test_tables_with_directions_are_read_as_those_without(scene: Scene) -> None:
-    from seam_inspector.plugin.seams.tables.record_tables import read_curves
-
-    curves = []
-    for asked in (False, True):
-        outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=str(scene.mosaic), SOURCES=scene.sources,
-                      DIRECTIONS=asked)
-        table = outcome.layer("CURVES")
-        curves.append(read_curves(table.getFeatures(), table.fields().names()))
-    assert curves[0] == curves[1]
-    assert len(curves[0][1]) == 4
+                three = [result[name, band, component, level]["relative_variance"] for component in ("LH", "HL", "HH")]
+                assert sum(three) == pytest.approx(result[name, band, "detail", level]["relative_variance"], rel=1e-4)

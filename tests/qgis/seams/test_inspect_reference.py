@@ -10,7 +10,7 @@ from qgis.core import QgsVectorLayer
 from scipy.ndimage import gaussian_filter
 
 from tests.numbers.synthetic import orthoimage, write_raster
-from tests.qgis.runs import Run, assert_refused, run
+from tests.qgis.runs import Run, run
 from tests.qgis.scenes import (
     COLUMNS,
     ROWS,
@@ -28,7 +28,6 @@ from tests.qgis.scenes import (
 pytestmark = pytest.mark.usefixtures("provider")
 
 ACROSS, WEST, EAST = (192, 64, 128, 128), (0, 64, 128, 128), (384, 64, 128, 128)
-LEFT, RIGHT = (0, 0, COLUMNS / 2, ROWS), (COLUMNS / 2, 0, COLUMNS / 2, ROWS)
 NAMES = ("composite_ratio_1", "composite_ratio_2", "composite_ratio_3")
 
 
@@ -40,7 +39,7 @@ def cut(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     west = to_bytes(ground + random.normal(0, 2, ground.shape))
     east = to_bytes(blurred(np.roll(ground, (1, 2), (-2, -1))) + random.normal(0, 2, ground.shape))
     mosaic = np.concatenate([west[..., : COLUMNS // 2], east[..., COLUMNS // 2 :]], axis=-1)
-    paths = [Path(write_raster(folder / name, one)) for name, one in (
+    paths = [Path(write_raster(folder / name, item)) for name, item in (
         ("mosaic.tif", mosaic), ("west.tif", west), ("east.tif", east)
     )]
     return Scene(*paths)
@@ -82,28 +81,6 @@ def test_a_hard_cut_has_lost_nothing_against_the_composite(cut: Scene) -> None:
     assert row["cause"] == "none"
 
 
-def test_ratios_are_those_of_the_curves(cut: Scene) -> None:
-    outcome = inspect(cut)
-    mosaic = luminance_shares(cut.mosaic, ACROSS)[:3]
-    against = [share / other for share, other in zip(mosaic, composite_curve(outcome))]
-    assert composite_ratios(outcome) == pytest.approx(against, rel=1e-4)
-    (pair,) = (row for row in outcome.rows("PAIRS") if (row["source"], row["band"]) == ("composite", "luminance"))
-    assert [pair[f"ratio_{level}"] for level in (1, 2, 3)] == pytest.approx(against, rel=1e-4)
-    assert pair["contrast_1"] == pytest.approx(1, abs=0.01)
-    assert pair["gain"] == pytest.approx(1, abs=0.02)
-    assert pair["gamma"] == 1
-
-
-@pytest.mark.parametrize(("box", "followed", "other"), [(WEST, "west.tif", "east.tif"), (EAST, "east.tif", "west.tif")])
-def test_beside_the_seam_the_composite_is_the_one_source(
-    cut: Scene, box: tuple[float, ...], followed: str, other: str
-) -> None:
-    outcome = inspect(cut, box)
-    ratios = {row["source"]: row["ratio_1"] for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
-    assert ratios["composite"] == pytest.approx(ratios[followed], abs=0.01)
-    assert abs(ratios["composite"] - ratios[other]) > 0.2
-
-
 # --- REFERENCE -------------------------------------------------------------------------------------------------
 
 
@@ -124,31 +101,6 @@ def test_the_verdict_is_taken_against_the_reference(cut: Scene, tmp_path: Path) 
         assert row["composite_ratio_1"] == pairs["composite"] < 0.5
 
 
-def test_the_reference_changes_the_verdict_and_nothing_else(cut: Scene) -> None:
-    boxes = (ACROSS, WEST, EAST)
-    by_seam, plain, fair = (inspect(cut, *boxes, REFERENCE=one) for one in ("seam", "sources", "composite"))
-    for table in ("CURVES", "PAIRS", "PROFILES"):
-        assert by_seam.rows(table) == plain.rows(table) == fair.rows(table)
-    for seam, before, after in zip(by_seam.rows(), plain.rows(), fair.rows()):
-        own = dict.fromkeys(("verdict", "reason", "reference"), "")
-        assert {**seam, **own} == {**before, **own} == {**after, **own}
-        assert [row["reference"] for row in (seam, before, after)] == ["seam", "sources", "composite"]
-        assert (after["verdict"] == "preserved") == (after["composite_ratio_1"] >= 1)
-        assert (before["verdict"] == "preserved") == (before["ratio_1"] >= 1)
-        assert seam["paper_verdict"] == before["paper_verdict"] == after["paper_verdict"] == before["verdict"]
-
-
-@pytest.mark.parametrize("given", [{}, {"REFERENCE": None}, {"REFERENCE": "seam"}])
-def test_without_a_choice_it_is_the_seam(cut: Scene, given: dict[str, Any]) -> None:
-    assert inspect(cut, EAST, **given).rows() == inspect(cut, EAST, REFERENCE="seam").rows()
-
-
-def test_other_references_are_refused(cut: Scene) -> None:
-    assert run(
-        "inspectwindows", WINDOWS=windows(ACROSS), MOSAIC=str(cut.mosaic), SOURCES=cut.sources, REFERENCE="nothing"
-    ).complaint is not None
-
-
 # --- CELLS -----------------------------------------------------------------------------------------------------
 
 
@@ -158,50 +110,3 @@ def test_cells_decide_against_the_detail(cut: Scene) -> None:
     assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.east, WEST).tolist(), rel=1e-3)
     east = next(row for row in outcome.rows("PAIRS") if (row["source"], row["band"]) == ("east.tif", "luminance"))
     assert composite_ratios(outcome) == pytest.approx([east[f"ratio_{level}"] for level in (1, 2, 3)], rel=1e-3)
-
-
-@pytest.mark.parametrize("names", [("west.tif", "east.tif"), ("west", "EAST"), ("/block/west.tif", "C:\\b\\east.jp2")])
-def test_cells_of_the_true_cut(cut: Scene, names: tuple[str, str]) -> None:
-    outcome = inspect(cut, CELLS=cells((names[0], LEFT), (names[1], RIGHT)))
-    assert composite_curve(outcome) == pytest.approx(luminance_shares(cut.mosaic, ACROSS).tolist(), rel=0.01)
-    assert composite_ratios(outcome) == pytest.approx([1, 1, 1], abs=0.01)
-
-
-@pytest.mark.parametrize("epsg", [4326, 3857])
-def test_cells_in_any_reference_system(cut: Scene, epsg: int) -> None:
-    wide = inspect(cut, WEST, CELLS=cells(("east.tif", (-50, -50, 700, 400)), epsg=epsg))
-    assert composite_curve(wide) == pytest.approx(luminance_shares(cut.east, WEST).tolist(), rel=1e-3)
-
-
-def test_outside_the_cells_the_detail_decides(cut: Scene, tmp_path: Path) -> None:
-    outcome = inspect(cut, WEST, CELLS=cells(("east.tif", (0, 0, 64, ROWS))))  # the window's left half
-    expected = whole(cut.west)
-    expected[..., :64] = whole(cut.east)[..., :64]
-    shares = luminance_shares(write_raster(tmp_path / "expected.tif", expected), WEST)
-    assert composite_curve(outcome) == pytest.approx(shares.tolist(), rel=0.02)
-
-
-@pytest.mark.parametrize(
-    "useless",
-    [
-        lambda: cells(("north.tif", (-5, -5, 600, 300))),
-        lambda: cells((None, (-5, -5, 600, 300)), ("", (-5, -5, 600, 300))),
-        lambda: cells(("east.tif", (2000, 0, 100, 100))),
-        lambda: cells(),
-        lambda: layer("Polygon", [None], source=("string", ["east.tif"])),
-    ],
-    ids=["unknown source", "no name", "far away", "empty layer", "no outline"],
-)
-def test_cells_that_say_nothing_change_nothing(cut: Scene, useless: Any) -> None:
-    boxes = (ACROSS, WEST)
-    with_cells, without = inspect(cut, *boxes, CELLS=useless()), inspect(cut, *boxes)
-    for table in ("OUTPUT", "CURVES", "PAIRS"):
-        assert with_cells.rows(table) == without.rows(table)
-
-
-def test_a_layer_that_holds_no_cells_gets_a_sentence(cut: Scene) -> None:
-    nameless = layer("Polygon", [outline(LEFT)], image=("string", ["west.tif"]))
-    assert_refused(
-        "inspectwindows", "no field 'source'", WINDOWS=windows(ACROSS), MOSAIC=str(cut.mosaic), SOURCES=cut.sources,
-        CELLS=nameless,
-    )

@@ -100,23 +100,6 @@ def test_min_kept_moves_the_limit(paths: dict[str, str]) -> None:
         )
 
 
-def test_what_was_done_to_the_whole_mosaic_drops_out(
-    paths: dict[str, str], images: tuple[np.ndarray, np.ndarray], tmp_path: Path
-) -> None:
-    toned = write_raster(tmp_path / "toned.tif", to_bytes(0.7 * mosaicked(images, FEATHER).astype(float) + 20))
-    plain, changed = (inspect(paths, "soft", **given).rows()[0] for given in ({}, {"MOSAIC": toned}))
-    assert changed["kept_1"] == pytest.approx(plain["kept_1"], abs=0.02)
-    assert changed["verdict"] == plain["verdict"]
-    assert changed["contrast_1"] == pytest.approx(0.7 * plain["contrast_1"], abs=0.02)
-
-
-def test_a_source_that_was_not_given_is_told(paths: dict[str, str]) -> None:
-    (row,) = inspect(paths, "hard", SOURCES=[paths["west"]]).rows()
-    assert row["cause"] == "missing source"
-    assert 0.4 < row["explained"] < 0.95
-    assert row["kept_1"] is None
-
-
 def test_a_source_that_covers_the_window_in_part_takes_part_there(
     paths: dict[str, str], images: tuple[np.ndarray, np.ndarray], tmp_path: Path
 ) -> None:

@@ -13,8 +13,8 @@ from osgeo import gdal
 from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsRasterRange, QgsVectorLayer
 
 from tests.numbers.synthetic import ORIGIN, UTM33, GeoTransform, write_raster
-from tests.qgis.runs import Run, assert_refused, assert_sentence, run
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, moved, outline, whole, windows
+from tests.qgis.runs import Run, assert_sentence, run
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, whole, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -42,38 +42,6 @@ def file_of(folder: Path, name: str, pixels: np.ndarray, **options: Any) -> QgsR
 # --- layers, ids, paths ----------------------------------------------------------------------------------------
 
 
-def test_layers(scene: Scene, expected: list[dict[str, Any]]) -> None:
-    layers = [QgsRasterLayer(path, "any name") for path in scene.sources]
-    outcome = inspect(scene, MOSAIC=QgsRasterLayer(str(scene.mosaic), "mosaic"), SOURCES=layers)
-    assert outcome.rows("PAIRS") == expected
-
-
-def test_ids_and_names_of_layers(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
-    mosaic, west, east = (QgsRasterLayer(path, f"{i}") for i, path in enumerate([str(scene.mosaic), *scene.sources]))
-    project.addMapLayers([mosaic, west, east])
-    assert inspect(scene, MOSAIC=mosaic.id(), SOURCES=[west.id(), east.id()]).rows("PAIRS") == expected
-    assert inspect(scene, MOSAIC=mosaic.name(), SOURCES=[west.name(), str(scene.east)]).rows("PAIRS") == expected
-
-
-def test_a_single_path_is_a_list_of_one(scene: Scene) -> None:
-    assert set(inspect(scene, SOURCES=str(scene.west)).column("source", "PAIRS")) == {"west.tif", "composite"}
-
-
-def test_each_source_takes_part_once(scene: Scene, project: QgsProject, expected: list[dict[str, Any]]) -> None:
-    west = QgsRasterLayer(str(scene.west), "west")
-    project.addMapLayer(west)
-    beside = scene.west.parent / ".." / scene.west.parent.name / scene.west.name
-    outcome = inspect(scene, SOURCES=[*scene.sources, west, west.id(), str(beside)])
-    assert outcome.rows("PAIRS") == expected
-
-
-def test_the_mosaic_among_the_sources_is_dropped_with_a_warning(scene: Scene, expected: list[dict[str, Any]]) -> None:
-    outcome = inspect(scene, SOURCES=[str(scene.mosaic), *scene.sources])
-    assert outcome.rows("PAIRS") == expected
-    (warning,) = outcome.log.warnings
-    assert_sentence(warning, "mosaic.tif is the mosaic itself and is left out")
-
-
 def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(scene: Scene, tmp_path: Path) -> None:
     """Under another name; it would explain all of the mosaic, and hide every loss."""
     flights = [
@@ -83,7 +51,7 @@ def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(scene: Scene, tmp_path: 
     flights[1] = np.roll(flights[1], 3, axis=2)  # heights lean otherwise
     cut = np.where(np.arange(512) < 250, *flights)
     west, east, mosaic = (
-        write_raster(tmp_path / f"{name}.tif", one) for name, one in zip(("west", "east", "mosaic"), (*flights, cut))
+        write_raster(tmp_path / f"{name}.tif", item) for name, item in zip(("west", "east", "mosaic"), (*flights, cut))
     )
     copy = str(tmp_path / "east_2.tif")
     gdal.Translate(copy, str(mosaic), creationOptions=["COMPRESS=LZW"])
@@ -91,23 +59,6 @@ def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(scene: Scene, tmp_path: 
     (warning,) = outcome.log.warnings
     assert_sentence(warning, "east_2.tif goes with the mosaic across its seams, so it is a copy")
     assert {row["source"] for row in outcome.rows("PAIRS")} == {"west.tif", "east.tif", "composite"}
-
-
-def test_a_reference_system_set_in_the_layer_stands_in_for_the_files(
-    scene: Scene, tmp_path: Path, project: QgsProject, expected: list[dict[str, Any]]
-) -> None:
-    layers = [
-        file_of(tmp_path, path.name, whole(path), system=None, nodata=0)
-        for path in (scene.mosaic, scene.west, scene.east)
-    ]
-    for one in layers:
-        one.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
-    outcome = inspect(scene, MOSAIC=layers[0], SOURCES=layers[1:])
-    assert outcome.rows("PAIRS") == expected
-    assert outcome.layer().crs().authid() == f"EPSG:{UTM33}"
-    project.addMapLayers(layers)
-    by_id = inspect(scene, MOSAIC=layers[0].id(), SOURCES=[layer.id() for layer in layers[1:]])
-    assert by_id.rows("PAIRS") == expected
 
 
 def other_system(name: str) -> str:
@@ -125,8 +76,8 @@ def test_a_reference_system_set_by_hand_is_taken_and_said_once(
         for path in (scene.mosaic, scene.west, scene.east)
     ]
     project.addMapLayers(layers)
-    for one in layers:
-        one.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
+    for item in layers:
+        item.setCrs(QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"))
     ids = [layer.id() for layer in layers]
     if step == "inspectwindows":
         outcome = inspect(scene, MOSAIC=ids[0], SOURCES=ids[1:])
@@ -159,9 +110,9 @@ def test_additional_nodata_of_a_layer_is_no_pixel(
     outcome = inspect(scene, WINDOWS=in_margin, SOURCES=[layer.id() for layer in layers])
     assert "source" not in outcome.column("role", "CURVES")  # there is no whole clip
     assert outcome.column("sources") == [2]  # of its other part
-    for one in layers:
+    for item in layers:
         for band in (1, 2, 3):
-            one.dataProvider().setUserNoDataValue(band, [])
+            item.dataProvider().setUserNoDataValue(band, [])
     plain = inspect(scene, WINDOWS=in_margin, SOURCES=[layer.id() for layer in layers])
     assert "source" in plain.column("role", "CURVES")
 
@@ -200,16 +151,6 @@ def test_sources_in_other_systems_and_pixel_sizes_are_resampled(scene: Scene, tm
         assert row["similarity"] > 0.97, source
     for source in ("finer.tif", "south_up.tif"):  # averaging and turning over give back the very pixels
         assert pairs[source]["ratio_1"] == pytest.approx(pairs["west.tif"]["ratio_1"], rel=1e-6)
-
-
-def test_pixels_that_differ_by_less_than_a_hundredth_are_taken_as_they_are(scene: Scene, tmp_path: Path) -> None:
-    paths = [
-        write_raster(tmp_path / f"{name}.tif", whole(scene.west), gsd=gsd)
-        for name, gsd in (("near", 0.1005), ("far", 0.1015))
-    ]
-    outcome = inspect(scene, WINDOWS=windows(SHARP), SOURCES=paths)
-    resampled = {row["source"]: row["resampled"] for row in outcome.rows("PAIRS")}
-    assert resampled == {"near.tif": 0, "far.tif": 1, "composite": 1}
 
 
 # --- the index -------------------------------------------------------------------------------------------------
@@ -251,54 +192,3 @@ def test_relative_locations_start_at_the_index_and_not_at_the_working_folder(
     monkeypatch.chdir(tmp_path / "elsewhere")
     index = str(tmp_path / "index.shp")
     assert inspect(scene, SOURCES=None, SOURCE_INDEX=index).rows("PAIRS") == expected
-
-
-def test_an_index_in_another_reference_system(scene: Scene, expected: list[dict[str, Any]]) -> None:
-    footprints = [moved(outline((-5, -5, 522, 266)), 4326)] * 2
-    index = layer("Polygon", footprints, 4326, location=("string", scene.sources))
-    assert inspect(scene, SOURCES=None, SOURCE_INDEX=index).rows("PAIRS") == expected
-
-
-def test_of_500_indexed_sources_only_those_over_the_windows_are_opened(scene: Scene, tmp_path: Path) -> None:
-    tiny = [outline((5 * (number % 100), 200 + 10 * (number // 100), 4, 4)) for number in range(497)]
-    over_one_window = outline((-5, -5, 200, 200))
-    footprints = [*tiny, over_one_window, outline((0, 0, 512, 256)), outline((0, 0, 512, 256))]
-    locations = [str(tmp_path / f"{number}.tif") for number in range(497)]
-    index = layer(
-        "Polygon", footprints, location=("string", [*locations, str(tmp_path / "gone.tif"), *scene.sources])
-    )
-    outcome = inspect(scene, SOURCES=None, SOURCE_INDEX=index)
-    (warning,) = outcome.log.warnings  # the one that covers a window and is not there
-    assert_sentence(warning, "gone.tif does not exist")
-    assert outcome.column("sources") == [2, 2]
-    assert outcome.column("paper_verdict") == ["reduced", "significant"]
-
-
-def test_the_mosaic_in_the_index_is_dropped(scene: Scene, expected: list[dict[str, Any]]) -> None:
-    paths = [str(scene.mosaic), *scene.sources]
-    index = layer("Polygon", [outline((0, 0, 512, 256))] * 3, location=("string", paths))
-    outcome = inspect(scene, SOURCES=None, SOURCE_INDEX=index)
-    assert outcome.rows("PAIRS") == expected
-    assert_sentence(outcome.log.warnings[0], "mosaic.tif is the mosaic itself")
-
-
-def test_rows_of_an_index_without_location_or_outline_are_passed_over(scene: Scene) -> None:
-    footprint = outline((0, 0, 512, 256))
-    index = layer(
-        "Polygon", [footprint, None, footprint], location=("string", [None, str(scene.west), str(scene.east)])
-    )
-    assert set(inspect(scene, SOURCES=None, SOURCE_INDEX=index).column("source", "PAIRS")) == {"east.tif", "composite"}
-
-
-@pytest.mark.parametrize(
-    ("index", "words"),
-    [
-        (lambda: layer("Polygon", [outline(SHARP)], path=("string", ["a.tif"])), "no field 'location'.*gdaltindex"),
-        (lambda: layer("Polygon", [], location=("string", [])), "No sources are given"),
-        (lambda: "/nowhere/index.shp", "/nowhere/index.shp not found"),
-    ],
-)
-def test_a_useless_index_gets_a_sentence(scene: Scene, index: Any, words: str) -> None:
-    assert_refused(
-        "inspectwindows", words, WINDOWS=windows(SHARP), MOSAIC=str(scene.mosaic), SOURCE_INDEX=index()
-    )

@@ -7,20 +7,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import QgsGeometry, QgsProcessingParameterDefinition, QgsRectangle, QgsWkbTypes
+from qgis.core import QgsGeometry, QgsRectangle, QgsWkbTypes
 
-from tests.numbers.synthetic import UTM33, decompose, luminance, orthoimage, read_pixels, write_raster
-from tests.qgis.runs import Log, Run, algorithm, run
+from tests.numbers.synthetic import UTM33, decompose, luminance, read_pixels, write_raster
+from tests.qgis.runs import Log, Run, run
 from tests.qgis.scenes import (
     BLURRED,
-    COLUMNS,
     SHARP,
     Scene,
     layer,
     luminance_shares,
-    outline,
     pixel_box,
-    to_bytes,
     whole,
     windows,
 )
@@ -37,10 +34,6 @@ def inspect(scene: Scene, *boxes: tuple[float, ...], log: Log | None = None, **p
     return outcome
 
 
-def by_level(name: str, levels: int) -> list[tuple[str, str]]:
-    return [(f"{name}_{level}", REAL) for level in range(1, levels + 1)]
-
-
 def layout(outcome: Run, name: str) -> list[tuple[str, str]]:
     return [(field.name(), field.typeName()) for field in outcome.layer(name).fields()]
 
@@ -48,105 +41,28 @@ def layout(outcome: Run, name: str) -> list[tuple[str, str]]:
 # --- the contract ----------------------------------------------------------------------------------------------
 
 
-def test_parameters() -> None:
-    job = algorithm("inspectwindows")
-    definitions = {one.name(): one for one in job.parameterDefinitions()}
-    assert list(definitions) == (
-        "WINDOWS MOSAIC SOURCES SOURCE_INDEX WAVELET LEVELS REFERENCE CELLS MIN_KEPT MAX_RATIO DIRECTIONS "
-        "SCHEDULER OUTPUT CURVES PAIRS PROFILES"
-    ).split()
-    flags = QgsProcessingParameterDefinition.Flag
-    optional = {name for name, definition in definitions.items() if definition.flags() & flags.FlagOptional}
-    advanced = {name for name, definition in definitions.items() if definition.flags() & flags.FlagAdvanced}
-    # Mandatory, REFERENCE and MIN_KEPT would make every model invalid that was drawn before there were such choices.
-    tables = {"CURVES", "PAIRS", "PROFILES"}
-    assert optional == {"SOURCES", "SOURCE_INDEX", "REFERENCE", "CELLS", "MIN_KEPT", "DIRECTIONS", "SCHEDULER", *tables}
-    assert advanced == {"CELLS", "MIN_KEPT", "MAX_RATIO", "DIRECTIONS", "SCHEDULER"}
-    named = ("WAVELET", "LEVELS", "REFERENCE", "MIN_KEPT", "MAX_RATIO")
-    defaults = {name: definitions[name].defaultValue() for name in named}
-    assert defaults == {"WAVELET": "coif3", "LEVELS": 3, "REFERENCE": "seam", "MIN_KEPT": 0.7, "MAX_RATIO": 0.5}
-    assert definitions["WAVELET"].usesStaticStrings()
-    assert definitions["REFERENCE"].usesStaticStrings()
-    assert definitions["REFERENCE"].options() == ["seam", "composite", "sources"]
-    assert {"haar", "db4", "sym8", "coif3", "coif17"} <= set(definitions["WAVELET"].options())
-    for definition in definitions.values():
-        assert len(definition.help()) > 20
-        assert definition.help() in job.shortHelpString()
-    outputs = [one.name() for one in job.outputDefinitions() if one.type() == "outputNumber"]
-    assert outputs == ["WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"]
+FIELDS = {
+    "OUTPUT": "window_id:i verdict:t reason:t sources:i ratio_{} background_ratio observer:t composite_ratio_{} "
+    "expected_ratio_{} unclear_share cause:t causes:t reference:t paper_verdict:t kept_{} kept_low kept_high "
+    "band_width feather_width visibility misfit contrast_1 sharpness_1 added_1 explained loss reason_code:t",
+    "CURVES": "window_id:i raster:t role:t band:t component:t level:i relative_variance variance",
+    "PAIRS": "window_id:i source:t band:t ratio_{} similarity offset_x offset_y resampled:i gain bias gamma "
+    "contrast_{} sharpness_{} clipped colour_shift shift_x shift_y",
+    "PROFILES": "window_id:i level:i distance kept low high area mixture",
+}
 
 
 @pytest.mark.parametrize("levels", [1, 3, 5])
 def test_fields(scene: Scene, levels: int) -> None:
     outcome = inspect(scene, LEVELS=levels)
-    assert layout(outcome, "OUTPUT") == [
-        ("window_id", INTEGER),
-        ("verdict", TEXT),
-        ("reason", TEXT),
-        ("sources", INTEGER),
-        *by_level("ratio", levels),
-        ("background_ratio", REAL),
-        ("observer", TEXT),
-        *by_level("composite_ratio", levels),
-        *by_level("expected_ratio", levels),
-        ("unclear_share", REAL),
-        ("cause", TEXT),
-        ("causes", TEXT),
-        ("reference", TEXT),
-        ("paper_verdict", TEXT),
-        *by_level("kept", levels),
-        ("kept_low", REAL),
-        ("kept_high", REAL),
-        ("band_width", REAL),
-        ("feather_width", REAL),
-        ("visibility", REAL),
-        ("misfit", REAL),
-        ("contrast_1", REAL),
-        ("sharpness_1", REAL),
-        ("added_1", REAL),
-        ("explained", REAL),
-        ("loss", REAL),
-        ("reason_code", TEXT),
-    ]
-    assert layout(outcome, "CURVES") == [
-        ("window_id", INTEGER),
-        ("raster", TEXT),
-        ("role", TEXT),
-        ("band", TEXT),
-        ("component", TEXT),
-        ("level", INTEGER),
-        ("relative_variance", REAL),
-        ("variance", REAL),
-    ]
-    assert layout(outcome, "PAIRS") == [
-        ("window_id", INTEGER),
-        ("source", TEXT),
-        ("band", TEXT),
-        *by_level("ratio", levels),
-        ("similarity", REAL),
-        ("offset_x", REAL),
-        ("offset_y", REAL),
-        ("resampled", INTEGER),
-        ("gain", REAL),
-        ("bias", REAL),
-        ("gamma", REAL),
-        *by_level("contrast", levels),
-        *by_level("sharpness", levels),
-        ("clipped", REAL),
-        ("colour_shift", REAL),
-        ("shift_x", REAL),
-        ("shift_y", REAL),
-    ]
-    assert layout(outcome, "PROFILES") == [
-        ("window_id", INTEGER),
-        ("level", INTEGER),
-        ("distance", REAL),
-        ("kept", REAL),
-        ("low", REAL),
-        ("high", REAL),
-        ("area", REAL),
-        ("mixture", REAL),
-    ]
+    """By name and type; {} is each level in turn."""
+    for table, names in FIELDS.items():
+        expected = []
+        for name in names.split():
+            title, _, kind = name.partition(":")
+            titles = [title.format(level) for level in range(1, levels + 1)] if "{}" in title else [title]
+            expected += [(title, {"i": INTEGER, "t": TEXT}.get(kind, REAL)) for title in titles]
+        assert layout(outcome, table) == expected
     assert outcome.layer("OUTPUT").wkbType() == QgsWkbTypes.Type.Polygon
     assert not outcome.layer("CURVES").isSpatial()
     assert not outcome.layer("PAIRS").isSpatial()
@@ -178,33 +94,6 @@ def test_rows_of_curves_and_pairs(scene: Scene) -> None:
     assert pairs == [(source, band) for source in ("west.tif", "east.tif", "composite") for band in bands]
 
 
-@pytest.mark.parametrize(
-    ("bands", "names"),
-    [
-        (1, ["band_1"]),
-        (2, ["band_1", "band_2"]),
-        (3, ["luminance", "red", "green", "blue"]),
-        (4, ["luminance", "red", "green", "blue", "nir"]),
-    ],
-)
-def test_names_of_bands(tmp_path: Path, bands: int, names: list[str]) -> None:
-    image, plain = orthoimage((128, 128), bands=bands), ["PHOTOMETRIC=MINISBLACK", "ALPHA=NO"]
-    paths = [write_raster(tmp_path / name, image, options=plain) for name in ("mosaic.tif", "source.tif")]
-    outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=paths[0], SOURCES=paths[1:])
-    assert list(dict.fromkeys(outcome.column("band", "CURVES"))) == names
-    assert outcome.column("band", "PAIRS") == 2 * names  # the source's and the composite's
-    assert outcome.column("verdict") == ["preserved"]  # they are the same
-
-
-def test_tables_are_optional(scene: Scene, tmp_path: Path) -> None:
-    only = inspect(scene, CURVES=None, PAIRS="", PROFILES=None)
-    assert not {"CURVES", "PAIRS", "PROFILES"} & only.results.keys()
-    assert len(only.features()) == 2
-    paths = {name: tmp_path / f"{name}.gpkg" for name in ("OUTPUT", "CURVES", "PAIRS", "PROFILES")}
-    inspect(scene, **{name: str(path) for name, path in paths.items()})
-    assert all(path.exists() for path in paths.values())
-
-
 # --- the numbers -----------------------------------------------------------------------------------------------
 
 
@@ -234,39 +123,13 @@ def test_ratios_and_verdicts_follow_from_pywavelets(scene: Scene, box: tuple[int
     mosaic, *sources = (luminance_shares(path, box) for path in (scene.mosaic, scene.west, scene.east))
     against = np.array([mosaic / source for source in sources])
     (row,) = outcome.rows()
-    found = [row[name] for name in ("ratio_1", "ratio_2", "ratio_3", "background_ratio")]
-    np.testing.assert_allclose(found, against.max(axis=0), rtol=1e-4)
+    items = [row[name] for name in ("ratio_1", "ratio_2", "ratio_3", "background_ratio")]
+    np.testing.assert_allclose(items, against.max(axis=0), rtol=1e-4)
     largest = against[:, 0].max()
     assert row["verdict"] == ("significant" if largest <= 0.5 else "reduced" if largest < 1 else "preserved")
     pairs = [[row["ratio_1"], row["ratio_2"], row["ratio_3"]] for row in outcome.rows("PAIRS")]
     np.testing.assert_allclose(pairs[0], against[0, :3], rtol=1e-4)
     np.testing.assert_allclose(pairs[4], against[1, :3], rtol=1e-4)
-
-
-def test_similarity_is_the_correlation_of_the_coarse_components(scene: Scene) -> None:
-    outcome = inspect(scene, SHARP)
-    mosaic = decompose(read_pixels(str(scene.mosaic), *SHARP)[1]).coarse.ravel()
-    source = decompose(read_pixels(str(scene.east), *SHARP)[1]).coarse.ravel()
-    (row,) = (row for row in outcome.rows("PAIRS") if row["source"] == "east.tif" and row["band"] == "green")
-    assert row["similarity"] == pytest.approx(np.corrcoef(mosaic, source)[0, 1], abs=1e-6)
-
-
-def test_offset_is_that_of_the_pixel_grids(scene: Scene, tmp_path: Path) -> None:
-    moved_by = (0.3, -0.2)  # px to the right and down
-    shifted = tmp_path / "shifted.tif"
-    write_raster(
-        shifted,
-        read_pixels(str(scene.west), 0, 0, COLUMNS, 256),
-        geotransform=(500000 + 0.1 * moved_by[0], 0.1, 0.0, 5000000 - 0.1 * moved_by[1], 0.0, -0.1),
-    )
-    outcome = inspect(scene, (64, 64, 128, 128), SOURCES=[str(shifted)])
-    for row in outcome.rows("PAIRS"):
-        off = (-moved_by[0], -moved_by[1]) if row["source"] == "shifted.tif" else (0, 0)  # the composite has our pixels
-        assert (row["offset_x"], row["offset_y"]) == pytest.approx(off, abs=1e-4)
-        assert row["resampled"] == 0
-    shares = luminance_shares(shifted, (64, 64, 128, 128))
-    curve = [row for row in outcome.rows("CURVES") if row["role"] == "source" and row["band"] == "luminance"]
-    np.testing.assert_allclose([row["relative_variance"] for row in curve], shares, rtol=1e-4)
 
 
 def test_a_geographic_mosaic_is_measured_on_its_own_pixels(scene: Scene, tmp_path: Path) -> None:
@@ -286,22 +149,6 @@ def test_a_geographic_mosaic_is_measured_on_its_own_pixels(scene: Scene, tmp_pat
     assert resampled == {("west.tif", 0), ("composite", 0)}
     expected = luminance_shares(mosaic, BLURRED)[0] / luminance_shares(source, BLURRED)[0]
     assert outcome.column("ratio_1") == pytest.approx([expected], rel=1e-4)
-
-
-def test_max_ratio_moves_the_limit(scene: Scene) -> None:
-    ratio = inspect(scene, BLURRED).column("ratio_1")[0]
-    assert inspect(scene, BLURRED, REFERENCE="sources", MAX_RATIO=ratio - 0.001).column("verdict") == ["reduced"]
-    by_paper = inspect(scene, BLURRED, REFERENCE="sources", MAX_RATIO=ratio + 0.001)
-    assert by_paper.column("verdict") == by_paper.column("paper_verdict") == ["significant"]
-    assert inspect(scene, BLURRED, MAX_RATIO=ratio - 0.001).column("paper_verdict") == ["reduced"]
-
-
-def test_a_tone_change_leaves_the_curve(scene: Scene, tmp_path: Path) -> None:
-    pixels = read_pixels(str(scene.mosaic), 0, 0, COLUMNS, 256).astype(np.float32)
-    toned = write_raster(tmp_path / "toned.tif", 17 * pixels + 4000)
-    outcome = inspect(scene, SHARP, SOURCES=[toned])
-    assert outcome.column("ratio_1") == pytest.approx([1], rel=1e-4)
-    assert outcome.column("background_ratio") == pytest.approx([1], rel=1e-4)
 
 
 # --- windows ---------------------------------------------------------------------------------------------------
@@ -334,16 +181,6 @@ def test_windows_are_measured_on_whole_pixels(
     assert pixel_box(outcome.features()[0].geometry()) == measured
 
 
-def test_rows_come_in_the_order_of_the_windows(scene: Scene) -> None:
-    boxes = [(8 * index, 0, 64, 64) if index % 3 else (0, 0, 512, 256) for index in range(20)]
-    numbers = list(np.random.default_rng(3).permutation(1000)[:20])
-    outcome = inspect(scene, WINDOWS=windows(*boxes, window_id=("integer", [int(number) for number in numbers])))
-    assert outcome.column("window_id") == numbers
-    assert [pixel_box(feature.geometry()) for feature in outcome.features()] == boxes
-    assert list(dict.fromkeys(outcome.column("window_id", "CURVES"))) == numbers
-    assert list(dict.fromkeys(outcome.column("window_id", "PAIRS"))) == numbers
-
-
 def test_the_observers_word_and_the_numbers_are_carried_over(scene: Scene) -> None:
     words = ["visible", None, "invisible", ""]
     drawn = windows(*[SHARP] * 4, window_id=("integer", [7, 0, -2, 12]), observer=("string", words))
@@ -351,55 +188,6 @@ def test_the_observers_word_and_the_numbers_are_carried_over(scene: Scene) -> No
     assert outcome.column("observer") == ["visible", None, "invisible", None]
     assert outcome.column("window_id") == [7, 0, -2, 12]
     assert not outcome.log.warnings
-
-
-def test_what_two_operators_said_is_carried_over(scene: Scene) -> None:
-    """Where the windows have it, and nothing more: all other windows have the usual fields."""
-    drawn = windows(
-        SHARP, BLURRED, observer_2=("string", ["unsure", None]), confidence=("integer", [70, None]),
-        remark=("string", [None, "haze"]),
-    )  # fmt: skip
-    outcome = inspect(scene, WINDOWS=drawn)
-    assert outcome.column("observer_2") == ["unsure", None]
-    assert outcome.column("confidence") == [70, None]
-    assert outcome.column("remark") == [None, "haze"]
-    assert "confidence_2" not in outcome.features()[0].fields().names()
-
-
-def test_windows_without_numbers_are_counted(scene: Scene) -> None:
-    outcome = inspect(scene, SHARP, BLURRED, SHARP)
-    assert outcome.column("window_id") == [1, 2, 3]
-    assert outcome.column("observer") == [None] * 3
-    assert not outcome.log.warnings
-
-
-@pytest.mark.parametrize(
-    ("kind", "given", "expected", "renumbered"),
-    [
-        ("integer", [5, 5, None, 5, 2], [5, 6, 7, 8, 2], 3),
-        ("int8", [2**31, 3, 2**40, None, -(2**31) - 1], [4, 3, 5, 6, 7], 4),  # outputs have 32 bits
-        ("double", [4.0, 2.5, None, 4.0, 1.0], [4, 5, 6, 7, 1], 3),
-        ("string", ["4", "a", "", "4", "1"], [4, 5, 6, 7, 1], 3),
-    ],
-)
-def test_numbers_are_unique(scene: Scene, kind: str, given: list[Any], expected: list[int], renumbered: int) -> None:
-    outcome = inspect(scene, WINDOWS=windows(*[SHARP] * 5, window_id=(kind, given)))
-    assert outcome.column("window_id") == expected
-    assert [warning for warning in outcome.log.warnings if f"without a number of their own: {renumbered};" in warning]
-
-
-def test_other_fields_do_no_harm(scene: Scene) -> None:
-    drawn = windows(SHARP, verdict=("string", ["x"]), fid=("integer", [3]), observer=("integer", [1]))
-    outcome = inspect(scene, WINDOWS=drawn)
-    assert outcome.column("observer") == ["1"]
-    assert outcome.column("verdict") == ["preserved"]
-
-
-def test_inspected_windows_can_be_inspected_again(scene: Scene) -> None:
-    first = inspect(scene)
-    again = inspect(scene, WINDOWS=first.layer())
-    assert again.rows() == first.rows()
-    assert [pixel_box(feature.geometry()) for feature in again.features()] == [SHARP, BLURRED]
 
 
 # --- cancellation ----------------------------------------------------------------------------------------------
@@ -432,20 +220,3 @@ def test_what_was_measured_before_a_cancellation_stays(scene: Scene, tmp_path: P
     assert outcome.results["WINDOW_COUNT"] == len(measured)
     assert list(dict.fromkeys(outcome.column("window_id", "CURVES"))) == measured
     assert set(outcome.column("verdict")) == {"reduced"}
-
-
-def test_a_run_cancelled_before_it_began_leaves_an_empty_layer(scene: Scene) -> None:
-    log = Log()
-    log.cancel()
-    outcome = inspect(scene, log=log)
-    assert outcome.rows() == []
-    assert outcome.results["WINDOW_COUNT"] == 0
-
-
-def test_identical_images_are_preserved(tmp_path: Path) -> None:
-    image = to_bytes(orthoimage((128, 128)))
-    paths = [write_raster(tmp_path / name, image) for name in ("a.tif", "b.tif")]
-    outcome = run("inspectwindows", WINDOWS=windows(SHARP), MOSAIC=paths[0], SOURCES=paths[1:])
-    assert outcome.column("verdict") == ["preserved"]
-    assert outcome.column("ratio_1") == [1.0]
-    assert outcome.features()[0].geometry().equals(outline(SHARP))

@@ -35,22 +35,6 @@ def test_the_sketch_is_to_scale_and_north_is_up(step: float, metres: tuple[float
     assert sketch.height + sketch.strip <= 132
 
 
-def test_tiny_windows_are_seen_and_labels_do_not_cover_each_other() -> None:
-    sketch = map_sketch([shape(20 * i, 0, str(i)) for i in range(200)] + [shape(5e4, 4e4, "far")])
-    assert min(min(box[2:]) for box in boxes(sketch)) >= 1.59
-    labels = [words for _, _, words in sketch.labels]
-    assert 0 < len(labels) < 20
-    assert "far" in labels
-
-
-def test_one_tall_window_leaves_room_for_the_scale() -> None:
-    sketch = map_sketch([SketchShape((0, 0, 10, 5000), "#000", "1", "")])
-    assert sketch.width == 60
-    (box,) = boxes(sketch)
-    assert box[0] + box[2] / 2 == pytest.approx(30)
-    assert millimetres_per_metre(sketch) == pytest.approx(box[3] / 5000, rel=0.02)
-
-
 def test_the_background_lies_where_its_pixels_do() -> None:
     shapes = [shape(0, 0), shape(900, 900)]
     background = SketchBackground(b"jpeg", (0, 0, 1000, 500))

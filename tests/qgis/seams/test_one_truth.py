@@ -69,18 +69,18 @@ MADE: dict[str, Callable[[list[Image]], Image]] = {
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> dict[str, WindowResult]:
     """Results by what was done; those of a generated block, which tells of everything, by their places."""
-    images, found = three_images(), {}
+    images, outcome = three_images(), {}
     for name, make in MADE.items():
         folder = tmp_path_factory.mktemp("made")
-        found[name] = inspected(lambda file, *image, at=folder, **how: write_raster(at / file, *image, **how),
+        outcome[name] = inspected(lambda file, *image, at=folder, **how: write_raster(at / file, *image, **how),
                                 make(images), images[:2])
     made = make_block(tmp_path_factory.mktemp("block"), extent_m=(120.0, 100.0))
     block = block_of(describe_mosaic(RasterRef(str(made.mosaic))), *map(str, made.sources))
     grid = block.mosaic.grid
     for column in range(0, grid.columns - BLOCK_SIDE + 1, BLOCK_SIDE):
         for row in range(0, grid.rows - BLOCK_SIDE + 1, BLOCK_SIDE):
-            found[f"block at {column}, {row}"] = inspect(block, PixelWindow(column, row, BLOCK_SIDE, BLOCK_SIDE))
-    return {name: replace(result, window_id=number) for number, (name, result) in enumerate(found.items(), 1)}
+            outcome[f"block at {column}, {row}"] = inspect(block, PixelWindow(column, row, BLOCK_SIDE, BLOCK_SIDE))
+    return {name: replace(result, window_id=number) for number, (name, result) in enumerate(outcome.items(), 1)}
 
 
 @pytest.fixture(scope="module")
@@ -155,7 +155,7 @@ def test_the_profile_and_the_picture_show_a_loss_where_it_is_told(
         if is_lost_along_the_seam(row):
             assert profile is not None
             assert profile.kept[0] == pytest.approx(row.kept_1)
-            near = [one.kept for one in profile.bins if one.level == 1]
+            near = [bin_.kept for bin_ in profile.bins if bin_.level == 1]
             assert min(near) <= (row.kept_1 or 0.0) < 1, name
             assert picture is None or loss_rgba(picture.kept)[..., 3].any(), name  # without even ground there is none
         elif row.verdict == "preserved" and picture is not None:
@@ -187,9 +187,9 @@ def test_nothing_that_is_said_contradicts_the_verdict(
         said = all_said(row, results[name])
         if row.verdict in LOSSES:
             assert "as much of the finest detail" not in said, name
-            kept = [float(one) for one in re.findall(r"Along the seam ([\d.]+) % is left", said)]
+            kept = [float(text) for text in re.findall(r"Along the seam ([\d.]+) % is left", said)]
             assert not kept or not is_lost_along_the_seam(row), name
         if row.kept_1 is not None:
             assert "no change from one source to another" not in said.lower(), name
-        apart = [float(one) for one in re.findall(r"images ([\d.]+) px apart", said)]
-        assert all(one >= MIN_MISREGISTRATION_PX for one in apart), name
+        apart = [float(text) for text in re.findall(r"images ([\d.]+) px apart", said)]
+        assert all(text >= MIN_MISREGISTRATION_PX for text in apart), name

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import QgsGeometry, QgsPointXY, QgsProcessingParameterDefinition, QgsVectorLayer
+from qgis.core import QgsGeometry, QgsPointXY, QgsVectorLayer
 
-from tests.numbers.synthetic import ORIGIN, UTM33, write_raster
-from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
-from tests.qgis.scenes import COLUMNS, PIXEL, ROWS, Scene, at, layer, line, moved, outline, pixel_box, whole
+from tests.numbers.synthetic import UTM33, write_raster
+from tests.qgis.runs import Run, run
+from tests.qgis.scenes import COLUMNS, PIXEL, ROWS, Scene, at, layer, line, moved, pixel_box, whole
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -63,27 +63,6 @@ def assert_on_seam(placed: Run, seam: QgsGeometry) -> None:
 # --- the contract ----------------------------------------------------------------------------------------------
 
 
-def test_parameters() -> None:
-    job = algorithm("placewindows")
-    definitions = {one.name(): one for one in job.parameterDefinitions()}
-    assert list(definitions) == ["SEAMLINES", "MOSAIC", "SIDE", "SPACING", "LEVELS", "OUTPUT"]
-    assert [definitions[name].defaultValue() for name in ("SIDE", "SPACING", "LEVELS")] == [100, 200, 3]
-    optional = QgsProcessingParameterDefinition.Flag.FlagOptional
-    for definition in definitions.values():
-        assert len(definition.help()) > 20
-        assert definition.help() in job.shortHelpString()
-        assert not definition.flags() & optional
-
-
-def test_output_is_what_the_contract_says(scene: Scene) -> None:
-    placed = place(scene)
-    fields = [(field.name(), field.typeName()) for field in placed.layer().fields()]
-    assert fields == [("window_id", "integer"), ("seam_id", "integer"), ("station", "double")]
-    assert placed.layer().crs().authid() == f"EPSG:{UTM33}"
-    assert placed.layer().isSpatial()
-    assert list(placed.results) == ["OUTPUT"]
-
-
 def test_windows_lie_on_the_seam_and_on_the_pixels(scene: Scene) -> None:
     placed = place(scene)
     assert_on_pixels(placed, 64)
@@ -92,30 +71,6 @@ def test_windows_lie_on_the_seam_and_on_the_pixels(scene: Scene) -> None:
     assert set(placed.column("seam_id")) == {1}
     assert len(placed.features()) == 5  # 29.1 m at 6.4 m
     assert any("5 windows" in info for info in placed.log.infos)
-
-
-def test_spacing_is_measured_along_the_seam(scene: Scene) -> None:
-    seam = line((5, 100), (250, 130), (505, 100))
-    placed = place(scene, SEAMLINES=seamlines(seam), SPACING=12.0)
-    assert_on_seam(placed, seam)
-    assert np.diff(placed.column("station")) == pytest.approx(12.0)
-    assert len(placed.features()) == 4
-
-
-def test_seams_are_numbered_and_none_is_forgotten(scene: Scene) -> None:
-    upper, lower = line((40, 50), (470, 50)), line((40, 200), (400, 200))
-    placed = place(scene, SEAMLINES=seamlines(lower, upper))
-    by_seam = {row["seam_id"] for row in placed.rows()}
-    assert by_seam == {1, 2}
-    rows_of = {number: {box[1] + 32 for box, row in zip(boxes(placed), placed.rows()) if row["seam_id"] == number}
-               for number in by_seam}
-    assert rows_of == {1: {50}, 2: {200}}  # the longer one first
-
-
-def test_side_spans_at_least_what_was_asked_for(scene: Scene) -> None:
-    assert_on_pixels(place(scene, SIDE=6.5), 128)
-    assert_on_pixels(place(scene, SIDE=25), 256)
-    assert len(place(scene, SIDE=25).features()) == 1
 
 
 # --- kinds of seamlines ----------------------------------------------------------------------------------------
@@ -136,34 +91,6 @@ def test_polygons_have_windows_where_they_touch(scene: Scene) -> None:
     assert_on_pixels(placed, 64)
     assert_on_seam(placed, line(*BEND))
     assert sorted(boxes(placed)) == sorted(boxes(place(scene)))
-
-
-def test_fragments_in_any_order_are_one_seam(scene: Scene) -> None:
-    steps = np.linspace(0, 1, 400)
-    xs, ys = np.interp(steps, [0, 1], [200, 280]), 256 * steps
-    pieces = [line(*ends) for ends in zip(zip(xs, ys), zip(xs[1:], ys[1:]))]
-    random = np.random.default_rng(1)
-    shuffled = [pieces[i] for i in random.permutation(len(pieces))]
-    placed = place(scene, SEAMLINES=seamlines(*shuffled))
-    assert set(placed.column("seam_id")) == {1}
-    assert_on_seam(placed, line((200, 0), (280, 256)))
-    assert len(placed.features()) == 4
-
-
-def test_other_kinds_of_lines(scene: Scene) -> None:
-    points = " , ".join("{} {} 5 7".format(*at(*place)) for place in BEND)
-    multi = layer("MultiLineStringZM", [QgsGeometry.fromWkt(f"MultiLineStringZM(({points}))"), None])
-    assert sorted(boxes(place(scene, SEAMLINES=multi))) == sorted(boxes(place(scene)))
-
-
-def test_windows_of_one_seam_share_at_most_half(scene: Scene) -> None:
-    placed = place(scene, SPACING=1.0)
-    drawn = [feature.geometry() for feature in placed.features()]
-    assert len(drawn) > 5
-    for index, one in enumerate(drawn):
-        for other in drawn[:index]:
-            assert one.intersection(other).area() <= 0.5 * one.area() + 1e-6
-    assert any("more than half" in warning for warning in placed.log.warnings)
 
 
 # --- what is in the way ----------------------------------------------------------------------------------------
@@ -191,80 +118,7 @@ def test_windows_are_moved_off_nodata_or_dropped_and_the_log_says_so(scene: Scen
     assert warning.startswith("Places along the seams without a window")
 
 
-def test_windows_at_the_edge_are_moved_inside(scene: Scene) -> None:
-    seam = line((256, -100), (256, 60), (256, 400))
-    placed = place(scene, SEAMLINES=seamlines(seam), SIDE=12.8, SPACING=12.8)
-    assert_on_pixels(placed, 128)
-    assert len(placed.features()) == 2
-
-
-@pytest.mark.parametrize(
-    ("seam", "side", "warning"),
-    [
-        (line((5000, 0), (5000, 300)), SIDE, r"Seams outside the mosaic: 1\."),
-        (line((0, 10), (512, 10)), SIDE, r"Places along the seams without a window, .* on seam 1 \(.* m\)"),
-        (line(*BEND), 100, "too small for a window of 102.4 m"),
-    ],
-)
-def test_no_window_fits(scene: Scene, seam: QgsGeometry, side: float, warning: str) -> None:
-    placed = place(scene, SEAMLINES=seamlines(seam), SIDE=side)
-    assert placed.features() == []
-    (said,) = placed.log.warnings
-    assert_sentence(said, warning)
-
-
-def test_cancelled_before_it_began(scene: Scene) -> None:
-    log = Log()
-    log.cancel()
-    placed = place(scene, log=log)
-    assert placed.features() == []
-    assert not log.warnings
-
-
 # --- bad input -------------------------------------------------------------------------------------------------
-
-BAD_VALUES: list[tuple[dict[str, Any], str]] = [
-    ({"SIDE": 3}, r"32 px a side .* give a side of 6\.41 m"),
-    ({"LEVELS": 7}, r"7 levels need at least 128 px; give a side of 12\.81 m"),
-    ({"MOSAIC": "/nowhere/mosaic.tif"}, "/nowhere/mosaic.tif does not exist"),
-    ({"MOSAIC": None}, "is not a raster layer"),
-    ({"MOSAIC": __file__}, "not a raster that GDAL can read"),
-    ({"SEAMLINES": seamlines}, "is empty"),
-    ({"SEAMLINES": lambda: seamlines(None)}, "is empty"),
-    ({"SEAMLINES": lambda: layer("Point", [QgsGeometry.fromWkt("POINT(1 1)")])}, "no line and no polygon"),
-    ({"SEAMLINES": lambda: layer("Polygon", [outline((0, 0, 256, 256))])}, "share a border"),
-    ({"SEAMLINES": "/nowhere/seams.gpkg"}, "/nowhere/seams.gpkg not found"),
-    ({"OUTPUT": "/nowhere/windows.gpkg"}, "/nowhere/windows.gpkg"),
-]
-
-
-@pytest.mark.parametrize(("parameters", "words"), BAD_VALUES, ids=lambda value: str(value).partition(" at 0x")[0][:40])
-def test_bad_values_get_a_sentence(scene: Scene, parameters: dict[str, Any], words: str) -> None:
-    given = {"SEAMLINES": seamlines(line(*BEND)), "MOSAIC": str(scene.mosaic), "SIDE": SIDE, "SPACING": SIDE}
-    given.update({name: value() if callable(value) else value for name, value in parameters.items()})
-    assert_refused("placewindows", words, **given)
-
-
-BAD_MOSAICS: dict[str, tuple[dict[str, Any], str]] = {
-    "no_system": ({"system": None}, "no_system.tif has no coordinate reference system"),
-    "rotated": ({"geotransform": (*ORIGIN[:1], 0.09, 0.04, ORIGIN[1], 0.04, -0.09)}, "rotated.tif is rotated"),
-    "south_up": ({"geotransform": (*ORIGIN[:1], 0.1, 0.0, ORIGIN[1], 0.0, 0.1)}, "south_up.tif is .*south-up"),
-}
-
-
-@pytest.mark.parametrize("name", BAD_MOSAICS)
-def test_mosaics_without_a_grid_get_a_sentence(tmp_path: Path, name: str) -> None:
-    options, words = BAD_MOSAICS[name]
-    mosaic = write_raster(tmp_path / f"{name}.tif", np.full((64, 64), 7, np.uint8), **options)
-    assert_refused("placewindows", words, SEAMLINES=seamlines(line(*BEND)), MOSAIC=mosaic)
-
-
-def test_a_truncated_mosaic_gets_a_sentence(scene: Scene, tmp_path: Path) -> None:
-    cut = tmp_path / "cut.tif"
-    cut.write_bytes(scene.mosaic.read_bytes()[: scene.mosaic.stat().st_size // 2])
-    assert_refused(
-        "placewindows", "cut.tif", SEAMLINES=seamlines(line(*BEND)), MOSAIC=str(cut), SIDE=SIDE, SPACING=SIDE
-    )
 
 
 def test_metres_are_metres_on_a_geographic_mosaic(tmp_path: Path) -> None:

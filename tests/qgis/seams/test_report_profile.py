@@ -8,17 +8,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from osgeo import gdal
 from qgis.PyQt.QtCore import QRectF
 from scipy.ndimage import gaussian_filter
-from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 from seam_inspector.plugin.seams.measure.window.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
-from seam_inspector.plugin.seams.report.clip_parts import PlacedLoss, loss_overview, most_lost
 from seam_inspector.plugin.seams.report.inspection_report import write_report
 from seam_inspector.plugin.seams.report.report_request import ReportRequest
 from seam_inspector.plugin.seams.report.window_charts import (
@@ -61,8 +58,8 @@ def painter(shown: ShownProfile | None) -> ProfilePainter:
 
 def lines(picture: ProfilePicture, colour: str) -> list[list[tuple[float, float]]]:
     """The points of the lines of a colour."""
-    found = re.findall(f'<g [^>]*stroke="{colour}"[^>]*><polyline [^>]*points="([^"]*)"', picture.svg)
-    return [[(float(x), float(y)) for x, y in (point.split(",") for point in line.split())] for line in found]
+    items = re.findall(f'<g [^>]*stroke="{colour}"[^>]*><polyline [^>]*points="([^"]*)"', picture.svg)
+    return [[(float(x), float(y)) for x, y in (point.split(",") for point in line.split())] for line in items]
 
 
 @pytest.mark.parametrize("known", [PIXEL, None])
@@ -87,75 +84,7 @@ def test_the_chart_shows_what_the_table_says(qgis_app: object, known: float | No
     assert picture.svg.count("<rect") == 1 + len(MIDDLES)  # the paper and the intervals
 
 
-def test_the_mixture_is_drawn_beside_the_finest_level_alone(qgis_app: object) -> None:
-    chart, coarse = (painter(shown_profile(FEATHERED, rows(level), PIXEL, 0.7)) for level in (1, 2))
-    places = chart.mixture
-    assert places[0] == pytest.approx((chart.axes.left(), chart.y_of(0.5)), abs=0.1)
-    assert [y for _, y in places] == sorted(y for _, y in places)  # it falls with the distance
-    assert places[-1][1] == pytest.approx(chart.y_of(0), abs=0.1)
-    assert places[-1][0] < chart.axes.right()  # and ends where nothing was looked for
-    assert not coarse.mixture
-
-
-@pytest.mark.parametrize("share", [None, 0.02])
-def test_a_cut_shows_no_mixture(qgis_app: object, share: float | None) -> None:
-    table = [ProfileRecord(1, PIXEL * middle, 1.0, 0.9, 1.1, share) for middle in MIDDLES]
-    picture = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
-    assert picture is not None
-    assert "other image" not in picture.svg
-    assert not painter(shown_profile(WindowRecord(1, None), table, PIXEL, 0.7)).mixture
-
-
-def test_words_below_the_axis_never_run_into_each_other(qgis_app: object) -> None:
-    for pixel in (0.003, 0.03, 0.1, 0.25, 5.0, 0.3048):
-        chart = painter(shown_profile(FEATHERED, rows(pixel=pixel), pixel, 0.7))
-        ticks = chart.distance_ticks()
-        assert len(ticks) > 3
-        for (x, words), (after, later) in zip(ticks, ticks[1:]):
-            assert after - x > chart.metrics.horizontalAdvance(words + later) / 2 + 3
-
-
-@pytest.mark.parametrize(
-    "table", [[], [ProfileRecord(1, math.nan, 0.5, 0, 1)], [ProfileRecord(1, 0.1, math.nan, 0, 1)],
-              [ProfileRecord(1, -3.0, 0.5, 0, 1)], [ProfileRecord(1, 0.0, 0.5, 0, 1)]]
-)  # fmt: skip
-def test_a_table_that_says_nothing_gives_no_chart(qgis_app: object, table: list[ProfileRecord]) -> None:
-    assert profile_picture(FEATHERED, table, PIXEL, 0.7) is None
-
-
-def test_an_interval_that_is_not_known_is_not_drawn(qgis_app: object) -> None:
-    table = [ProfileRecord(1, PIXEL * middle, 0.5, math.nan, math.nan) for middle in MIDDLES]
-    picture = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
-    assert picture is not None
-    assert picture.svg.count("<rect") == 1  # the paper
-    assert "nan" not in picture.svg
-
-
 # --- lost detail -----------------------------------------------------------------------------------------------
-
-
-def decoded(jpeg: bytes) -> np.ndarray:
-    gdal.FileFromMemBuffer("/vsimem/loss.jpg", jpeg)
-    pixels = np.moveaxis(gdal.Open("/vsimem/loss.jpg").ReadAsArray(), 0, 2).astype(int)
-    gdal.Unlink("/vsimem/loss.jpg")
-    return pixels
-
-
-def test_lost_detail_lies_where_it_was_measured(qgis_app: object) -> None:
-    kept = np.ones((64, 64), np.float32)
-    kept[10:20, 30:40] = 0.3
-    kept[40:, :] = np.nan
-    placed = PlacedLoss(PixelWindow(100, 200, 512, 512), LossPicture(kept))
-    shown = PixelWindow(164, 232, 400, 400)
-    row, column = most_lost(shown, placed, 80)
-    assert (row, column) == (200 + 80 - 232, 100 + 240 - 164)
-    jpeg, columns = loss_overview(np.full((400, 400, 3), 120, np.uint8), shown, placed, PixelWindow(164, 532, 40, 40))
-    picture = decoded(jpeg)
-    assert columns == picture.shape[1] == 200
-    red = np.argwhere(picture[..., 0] - picture[..., 2] > 40)
-    assert np.abs(red.min(axis=0) * 2 - (row, column)).max() <= 6
-    assert np.abs(red.max(axis=0) * 2 - (row + 80, column + 80)).max() <= 6
-    assert abs(picture[180, 180] - 120).max() < 12  # nothing is told: plain
 
 
 def blended_block(folder: Path) -> Block:
@@ -180,10 +109,10 @@ def test_the_clips_show_where_most_was_lost(qgis_app: object, tmp_path: Path) ->
     record = WindowRecord(1, block.mosaic.extent, "significant", reference="seam")
     page = page_of(tmp_path / "report.html", ReportRequest((record,), block=block, wkt=block.mosaic.wkt))
     assert "lost detail over the mosaic; in the frame the clips" in page.captions
-    found = re.search(r"clips of \d+ px a side around x ([\d.]+),", page.words)
-    assert found is not None
+    match = re.search(r"clips of \d+ px a side around x ([\d.]+),", page.words)
+    assert match is not None
     middle = (block.mosaic.extent[0] + block.mosaic.extent[2]) / 2
-    assert float(found[1]) == pytest.approx(middle, abs=80 * PIXEL)
+    assert float(match[1]) == pytest.approx(middle, abs=80 * PIXEL)
     known = LossPicture(np.full((64, 64), 0.4, np.float32))
     given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, losses={1: known})
     assert "lost detail over the mosaic; in the frame the clips" in page_of(tmp_path / "given.html", given).captions

@@ -2,25 +2,19 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
-from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import NULL, QgsVectorLayer
-from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window import window_tables
-from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_layer
-from seam_inspector.plugin.seams.words import VERDICTS, verdict_sentence, verdict_word
+from seam_inspector.plugin.seams.tables import record_tables, window_layer
 from seam_inspector.plugin.toolkit.table_fields import column_features, column_fields
 
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, windows
 from tests.qgis.seams.test_window_summary import result
 from tests.qgis.seams.written_results import write_results
-
-RATIOS = Ratios((0.4, 0.7, None), 1.1)
 
 
 def record_of(found: WindowResult) -> WindowRecord:
@@ -33,22 +27,22 @@ def record_of(found: WindowResult) -> WindowRecord:
 
 def test_a_record_has_what_the_fields_hold(project: object) -> None:
     """What a field has no place of its own for is among the others."""
-    known = {one.read_as for one in window_tables.WINDOW_FIELDS}
+    known = {item.read_as for item in window_tables.WINDOW_FIELDS}
     assert {field.name for field in fields(WindowRecord)} <= known | {"extent", "fid", "stale", "others", "impossible"}
 
 
 def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
-    found = result("blur")
-    assert found.explanation is not None
-    record = record_of(found)
-    explanation = found.explanation
+    actual = result("blur")
+    assert actual.explanation is not None
+    record = record_of(actual)
+    explanation = actual.explanation
     assert replace(record, others={}) == WindowRecord(
-        found.window_id,
+        actual.window_id,
         record.extent,
         "significant",
-        sources=found.source_count,
-        ratios=found.judgement.ratios.detail,
-        background_ratio=found.judgement.ratios.background,
+        sources=actual.source_count,
+        ratios=actual.judgement.ratios.detail,
+        background_ratio=actual.judgement.ratios.background,
         observer="visible",
         composite_ratios=explanation.ratios["luminance"].detail,
         expected_ratios=explanation.expected,
@@ -73,15 +67,6 @@ def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
     assert (record.ratio, record.composite_ratio, record.is_compared) == (0.38, 0.38, True)
 
 
-def test_a_window_that_cant_be_compared_has_nothing_but_its_verdict(project: object) -> None:
-    unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,) * 3, None))
-    record = record_of(WindowResult(3, None, unknown, Verdict.NOT_COMPARABLE))
-    assert (record.ratios, record.expected_ratios, record.cause) == ((None,) * 3, (None,) * 3, "")
-    assert (record.ratio, record.is_compared, record.causes, record.explained) == (None, False, "", None)
-    assert (record.kept, record.kept_1, record.band_width, record.visibility) == ((None,) * 3, None, None, None)
-    assert (record.feather_width, record.misfit) == (None, None)
-
-
 def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> None:
     bins = window_tables.bins_of(result("feathering"))
     rows = [row.attributes() for row in column_features(window_tables.PROFILE_COLUMNS, bins)]
@@ -95,21 +80,6 @@ def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> N
     assert not list(window_tables.bins_of(WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE)))
 
 
-def test_the_desk_and_the_report_read_the_same(project: object) -> None:
-    values: dict[str, tuple[str, list[Any]]] = {
-        "window_id": ("string", ["4", ""]), "verdict": ("string", ["reduced", None]),
-        "ratio_1": ("string", ["0.75", "?"]), "sources": ("double", [2.0, None]),
-        "observer": ("string", [" Visible", ""]),
-    }  # fmt: skip
-    drawn = windows(SHARP, BLURRED, **values)
-    desk = window_layer.read_layer(drawn)
-    report = record_tables.read_windows(drawn.getFeatures(), drawn.fields().names())
-    assert desk[0] == report[0]
-    assert (desk[0].window_id, desk[0].ratios, desk[0].sources, desk[0].observer) == (4, (0.75,), 2, "visible")
-    assert [desk[1].window_id, report[1].window_id] == [window_layer.UNNUMBERED, 0]
-    assert desk[1].extent == report[1].extent
-
-
 def test_what_the_seam_kept_is_read_where_it_is_known(project: object) -> None:
     values: dict[str, tuple[str, list[Any]]] = {
         "kept_2": ("double", [0.9, None]), "kept_1": ("string", ["0.62", ""]), "contrast_1": ("double", [0.81, None]),
@@ -121,59 +91,3 @@ def test_what_the_seam_kept_is_read_where_it_is_known(project: object) -> None:
     earlier = windows(SHARP, window_id=("integer", [1]))
     (old,) = record_tables.read_windows(earlier.getFeatures(), earlier.fields().names())
     assert (old.kept, old.kept_1, old.contrast) == ((), None, None)
-
-
-def test_a_pair_that_was_not_explained_has_its_ratios_alone(project: object) -> None:
-    pair = PairResult("west.tif", "luminance", RATIOS, 0.9, 0.0, 0.25, True)
-    found = WindowResult(5, None, Judgement(Verdict.SIGNIFICANT, RATIOS), Verdict.SIGNIFICANT, pairs=(pair,))
-    (row,) = column_features(window_tables.PAIR_COLUMNS, window_tables.pairs_of(found), found.levels)
-    values = dict(zip(row.fields().names(), row.attributes()))
-    assert [values.pop(name) for name in ("window_id", "source", "band", "ratio_1", "ratio_2", "similarity")] == [
-        5, "west.tif", "luminance", 0.4, 0.7, 0.9
-    ]  # fmt: skip
-    assert [values.pop(name) for name in ("offset_x", "offset_y", "resampled")] == [0.0, 0.25, 1]
-    assert set(values.values()) <= {None, NULL}
-
-
-def test_a_constant_clip_has_no_relative_variance(project: object) -> None:
-    clips = (ClipResult("m.tif", "mosaic", {"red": Curve((0.0,), 0.0, 0.0), "blue": Curve((0.25,), 0.75, 8.0)}),)
-    unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None))
-    found = WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE, clips)
-    made = column_features(window_tables.CURVE_COLUMNS, window_tables.curves_of(found))
-    rows = [row.attributes()[3:] for row in made]
-    assert [[None if value == NULL else value for value in row] for row in rows] == [
-        ["red", "detail", 1, None, 0.0], ["red", "background", 1, None, 0.0],
-        ["blue", "detail", 1, 0.25, 2.0], ["blue", "background", 1, 0.75, 6.0],
-    ]  # fmt: skip
-
-
-@pytest.mark.parametrize("levels", [1, 3])
-def test_columns_by_level_follow_their_count(project: object, levels: int) -> None:
-    names = column_fields(result_tables.FORECAST_COLUMNS, levels).names()
-    by_level = ("expected_ratio", "window_kept", "strip_kept")
-    assert names == [
-        "window_id", "reason", "sources", *(f"{name}_{level + 1}" for name in by_level for level in range(levels))
-    ]
-
-
-def test_every_verdict_is_registered_in_its_order() -> None:
-    assert list(VERDICTS) == [*(verdict.value for verdict in Verdict), ""]
-    assert len({verdict_word(verdict) for verdict in VERDICTS}) == len(VERDICTS)
-    compared = [WindowRecord(1, None, verdict).is_compared for verdict in VERDICTS]
-    assert compared == [True, True, True, False, False]
-
-
-@pytest.mark.parametrize(
-    ("verdict", "said"),
-    [("significant", "Significant loss."), ("reduced", "Reduced."), ("", "Not inspected yet."), ("odd", "Odd.")],
-)
-def test_what_a_verdict_says(qgis_app: object, verdict: str, said: str) -> None:
-    assert verdict_sentence(verdict) == said
-
-
-def test_the_map_has_the_colours_of_the_verdicts(project: object, repository: Path) -> None:
-    drawn = QgsVectorLayer("Polygon?field=verdict:string", "windows", "memory")
-    assert drawn.loadNamedStyle(str(repository / "resources" / "styles" / "windows.qml"))[1]
-    shown = {category.value(): category.symbol().color().name() for category in drawn.renderer().categories()}
-    assert list(shown) == list(VERDICTS)
-    assert shown == {verdict: look.colour for verdict, look in VERDICTS.items()}

@@ -2,8 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +16,7 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
-from tests.qgis.runs import Log, Run, algorithm, assert_refused, run
+from tests.qgis.runs import Run, run
 from tests.qgis.seams.scan_scenes import (
     COLUMNS,
     ROWS,
@@ -53,23 +51,6 @@ def scanned(provider: None, feathered: Files, tmp_path_factory: pytest.TempPathF
     made.close()
 
 
-def test_parameters_and_defaults() -> None:
-    job = algorithm("scanmosaic")
-    defaults = {one.name(): one.defaultValue() for one in job.parameterDefinitions() if not one.isDestination()}
-    assert defaults == {
-        "MOSAIC": None, "SOURCES": None, "SOURCE_INDEX": None, "SEAMLINES": None, "SOURCE_FIELD": None,
-        "CORRIDOR": 0.0, "DENSITY": "seams", "PIECE": 25.0, "CELL": 32, "WORST_COUNT": 50, "LEVELS": 3,
-        "WAVELET": "coif3", "SCHEDULER": None,
-    }
-    destinations = [one.name() for one in job.destinationParameterDefinitions()]
-    assert destinations == ["LOSS", "SEAMS", "CELLS", "WORST"]
-    numbers = {output.name() for output in job.outputDefinitions()} - set(destinations)
-    assert numbers == {"SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
-    density = job.parameterDefinition("DENSITY")
-    assert density.usesStaticStrings()
-    assert density.options() == ["seams", "full"]
-
-
 def test_fields_and_numbers(scanned: Run) -> None:
     assert scanned.complaint is None
     assert scanned.log.warnings == scanned.log.errors == []
@@ -88,20 +69,20 @@ def test_fields_and_numbers(scanned: Run) -> None:
     assert all((piece["state"] == "failed") == (piece["kept_1"] < 0.7) for piece in pieces)
     assert numbers["FAILED_METRES"] == pytest.approx(sum(failed))
     assert numbers["WORST_KEPT"] == min(piece["kept_1"] for piece in pieces)
-    assert {tuple(sorted((one["left_source"], one["right_source"]))) for one in pieces} == {("east.tif", "west.tif")}
-    for one in pieces:
-        assert one["verdict"] == "significant"
-        assert one["kept_low"] < one["kept_1"] < one["kept_high"] < 1
-        assert one["kept_1"] == pytest.approx(0.65, abs=0.08)
-        assert one["band_width"] == pytest.approx(0.1 * FEATHER_PX, rel=0.5)
-        assert 0.7 < one["visibility"] < 2
+    assert {tuple(sorted((item["left_source"], item["right_source"]))) for item in pieces} == {("east.tif", "west.tif")}
+    for item in pieces:
+        assert item["verdict"] == "significant"
+        assert item["kept_low"] < item["kept_1"] < item["kept_high"] < 1
+        assert item["kept_1"] == pytest.approx(0.65, abs=0.08)
+        assert item["band_width"] == pytest.approx(0.1 * FEATHER_PX, rel=0.5)
+        assert 0.7 < item["visibility"] < 2
 
 
 def test_seams_lie_where_the_images_meet(scanned: Run) -> None:
-    found = points_along((feature.geometry() for feature in scanned.features("SEAMS")), 0.05)
-    true = points_along((one.geometry() for one in drawn_seam().getFeatures()), 0.05)
-    assert share_within(found, true, 0.3) > 0.95
-    assert share_within(true, found, 0.3) > 0.95
+    result = points_along((feature.geometry() for feature in scanned.features("SEAMS")), 0.05)
+    true = points_along((item.geometry() for item in drawn_seam().getFeatures()), 0.05)
+    assert share_within(result, true, 0.3) > 0.95
+    assert share_within(true, result, 0.3) > 0.95
 
 
 def test_cells_say_where_each_part_came_from(scanned: Run, feathered: Files) -> None:
@@ -133,24 +114,16 @@ def test_the_picture_of_losses(scanned: Run) -> None:
     assert gdal.Info(dataset, format="json")["cornerCoordinates"]["upperLeft"] == [500000.0, 5000000.0]
 
 
-def test_overviews_of_the_picture(hard: Files, tmp_path: Path) -> None:
-    """A long picture has them; a small one needs none."""
-    assert gdal.Open(hard.mosaic).GetRasterBand(1).GetOverviewCount() == 0
-    loss = tmp_path / "loss.tif"
-    assert run("scanmosaic", **hard.given(LOSS=str(loss), CELL=16)).complaint is None
-    assert gdal.Open(str(loss)).RasterXSize == -(-COLUMNS // 16)
-
-
 def test_a_sound_mosaic_has_no_failed_metre(hard: Files) -> None:
-    found = run("scanmosaic", **hard.given())
-    assert found.results["FAILED_METRES"] == 0
-    assert found.results["WORST_KEPT"] > 0.95
-    assert set(found.column("verdict", "SEAMS")) == {"preserved"}
+    outcome = run("scanmosaic", **hard.given())
+    assert outcome.results["FAILED_METRES"] == 0
+    assert outcome.results["WORST_KEPT"] > 0.95
+    assert set(outcome.column("verdict", "SEAMS")) == {"preserved"}
 
 
 def test_worst_windows_are_ready_to_be_inspected(scanned: Run, feathered: Files) -> None:
     worst = scanned.features("WORST")
-    assert [one["window_id"] for one in worst] == list(range(1, len(worst) + 1))
+    assert [item["window_id"] for item in worst] == list(range(1, len(worst) + 1))
     least = min(scanned.features("SEAMS"), key=lambda feature: feature["kept_1"])
     assert worst[0].geometry().intersects(least.geometry())
     given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "WINDOWS": scanned.layer("WORST")}
@@ -160,87 +133,27 @@ def test_worst_windows_are_ready_to_be_inspected(scanned: Run, feathered: Files)
     assert run("scanmosaic", **feathered.given(WORST_COUNT=0)).column("window_id", "WORST") == []
 
 
-def test_full_density_says_the_same_of_the_seams(scanned: Run, feathered: Files) -> None:
-    full = run("scanmosaic", **feathered.given(DENSITY="full"))
-    ours, theirs = (points_along((one.geometry() for one in made.features("SEAMS")), 0.05) for made in (scanned, full))
-    assert share_within(ours, theirs, 0.3) > 0.98
-    assert share_within(theirs, ours, 0.3) > 0.98
-    assert full.column("kept_1", "SEAMS") == pytest.approx(scanned.column("kept_1", "SEAMS"), abs=0.06)
-
-
 def test_seamlines_that_are_given_are_used(feathered: Files) -> None:
     drawn = drawn_seam()
-    found = run("scanmosaic", **feathered.given(SEAMLINES=drawn))
-    ours, theirs = (points_along((one.geometry() for one in made), 0.05)
-                    for made in (found.features("SEAMS"), drawn.getFeatures()))
+    outcome = run("scanmosaic", **feathered.given(SEAMLINES=drawn))
+    ours, theirs = (points_along((item.geometry() for item in made), 0.05)
+                    for made in (outcome.features("SEAMS"), drawn.getFeatures()))
     assert share_within(ours, theirs, 0.16) == share_within(theirs, ours, 0.16) == 1  # straightened by 1.5 px
-    assert set(found.column("verdict", "SEAMS")) == {"significant"}
-    assert {tuple(sorted(pair)) for pair in zip(found.column("left_source", "SEAMS"),
-                                                found.column("right_source", "SEAMS"))} == {("east.tif", "west.tif")}
+    assert set(outcome.column("verdict", "SEAMS")) == {"significant"}
+    assert {tuple(sorted(pair)) for pair in zip(outcome.column("left_source", "SEAMS"),
+                                                outcome.column("right_source", "SEAMS"))} == {("east.tif", "west.tif")}
     corridor = run("scanmosaic", **feathered.given(SEAMLINES=drawn, CORRIDOR=3.0))
-    assert corridor.column("verdict", "SEAMS") == found.column("verdict", "SEAMS")
-    assert corridor.column("kept_1", "SEAMS") == pytest.approx(found.column("kept_1", "SEAMS"), abs=0.05)
+    assert corridor.column("verdict", "SEAMS") == outcome.column("verdict", "SEAMS")
+    assert corridor.column("kept_1", "SEAMS") == pytest.approx(outcome.column("kept_1", "SEAMS"), abs=0.05)
 
 
 def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
-    found = run("scanmosaic", MOSAIC=feathered.mosaic, SEAMLINES=drawn_seam(), PIECE=60.0)
-    assert found.complaint is None
-    assert found.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
-    (piece,) = found.rows("SEAMS")
+    outcome = run("scanmosaic", MOSAIC=feathered.mosaic, SEAMLINES=drawn_seam(), PIECE=60.0)
+    assert outcome.complaint is None
+    assert outcome.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
+    (piece,) = outcome.rows("SEAMS")
     assert piece["kept_low"] < piece["kept_1"] < piece["kept_high"]
-    assert any("All seams together keep" in said for said in found.log.infos)
-
-
-@pytest.mark.parametrize(
-    ("values", "words"),
-    [
-        ({"SOURCES": []}, "Neither orthoimages nor seamlines"),
-        ({"SOURCES": ["/nowhere/a.tif"]}, "None of the orthoimages can be used"),
-        ({"MOSAIC": "/nowhere/m.tif"}, "does not exist"),
-        ({"CELL": 48}, "no cells of 48 pixels; give one of: 16, 32, 64, 128, 256"),
-        ({"LEVELS": 5}, "measures 1 to 4 levels"),
-        ({"LEVELS": 0}, "'Levels' is 0; give a number from 1 to"),
-        ({"PIECE": 0}, r"piece of seam \(metres\)' is 0; give 0\.01"),
-        ({"CORRIDOR": -1.0}, "0 or more"),
-        ({"DENSITY": "some"}, "'some'; known are seams, full"),
-        ({"WAVELET": "bior2.2"}, r"'bior2\.2'; known are haar"),
-        ({"LOSS": "/nowhere/loss.tif"}, "choose another folder"),
-        ({"LOSS": "/tmp"}, "/tmp can.t be written"),
-        ({"SCHEDULER": "nowhere"}, "Dask"),
-    ],
-)
-def test_bad_values_end_with_a_sentence(hard: Files, values: dict[str, Any], words: str) -> None:
-    assert_refused("scanmosaic", words, **hard.given(**values))
-
-
-def test_sources_elsewhere_are_refused(hard: Files, tmp_path: Path) -> None:
-    there = write_scene(tmp_path, origin=(700000.0, 5000000.0))
-    assert_refused("scanmosaic", "No orthoimage lies on the mosaic, of 2", **hard.given(SOURCES=there.sources))
-
-
-def test_the_output_is_never_an_input(hard: Files) -> None:
-    assert_refused("scanmosaic", "would be written over", **hard.given(LOSS=hard.mosaic))
-    assert_refused("scanmosaic", "would be written over", **hard.given(LOSS=hard.west))
-
-
-def test_only_the_wanted_layers_are_made(hard: Files, tmp_path: Path) -> None:
-    found = run("scanmosaic", **hard.given(LOSS=str(tmp_path / "loss.tif"), SEAMS=None, CELLS=None, WORST=None))
-    assert found.complaint is None
-    assert set(found.results) == {"LOSS", "SEAM_METRES", "FAILED_METRES", "WORST_KEPT"}
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["loss.tif", "loss.tif.aux.xml"]
-
-
-def test_progress_only_grows_and_ends_whole(hard: Files) -> None:
-    class Watched(Log):
-        def __init__(self) -> None:
-            super().__init__()
-            self.seen: list[float] = []
-            self.progressChanged.connect(self.seen.append)
-
-    log = Watched()
-    assert run("scanmosaic", log, **hard.given()).complaint is None
-    assert log.seen == sorted(log.seen)
-    assert log.seen[-1] == 100
+    assert any("All seams together keep" in said for said in outcome.log.infos)
 
 
 def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:
@@ -265,9 +178,9 @@ def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:
     model.addChildAlgorithm(inspect)
     model.updateDestinationParameters()
     for files, verdict in ((hard, "preserved"), (feathered, "significant")):
-        found = run(model.create(), mosaic=files.mosaic)
-        assert found.complaint is None
+        outcome = run(model.create(), mosaic=files.mosaic)
+        assert outcome.complaint is None
         ends = "seams", "output"  # QGIS 3.22 calls one scan:SEAMS, later ones seams
-        seams, inspected = (next(key for key in found.results if key.lower().endswith(end)) for end in ends)
-        assert set(found.column("verdict", seams)) == {verdict}
-        assert found.column("verdict", inspected)[0] == verdict
+        seams, inspected = (next(key for key in outcome.results if key.lower().endswith(end)) for end in ends)
+        assert set(outcome.column("verdict", seams)) == {verdict}
+        assert outcome.column("verdict", inspected)[0] == verdict

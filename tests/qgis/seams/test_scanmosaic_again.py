@@ -14,8 +14,6 @@ import pytest
 from osgeo import ogr
 from seam_inspector.plugin.imagery.record_store import RecordFiles
 from seam_inspector.plugin.seams.measure.scan import loss_raster
-from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
-from seam_inspector.plugin.toolkit.algorithms import feature_sinks
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
 
 from tests.qgis.runs import Log, Run, assert_sentence, run
@@ -46,11 +44,11 @@ def scan(files: Files, folder: Path, log: Log | None = None, **more: Any) -> Run
 
 def contents(folder: Path) -> dict[str, list[str]]:
     """The features of each layer as text."""
-    found = {}
+    items = {}
     for name in LAYERS:
         dataset = ogr.Open(str(folder / f"{name}.gpkg"))
-        found[name] = [feature.ExportToJson() for feature in dataset.GetLayer(0)]
-    return found
+        items[name] = [feature.ExportToJson() for feature in dataset.GetLayer(0)]
+    return items
 
 
 def tables(path: Path) -> list[str]:
@@ -177,21 +175,6 @@ def test_a_changed_setting_or_input_starts_anew_and_says_so(files: Files, tmp_pa
     assert not (results / "loss.tif.scan").exists()
 
 
-def test_two_scans_of_one_output(files: Files, tmp_path: Path) -> None:
-    journal, _ = open_journal(tmp_path / "loss.tif.scan", "of another process")
-    try:
-        assert_sentence(scan(files, tmp_path).complaint, "Another scan is writing this output")
-    finally:
-        journal.close()
-
-
-def test_what_is_no_journal_is_left_alone(files: Files, tmp_path: Path) -> None:
-    diary = tmp_path / "loss.tif.scan"
-    diary.write_bytes(b"my diary " * 20)
-    assert_sentence(scan(files, tmp_path).complaint, "was not left by a scan")
-    assert diary.read_bytes() == b"my diary " * 20
-
-
 def test_a_full_disk_keeps_the_blocks_that_are_done(
     files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -212,18 +195,6 @@ def test_a_full_disk_keeps_the_blocks_that_are_done(
     assert_like(tmp_path, whole)
 
 
-def test_a_layer_that_lost_its_features_is_noticed(
-    files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The disk was full when the layer was closed, which QGIS tells nobody."""
-    with monkeypatch.context() as patched:
-        patched.setattr(feature_sinks, "_count", lambda place: 0 if place.path.endswith("CELLS.gpkg") else 10**6)
-        assert_sentence(scan(files, tmp_path).complaint, "The layer CELLS can't be written. What was measured is kept")
-    assert (tmp_path / "loss.tif.scan").exists()
-    assert scan(files, tmp_path).complaint is None
-    assert_like(tmp_path, whole)
-
-
 def test_a_source_that_is_deleted_while_the_scan_runs_costs_its_blocks_only(
     files: Files, tmp_path: Path
 ) -> None:
@@ -239,16 +210,3 @@ def test_a_source_that_is_deleted_while_the_scan_runs_costs_its_blocks_only(
     ended = run("scanmosaic", log, **own.given(LOSS=str(tmp_path / "loss.tif")))
     assert ended.complaint is None
     assert sum("does not exist" in line for line in log.warnings) <= 1, log.warnings
-
-
-def test_without_a_picture_a_scan_goes_on_beside_its_first_layer(files: Files, whole: Path, tmp_path: Path) -> None:
-    wanted = {**outputs(tmp_path), "LOSS": None}
-    stopped = run("scanmosaic", StopAt(50.0), **files.given(**wanted))
-    assert any("goes on from here" in said for said in stopped.log.infos), stopped.complaint
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["SEAMS.gpkg.scan"]
-    again = run("scanmosaic", **files.given(**wanted))
-    assert again.complaint is None
-    assert any("goes on where it stopped" in said for said in again.log.infos)
-    assert again.results.get("LOSS") is None
-    assert contents(tmp_path) == contents(whole)
-    assert {path.name for path in tmp_path.iterdir()} == {f"{name}.gpkg" for name in LAYERS}

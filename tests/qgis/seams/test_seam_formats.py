@@ -9,8 +9,6 @@ from osgeo import gdal, ogr, osr
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsFeature,
-    QgsGeometry,
     QgsProject,
     QgsVectorLayer,
 )
@@ -75,34 +73,14 @@ def test_mosaic_elements_of_inspire(tmp_path: Path) -> None:
     assert [notice.values for notice in given.notices] == [{"fields": "imageSourceReference"}]
 
 
-def test_the_graph_of_packo(data_folder: Path) -> None:
-    path = data_folder / "seams" / "packo" / "regress_graphe.gpkg"
-    given = given_by(f"{path}|layername=graphe", 2154, Grid(230745.6, 6759654.4, 0.05, 0.05, 256, 256))
-    assert len(given.seams) == 2
-    assert {cell.source for cell in given.cells} == {f"19FD5606Ax00020_1637{number}" for number in (1, 2, 3)}
-
-
-def test_what_cannot_be_transformed_is_told() -> None:
-    layer = QgsVectorLayer("Point?crs=EPSG:4326&field=source:string", "seams", "memory")
-    for wkt in ("POINT (3 46)", "POINT (0 -91)", ""):
-        row = QgsFeature(layer.fields())
-        row.setGeometry(QgsGeometry.fromWkt(wkt))
-        layer.dataProvider().addFeature(row)
-    target = QgsCoordinateReferenceSystem.fromEpsgId(2154)
-    transform = QgsCoordinateTransform(layer.crs(), target, QgsProject.instance())
-    features, notice = seam_features(layer.getFeatures(), ["source"], transform)
-    assert [wkb is None for _, wkb in features] == [False, True]
-    assert "left out: 1" in str(notice)
-
-
 @pytest.mark.usefixtures("provider")
 def test_what_a_shapefile_cuts_is_told_and_read_back(tmp_path: Path) -> None:
     """Names of fields have ten letters there, and those of numbered fields become others."""
     files = write_scene(tmp_path)
     seams, cells, inspected = (str(tmp_path / f"{name}.shp") for name in ("seams", "cells", "inspected"))
     scanned = run("scanmosaic", **files.given(SEAMS=seams, CELLS=cells, WORST=str(tmp_path / "worst.gpkg")))
-    told = [text for text in scanned.log.warnings if "ten letters" in text]
-    assert ["left_source, right_source, feather_width" in text for text in told] == [True]
+    messages = [text for text in scanned.log.warnings if "ten letters" in text]
+    assert ["left_source, right_source, feather_width" in text for text in messages] == [True]
     window = windows((150, 100, 256, 256))
     of_windows = run("inspectwindows", MOSAIC=files.mosaic, SOURCES=files.sources, WINDOWS=window, OUTPUT=inspected)
     assert any("composite_ratio_2" in text for text in of_windows.log.warnings)
@@ -110,5 +88,5 @@ def test_what_a_shapefile_cuts_is_told_and_read_back(tmp_path: Path) -> None:
     assert {(row["left_source"], row["right_source"]) for row in again.rows("SEAMS")} <= {
         ("west.tif", "east.tif"), ("east.tif", "west.tif")
     }  # fmt: skip
-    for one in (scanned, of_windows, again):
-        one.close()
+    for record in (scanned, of_windows, again):
+        record.close()

@@ -5,11 +5,9 @@ from pathlib import Path
 
 import pytest
 from qgis.core import (
-    NULL,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransformContext,
     QgsProject,
-    QgsRasterLayer,
     QgsVectorFileWriter,
     QgsVectorLayer,
 )
@@ -18,12 +16,11 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ra
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.tables import window_file, window_layer
 from seam_inspector.plugin.seams.tables.window_file import StoredResult
-from seam_inspector.plugin.seams.tables.window_layer import UNNUMBERED, WindowChange
-from seam_inspector.plugin.toolkit import layers as layer_editing
+from seam_inspector.plugin.seams.tables.window_layer import WindowChange
 
 from tests.numbers.synthetic import wkt
 from tests.qgis.runs import assert_sentence
-from tests.qgis.scenes import BLURRED, SHARP, UTM33, Scene, layer, outline, windows
+from tests.qgis.scenes import BLURRED, SHARP, UTM33, outline, windows
 
 CRS, WKT = QgsCoordinateReferenceSystem(f"EPSG:{UTM33}"), wkt(UTM33)
 FIELDS = [
@@ -83,20 +80,14 @@ def test_a_layer_that_cant_be_written_is_told(qgis_app: object, tmp_path: Path) 
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 
-def test_only_polygons_hold_windows(qgis_app: object, scene: Scene) -> None:
-    others = [None, layer("Point", []), layer("LineString", []), QgsRasterLayer(str(scene.mosaic), "mosaic")]
-    assert not any(map(window_layer.holds_windows, [*others, QgsVectorLayer("/nowhere.gpkg", "gone", "ogr")]))
-    assert window_layer.holds_windows(layer("MultiPolygon", []))
-
-
 @pytest.mark.parametrize("is_edited", [False, True])
 def test_what_is_written_is_in_the_file_or_among_the_edits(
     project: QgsProject, tmp_path: Path, is_edited: bool
 ) -> None:
     drawn = made_layer(tmp_path)
-    told: list[str] = []
+    messages: list[str] = []
     for name in ("featureAdded", "featureDeleted", "attributeValueChanged"):
-        getattr(drawn, name).connect(lambda *_, name=name: told.append(name))
+        getattr(drawn, name).connect(lambda *_, name=name: messages.append(name))
     if is_edited:
         drawn.startEditing()
     first, second, third = add(drawn, SHARP, BLURRED, SHARP)
@@ -107,7 +98,7 @@ def test_what_is_written_is_in_the_file_or_among_the_edits(
     assert window_layer.held_values(drawn, [first, second], names) == {
         first: {"verdict": "reduced", "observer": "visible"}, second: {"verdict": None, "observer": None}
     }
-    assert {"featureAdded", "featureDeleted", "attributeValueChanged"} <= set(told)
+    assert {"featureAdded", "featureDeleted", "attributeValueChanged"} <= set(messages)
     saved = QgsVectorLayer(drawn.source(), "saved", "ogr")
     assert saved.featureCount() == (0 if is_edited else 2)
     if is_edited:
@@ -116,15 +107,6 @@ def test_what_is_written_is_in_the_file_or_among_the_edits(
     row, other = window_layer.read_layer(drawn)
     assert (row.verdict, row.observer, row.ratios, row.background_ratio) == ("reduced", "visible", RATIOS, 0.97)
     assert (other.verdict, other.window_id) == ("", 2)
-
-
-def test_ratios_of_more_levels_go_when_fewer_are_written(project: QgsProject) -> None:
-    stale = {f"{kind}ratio_{level}": ("double", [0.5]) for kind in ("", "composite_", "expected_") for level in (1, 4)}
-    drawn = windows(SHARP, window_id=("integer", [1]), ratio_x=("double", [0.25]), **stale)  # type: ignore[arg-type]
-    window_layer.write(drawn, WindowChange({1: window_layer.measured_values(drawn, result(1))}), "Inspect")
-    (feature,) = drawn.getFeatures()
-    assert [feature[name] for name in stale if name.endswith("_4")] == [NULL] * 3
-    assert feature["ratio_x"] == 0.25  # not one of ours
 
 
 @pytest.mark.parametrize("kind", ["GPKG", "ESRI Shapefile", "GeoJSON", "memory"])
@@ -147,43 +129,6 @@ def test_windows_of_any_format_are_copied_with_all_they_say(project: QgsProject,
     assert (feature["soil"], feature["seen"]) == ("loam", "2019-07-04")
     assert row.extent == pytest.approx(window_layer.read_layer(made)[0].extent)
     assert set(FIELDS) <= set(copied.fields().names())
-
-
-def test_rows_of_a_layer_without_our_fields(project: QgsProject) -> None:
-    (row,) = window_layer.read_layer(layer("Polygon", [outline(SHARP)], ratio_x=("double", [1.0])))
-    assert (row.window_id, row.verdict, row.sources, row.ratios, row.observer) == (UNNUMBERED, "", None, (), "")
-
-
-def test_ratios_are_in_their_order(project: QgsProject) -> None:
-    kinds = {f"ratio_{level}": ("double", [level / 10]) for level in (8, 2, 1, 3, 7, 6, 5, 4)}
-    (row,) = window_layer.read_layer(layer("Polygon", [outline(SHARP)], **kinds))  # type: ignore[arg-type]
-    assert row.ratios == tuple(level / 10 for level in range(1, 9))
-
-
-def test_a_window_without_outline_is_a_row_too(project: QgsProject) -> None:
-    nowhere, somewhere = window_layer.read_layer(layer("Polygon", [None, outline(SHARP)]))
-    assert nowhere.extent is None
-    assert somewhere.extent is not None
-
-
-def test_some_rows_can_be_read(project: QgsProject) -> None:
-    drawn = windows(SHARP, BLURRED, window_id=("integer", [4, 7]))
-    assert [row.window_id for row in window_layer.read_layer(drawn, [2])] == [7]
-    assert window_layer.read_layer(drawn, []) == []
-
-
-def test_a_step_that_fails_leaves_nothing(project: QgsProject) -> None:
-    drawn = windows(SHARP, window_id=("integer", [1]))
-
-    def fail() -> None:
-        with layer_editing.edit_step(drawn, "broken"):
-            drawn.changeAttributeValue(1, 0, 5)
-            raise ZeroDivisionError
-
-    with pytest.raises(ZeroDivisionError):
-        fail()
-    assert [row.window_id for row in window_layer.read_layer(drawn)] == [1]
-    assert not drawn.isEditCommandActive()
 
 
 def test_a_layer_that_cant_be_written_to_is_told(project: QgsProject, tmp_path: Path) -> None:
@@ -219,12 +164,6 @@ def test_what_is_stored_of_a_window_is_found_and_replaced(project: QgsProject, t
         window_file.copy_file(path, tmp_path / "no" / "folder.gpkg")
     with pytest.raises(WindowLayerError):
         window_file.store(tmp_path / "nothing.gpkg", [])
-
-
-def test_where_a_window_stands_on_its_seam_is_read(project: QgsProject) -> None:
-    placed = windows(SHARP, seam_id=("integer", [4]), station=("double", [12.5]))
-    (row,) = window_layer.read_layer(placed)
-    assert (row.seam_id, row.station) == (4, 12.5)
 
 
 def test_what_an_operator_saw_is_told_of_a_selected_window(repository: Path) -> None:

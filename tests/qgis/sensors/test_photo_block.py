@@ -109,15 +109,3 @@ def test_what_can_t_be_done_is_said(project_folder: Path, tmp_path: Path) -> Non
     assert_sentence(run("orthorectifyphotos", **given).complaint, "No terrain model is given")
     (project_folder / "opensfm" / "reconstruction.json").unlink()
     assert_sentence(run("orthorectifyphotos", **given).complaint, "block")
-
-
-def test_a_terrain_model_that_is_too_large_to_be_looked_through_wants_overviews(
-    project_folder: Path, tmp_path: Path
-) -> None:
-    path, tiles = project_folder / "country.tif", ["SPARSE_OK=TRUE", "TILED=YES", "BIGTIFF=YES"]
-    country = gdal.GetDriverByName("GTiff").Create(str(path), 200_000, 200_000, 1, gdal.GDT_Int16, tiles)
-    country.SetGeoTransform((498_800, 20, 0, 5_542_200, 0, -20))
-    country.SetProjection(wkt(32633))
-    country.FlushCache()
-    refused = run("orthorectifyphotos", EXTERIOR=str(project_folder), DEM=str(path), OUTPUT=str(tmp_path / "orthos"))
-    assert_sentence(str(refused.complaint), "country.tif has 40000 million pixels and no overviews.*gdaladdo")

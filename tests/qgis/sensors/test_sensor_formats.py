@@ -120,29 +120,3 @@ def test_a_grid_of_the_geoid_is_asked_for_and_used(tmp_path: Path) -> None:
     assert [row["z"] for row in outcome.rows()] == pytest.approx(ground[:, 2] + 50)
     for given, words in (({"HEIGHTS": "geoid"}, "none is given"), ({"GEOID": grid}, "no heights refer to it")):
         assert_sentence(run("fitsensormodel", GCPS=layer, MODEL="rational", **given).complaint, words)
-
-
-def test_the_same_files_are_written_again(tmp_path: Path) -> None:
-    """An RPB belongs to an image of its name, not to the model file of that name."""
-    image, ground = scene(20, 0.3)
-    files = {"RPC": str(tmp_path / "scene.RPB"), "MODEL_FILE": str(tmp_path / "scene.json")}
-    for _ in range(2):
-        outcome = run("fitsensormodel", GCPS=gcps(image, ground), MODEL="rational_terms", HEIGHTS="ellipsoid", **files)
-        assert outcome.complaint is None
-    assert any("Terms kept" in line for line in outcome.log.infos)
-    assert any("degrees from the vertical" in line for line in outcome.log.infos)
-    assert outcome.results["VIEW_ANGLE"] > 0
-    assert outcome.results["TERRAIN_SHIFT"] == pytest.approx(np.tan(np.radians(outcome.results["VIEW_ANGLE"])))
-
-
-def test_points_that_mean_nothing_get_sentences(tmp_path: Path) -> None:
-    ground, report = scene(20)[1], str(tmp_path / "report.html")
-    layers = {
-        "random": gcps(np.random.default_rng(0).uniform(0, 1e4, (20, 2)), ground),
-        "one place in the image": gcps(np.full((20, 2), 7.0), ground),
-    }
-    for layer in layers.values():
-        outcome = run("comparesensormodels", GCPS=layer, HEIGHTS="ellipsoid", ROBUST=True, REPORT=report)
-        assert outcome.complaint is None or not outcome.complaint.startswith("Traceback")
-        fit = run("fitsensormodel", GCPS=layer, MODEL="rational_terms", HEIGHTS="ellipsoid", REPORT=report)
-        assert fit.complaint is None or not fit.complaint.startswith("Traceback")

@@ -101,17 +101,6 @@ def test_the_bias_of_an_rpc_is_the_result(tmp_path: Path) -> None:
     assert any(words in line for line in outcome.log.infos)
 
 
-@pytest.mark.parametrize("model", ["polynomial_2d", "polynomial_3d", "dlt", "pushbroom"])
-def test_every_model_runs_and_no_roles_mean_a_share(model: str) -> None:
-    image, ground = scene()
-    outcome = run("fitsensormodel", GCPS=gcps(image, ground), MODEL=model, CHECK_SHARE=0.5, HEIGHTS="ellipsoid")
-    assert outcome.complaint is None
-    assert (outcome.results["CONTROL_COUNT"], outcome.results["CHECK_COUNT"]) == (30, 30)
-    none = run("fitsensormodel", GCPS=gcps(image, ground), MODEL=model, CHECK_SHARE=0, HEIGHTS="ellipsoid")
-    assert "CHECK_RMSE_X" not in none.results
-    assert any("no check points" in line for line in none.log.warnings)
-
-
 @pytest.mark.parametrize("header", ["mapX,mapY,pixelX,pixelY,enable,dX", "mapX,mapY,sourceX,sourceY,enable"])
 def test_points_files_take_heights_from_the_terrain_model(tmp_path: Path, header: str, data_folder: Path) -> None:
     dem = data_folder / "sensors" / "pleiades" / "N44E005.hgt"
@@ -175,48 +164,6 @@ def test_orthorectify_with_model_file_and_rpc(data_folder: Path, tmp_path: Path)
     assert not (tmp_path / "c.tif").exists()
 
 
-def test_bad_input_is_a_sentence(data_folder: Path, tmp_path: Path) -> None:
-    image, ground = scene(12)
-    layer = gcps(image, ground)
-    plain = QgsVectorLayer("Point?crs=EPSG:4326", "plain", "memory")
-    for model, order, words in (
-        ("rational", 2, r"needs at least 19"), ("rational", 3, r"needs at least 39"), ("polynomial_3d", 3, "least 20"),
-        ("polynomial_2d", 3, "least 10"), ("rpc_bias", 1, "has no RPC of its own"),
-    ):  # fmt: skip
-        assert_refused("fitsensormodel", words, GCPS=layer, MODEL=model, ORDER=order)
-    assert_refused("fitsensormodel", "no field 'column'", GCPS=plain)
-    assert_refused("fitsensormodel", "no points", GCPS=gcps(image[:0], ground[:0]))
-    assert_refused("fitsensormodel", r"lost\.points does not exist", GCPS=str(tmp_path / "lost.points"))
-    assert_refused("fitsensormodel", "does not exist|not be found", GCPS=layer, IMAGE=str(tmp_path / "lost.tif"))
-    without = ground * [1, 1, np.nan]
-    assert_refused("fitsensormodel", "Some points have no height", GCPS=gcps(image, without))
-    flat = ground * [1, 1, 0]
-    assert_refused("fitsensormodel", "on one plane", GCPS=gcps(image, flat), CHECK_SHARE=0)
-    assert_refused("fitsensormodel", "Of 12 points 6 are left .* at least 7", GCPS=layer, CHECK_SHARE=0.5)
-    assert_refused("comparesensormodels", "no field 'column'", GCPS=plain)
-    folder = data_folder / "sensors" / "pleiades"
-    left = str(folder / "left_image.tif")
-    assert_refused("orthorectify", "No terrain model is given", IMAGE=left)
-    assert_refused("orthorectify", "choose one of them", IMAGE=left, DEM=str(folder / "N44E005.hgt"), HEIGHT=3)
-    assert_refused("orthorectify", "does not exist", IMAGE=str(tmp_path / "lost.tif"), HEIGHT=3)
-    assert_refused("orthorectify", "has no RPC", IMAGE=str(folder / "N44E005.hgt"), HEIGHT=3)
-    geom = str(folder / "left_image.geom")
-    assert_refused("orthorectify", "not a sensor model file", IMAGE=left, HEIGHT=3, MODEL_FILE=geom)
-    away = str(data_folder / "seams" / "brighton" / "source_label.tif")
-    assert_refused("orthorectify", "does not cover the image", IMAGE=left, DEM=away)
-
-
-def test_rows_that_can_not_be_used_are_left_out_and_named() -> None:
-    image, ground = scene(20)
-    image[3, 0] = np.nan
-    roles: list[str | None] = [None] * 20
-    roles[5] = "other"
-    outcome = run("fitsensormodel", GCPS=gcps(image, ground, roles), CHECK_SHARE=0, HEIGHTS="ellipsoid")
-    assert outcome.results["CONTROL_COUNT"] == 18
-    assert any("Point 4 is left out" in line for line in outcome.log.warnings)
-    assert any("'other' is neither control nor check" in line for line in outcome.log.warnings)
-
-
 @pytest.mark.parametrize("missing", [np.nan, np.inf])
 def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> None:
     image, ground = scene(25, 0.1)
@@ -232,14 +179,3 @@ def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> N
         assert [line for line in outcome.log.warnings if "left out" in line] == [
             "Point 7 is left out: it has no height, and others have one."
         ]
-
-
-def test_columns_and_rows_interchanged_are_no_geometry_of_an_rpc(tmp_path: Path) -> None:
-    ground = places(25, 3)
-    rpc = made_rational(3, 5, 0.001)
-    write_rpc(rpc, tmp_path / "vendor_RPC.TXT")
-    layer = gcps(rpc.project(ground)[:, ::-1], ground)
-    rpc_file = str(tmp_path / "vendor_RPC.TXT")
-    for name, given in (("comparesensormodels", {}), ("fitsensormodel", {"MODEL": "rpc_bias", "BIAS": "affine"})):
-        assert_refused(name, "columns and rows are interchanged", GCPS=layer, IMAGE_RPC=rpc_file, HEIGHTS="ellipsoid",
-                       **given)

@@ -56,9 +56,9 @@ def test_tables_and_values_are_as_they_were_given(tmp_path: Path) -> None:
         assert write_table(path, name, FIELDS, LINE, wkt(UTM33), rows) is None
     layer = QgsVectorLayer(f"{path}|layername=second", "second", "ogr")
     assert layer.fields().names() == ["fid", "number", "share", "word"]
-    one, other = layer.getFeatures()
-    assert one.attributes()[1:] == [1, 0.1, "zażółć"]
-    assert one.geometry().asWkt() == "LineString (0 0, 1 2)"
+    item, other = layer.getFeatures()
+    assert item.attributes()[1:] == [1, 0.1, "zażółć"]
+    assert item.geometry().asWkt() == "LineString (0 0, 1 2)"
     assert other.attributes()[1:] == [NULL, NULL, ""]
     assert not other.hasGeometry()
     assert QgsVectorLayer(f"{path}|layername=first", "first", "ogr").featureCount() == 2
@@ -82,7 +82,3 @@ def test_a_new_file_with_another_system_is_not_left(tmp_path: Path) -> None:
         write_table(tmp_path / "a.gpkg", "lines", FIELDS, LINE, "nothing that means any")
     assert_sentence(str(raised.value), "a.gpkg")
     assert not list(tmp_path.iterdir())
-
-
-def test_what_can_not_be_written_is_told(tmp_path: Path) -> None:
-    assert write_table(tmp_path / "missing" / "a.gpkg", "lines", FIELDS, LINE, wkt(UTM33))

@@ -8,13 +8,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFeature, QgsVectorLayer
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
-from seam_inspector.plugin.acceptance.paper.defect_files import DEFECT_COLUMNS
-from seam_inspector.plugin.imagery.statistics import JUDGING_FIELDS
-from seam_inspector.plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
-from seam_inspector.plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS
-from seam_inspector.plugin.seams.measure.window.window_tables import WINDOW_FIELDS
-from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS
-from seam_inspector.plugin.toolkit.layer_styles import field_title, load_style
+from seam_inspector.plugin.toolkit.layer_styles import load_style
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tools.template_texts import texts
@@ -70,14 +64,6 @@ def test_the_legend_is_in_the_users_language(shouted: None) -> None:
     assert layer.renderer().categories()[0].value() == "significant"
 
 
-def test_so_are_the_rules_of_a_forecast(shouted: None) -> None:
-    layer = QgsVectorLayer("Polygon?field=expected_ratio_1:double", "forecast", "memory")
-    load_style(layer, "predicted_windows")
-    labels = [rule.label() for rule in layer.renderer().rootRule().children()]
-    assert len(labels) == 4
-    assert labels == [label.upper() for label in labels]
-
-
 def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
     layer = windows()
     load_style(layer, "windows")
@@ -89,22 +75,6 @@ def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
     assert tip(layer, window_id=8) == "<b>Window 8</b>: not inspected"
     reason = "Pick another place."
     assert tip(layer, window_id=9, verdict="not_comparable", reason=reason).endswith(f"not comparable<br>{reason}")
-
-
-def test_a_map_tip_is_in_the_users_language(shouted: None) -> None:
-    layer = windows()
-    load_style(layer, "windows")
-    assert tip(layer, **FOUND) == (
-        "<b>WINDOW 7</b>: SIGNIFICANT LOSS<br>KEPT ALONG THE SEAM: 43 % (30\u201356 %), IN A WIDTH OF 1.5 m"
-        "<br>VISIBILITY AT 2X (JND): 1.4<br>IMAGES APART IN THE MOSAIC (PX): 2.0"
-        "<br>FEATHERING; BLUR<br>OBSERVER: NOT SURE"
-    )
-
-
-def test_a_map_tip_of_a_layer_that_lacks_fields_stays_short(qgis_app: QgsApplication) -> None:
-    layer = QgsVectorLayer("Polygon?field=window_id:integer&field=verdict:string", "drawn", "memory")
-    load_style(layer, "windows")
-    assert tip(layer, window_id=3, verdict="reduced") == "<b>Window 3</b>: reduced"
 
 
 def test_the_table_is_in_the_users_language_and_its_fields_keep_their_names(shouted: None) -> None:
@@ -125,19 +95,6 @@ def test_the_table_is_in_the_users_language_and_its_fields_keep_their_names(shou
     assert layer.editorWidgetSetup(names.index("kept_1")).isNull()
 
 
-def test_a_window_is_called_by_its_number_and_its_verdict_in_words(shouted: None) -> None:
-    layer = windows()
-    load_style(layer, "windows")
-    feature = QgsFeature(layer.fields())
-    context = QgsExpressionContext(layer.createExpressionContext())
-    called = []
-    for verdict in ("not_comparable", None, "of a later version"):
-        feature["window_id"], feature["verdict"] = 7, verdict
-        context.setFeature(feature)
-        called.append(QgsExpression(layer.displayExpression()).evaluate(context))
-    assert called == ["WINDOW 7: NOT COMPARABLE", "WINDOW 7: NOT INSPECTED", "WINDOW 7: of a later version"]
-
-
 def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplication) -> None:
     plain, ours = windows(), windows()
     assert plain.loadNamedStyle(style_path("windows"))[1]
@@ -147,13 +104,5 @@ def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplicatio
 
 
 def test_all_texts_of_styles_are_collected_for_translation(repository: Path) -> None:
-    found = set(texts(repository / "resources" / "styles"))
-    assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= found
-
-
-def test_every_field_of_a_styled_layer_has_a_title(qgis_app: QgsApplication) -> None:
-    columns = (*WINDOW_FIELDS, *FORECAST_COLUMNS, *PLACED_COLUMNS, *SEAM_COLUMNS, *CELL_COLUMNS, *DEFECT_COLUMNS)
-    names = {name for column in columns for name in column.names(2)} | set(JUDGING_FIELDS)
-    assert {name for name in names if not field_title(name)} == {"x", "y"}  # which nobody has to explain
-    assert field_title("kept_12") == "kept 12"
-    assert field_title("somebody's own") == field_title("own_1") == ""
+    result = set(texts(repository / "resources" / "styles"))
+    assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= result

@@ -10,8 +10,6 @@ import pytest
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QLocale
 from seam_inspector.plugin.imagery.errors import Message
-from seam_inspector.plugin.radiometry.measure.rules import Rule
-from seam_inspector.plugin.radiometry.words import figure_words
 from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, svg_text
 from seam_inspector.plugin.toolkit.translation import (
     decimals_beside,
@@ -20,7 +18,6 @@ from seam_inspector.plugin.toolkit.translation import (
     language,
     percent,
     sentence,
-    shown_metres,
 )
 
 SHARE = Message("A share of {share:.1%} in {name}, {count} of {most:.1f}.")
@@ -73,7 +70,7 @@ def test_two_forms_are_for_one_and_for_many(qgis_app: QgsApplication) -> None:
 
 def test_nothing_that_is_translated_is_filled_by_another_way(repository: Path) -> None:
     """str.format knows neither decimal commas nor a word's forms."""
-    found = [
+    items = [
         f"{path.name}:{node.lineno}"
         for path in sorted((repository / "plugin").rglob("*.py"))
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
@@ -81,8 +78,8 @@ def test_nothing_that_is_translated_is_filled_by_another_way(repository: Path) -
         and isinstance(node.value.func, ast.Name) and node.value.func.id == "tr"
     ]  # fmt: skip
     templates = (repository / "resources").rglob("*.j2")
-    found += [path.name for path in templates if ").format(" in path.read_text(encoding="utf-8")]
-    assert found == [], "use filled(tr(...), ...)"
+    items += [path.name for path in templates if ").format(" in path.read_text(encoding="utf-8")]
+    assert items == [], "use filled(tr(...), ...)"
 
 
 def test_a_charts_axes_are_numbered_as_the_user_writes(polish: None) -> None:
@@ -95,10 +92,6 @@ def test_a_charts_axes_are_numbered_as_the_user_writes(polish: None) -> None:
     assert ">0.2<" not in words
 
 
-def test_messages_of_errors_stay_english() -> None:
-    assert str(SHARE(share=0.5, name="a.tif", count=1, most=2.0)) == "A share of 50.0% in a.tif, 1 of 2.0."
-
-
 @pytest.mark.parametrize(
     ("value", "limit", "decimals"),
     [(0.503, 0.5, 3), (0.5, 0.5, 2), (0.56, 0.5, 2), (0.0004, 0.05, 2), (0.054, 0.05, 3), (0.05004, 0.05, 5)],
@@ -106,19 +99,3 @@ def test_messages_of_errors_stay_english() -> None:
 def test_as_precise_as_its_limit_needs(value: float, limit: float, decimals: int) -> None:
     assert decimals_beside(value, [limit], 2) == decimals
     assert decimals_beside(np.float64(value), [np.float64(limit)], 2) == decimals
-
-
-def test_a_figure_that_fails_is_not_written_as_its_limit(qgis_app: QgsApplication) -> None:
-    rule = Rule("clipped_low", None, 0.0005, "a contract")
-    assert figure_words(rule, 0.000503) == "0.0503\u00a0%"
-    assert figure_words(rule, 0.0005) == "0.05\u00a0%"
-    assert figure_words(rule, 0.000514) == "0.051\u00a0%"
-
-
-@pytest.mark.parametrize(
-    ("metres", "shown"), [(15.36, "15.36"), (102.4, "102.4"), (60, "60.0"), (0.64, "0.64"), (51.2 - 1e-12, "51.2")]
-)
-def test_metres_have_hundredths_where_tenths_would_be_another_length(
-    qgis_app: QgsApplication, metres: float, shown: str
-) -> None:
-    assert shown_metres(metres) == shown

@@ -3,24 +3,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import pytest
-from qgis.core import QgsApplication, QgsProcessingProvider
+from qgis.core import QgsProcessingProvider
 from seam_inspector.plugin.acceptance.measure.acceptance_rules import load_acceptance_rules, ready_files
 from seam_inspector.plugin.provider import SeamInspectorProvider
 from seam_inspector.plugin.radiometry.measure.rules import load_rules, ready_rule_files
 from seam_inspector.plugin.toolkit.algorithms.parameters import in_users_language
-from seam_inspector.plugin.toolkit.translation import Translation
 
 
-@pytest.fixture
-def polish(monkeypatch: pytest.MonkeyPatch, qgis_app: QgsApplication) -> object:
-    monkeypatch.setattr(QgsApplication, "locale", staticmethod(lambda: "pl"))
-    made = Translation()
-    yield made
-    made.remove()
-
-
-def test_ready_rules_and_their_sources_are_polish(polish: object) -> None:
+def test_ready_rules_and_their_sources_are_polish(polish: None) -> None:
     known = [load_acceptance_rules(path) for path in ready_files().values()]
     for rules in known:
         worded = in_users_language(rules)
@@ -32,13 +22,13 @@ def test_ready_rules_and_their_sources_are_polish(polish: object) -> None:
         assert in_users_language(load_rules(path)).name.startswith("specyfikacja JRC")
 
 
-def test_a_contracts_own_words_stay(polish: object) -> None:
+def test_a_contracts_own_words_stay(polish: None) -> None:
     rules = load_rules(next(iter(ready_rule_files().values())))
-    own = replace(rules, name="Umowa 12/2026 {x}")
-    assert in_users_language(own).name == own.name
+    contract = replace(rules, name="Umowa 12/2026 {x}")
+    assert in_users_language(contract).name == contract.name
 
 
-def test_the_ready_model_speaks_polish(polish: object, provider: QgsProcessingProvider) -> None:
+def test_the_ready_model_speaks_polish(polish: None, provider: QgsProcessingProvider) -> None:
     made = SeamInspectorProvider()
     made.refreshAlgorithms()
     model = made.algorithm("inspect_mosaic")
@@ -46,11 +36,6 @@ def test_the_ready_model_speaks_polish(polish: object, provider: QgsProcessingPr
     assert model.group() == "Kontrola linii mozaikowania"
     assert "linii mozaikowania" in model.shortHelpString()
     copy = model.create()
-    names = {one.name(): one.description() for one in copy.parameterDefinitions()}
+    names = {definition.name(): definition.description() for definition in copy.parameterDefinitions()}
     assert names["mosaic"] == "Ortofotomapa"
     assert names["inspect:windows"] == "Skontrolowane okna"
-
-
-def test_the_ready_model_in_english(provider: QgsProcessingProvider) -> None:
-    model = provider.algorithm("inspect_mosaic")
-    assert (model.displayName(), model.group()) == ("Inspect mosaic", "Seam inspection")

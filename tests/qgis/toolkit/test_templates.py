@@ -2,28 +2,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
 from datetime import date
-from pathlib import Path
 
 import numpy as np
 import pytest
 from jinja2 import UndefinedError
 from qgis.core import QgsCoordinateReferenceSystem
-from seam_inspector.plugin.imagery.errors import SettingsError, printable
+from seam_inspector.plugin.imagery.errors import printable
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.report.map_sketch import SketchBackground, SketchShape, map_sketch
 from seam_inspector.plugin.toolkit.pages.picture_files import encoded
 from seam_inspector.plugin.toolkit.pages.templates import (
     HowMeasured,
-    MeasuredRaster,
     each_raster,
     environment,
     measured_raster,
-    save_page,
 )
 
-from tests.pages import Outline, outline
+from tests.pages import outline
 
 EVIL = "<script>alert(\"1\")</script> & 'Söhne' {{7*7}} \u202egnp.exe\x01\udcff"
 SHOWN = printable(EVIL)
@@ -60,18 +56,6 @@ def test_words_of_users_never_become_markup() -> None:
     assert read.words.count(SHOWN) == 10
     assert read.links == [f"#{SHOWN}"]
     assert read.captions == [SHOWN, SHOWN]
-
-
-def test_words_of_users_become_no_markup_where_it_is_decided_and_told_how() -> None:
-    how = HowMeasured([(EVIL, EVIL)], [MeasuredRaster(EVIL, EVIL, EVIL)])
-    text = page(
-        "{{ decision('good', evil, evil) }}{{ key_figures([(evil, evil)]) }}{{ signatures([evil]) }}{{ mark(evil) }}"
-        "{{ marked_notes([evil]) }}{{ note(evil) }}{{ facts_table([(evil, evil), ('nothing', '')]) }}",
-        how, evil=EVIL,
-    )  # fmt: skip
-    assert "<script" not in text
-    assert outline(text).words.count(SHOWN) == 10 + 5
-    assert "nothing" not in text
 
 
 def test_a_title_at_the_foot_of_the_page_is_words_alone() -> None:
@@ -126,47 +110,3 @@ def test_a_page_needs_no_network() -> None:
     assert "url(" not in text
     assert "@import" not in text
     assert "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" in text
-
-
-def test_numbers_stand_to_the_right() -> None:
-    rows = [("a", 0.5, "3 %"), ("b", None, "12.5 %")]
-    text = page("{{ table(['name', 'ratio', 'share'], rows) }}", rows=rows)
-    assert text.count('class="number"') == 6  # two columns of a heading and two rows
-    assert outline(text).rows[1:3] == [["a", "0.5", "3 %"], ["b", "", "12.5 %"]]
-    assert 'class="number"' not in page("{{ table(['nothing'], []) }}")
-
-
-# --- files -----------------------------------------------------------------------------------------------------
-
-
-def rows(count: int, then: type[Exception] | None = None) -> Iterator[tuple[object, ...]]:
-    for number in range(count):
-        yield "image", 1, 0, 0, f"check {number}"
-    if then is not None:
-        raise then
-
-
-def save(path: Path, images: Iterable[object] = ()) -> Outline:
-    """A report whose images come one by one."""
-    save_page(
-        path, "radiometry", HowMeasured(), verdict=("good", "passed", ""), sources=[], overview=list(rows(3)),
-        notices=[], balance=[], balance_chart=None, images=images, area_side=1, seam_near=1, seam_far=2, seam_station=3,
-    )  # fmt: skip
-    return outline(path.read_text(encoding="utf-8"))
-
-
-def test_an_error_on_the_way_leaves_the_older_page(tmp_path: Path) -> None:
-    path = tmp_path / "report.html"
-    assert ["image", "1", "0", "0", "check 2"] in save(path).rows
-    before = path.read_bytes()
-    with pytest.raises(ZeroDivisionError):
-        save(path, rows(0, ZeroDivisionError))
-    assert path.read_bytes() == before
-    with pytest.raises(ZeroDivisionError):
-        save(tmp_path / "new.html", rows(0, ZeroDivisionError))
-    assert [one.name for one in tmp_path.iterdir()] == ["report.html"]
-
-
-def test_a_page_that_can_not_be_written_is_told(tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match="can't be written"):
-        save(tmp_path / "none" / "report.html")

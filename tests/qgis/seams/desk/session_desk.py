@@ -124,9 +124,9 @@ class Desk:
         return {row.window_id: row for row in self.session.windows()}
 
     def layer(self) -> QgsVectorLayer:
-        found = self.session.window_layer()
-        assert found is not None
-        return found
+        result = self.session.window_layer()
+        assert result is not None
+        return result
 
     def move(self, fid: int, shape: QgsGeometry) -> None:
         """Move a window as its operator does, with QGIS's pencil."""

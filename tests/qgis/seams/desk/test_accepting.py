@@ -7,9 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
-from qgis.gui import QgisInterface, QgsProcessingAlgorithmDialogBase
-from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QTimer
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.desk import accepting
@@ -38,9 +35,9 @@ class Delivery:
     def scan(self, folder: Path) -> None:
         """The layer of a scan, which the desk takes for its last one."""
         path = file(seams([0.9, 0.3, 0.9, 0.9]), folder / "seams.gpkg")
-        found = QgsVectorLayer(path, "worst", "ogr")
-        found.setCustomProperty("seam_inspector/mosaic", self.mosaic.id())
-        self.project.addMapLayer(found)
+        result = QgsVectorLayer(path, "worst", "ogr")
+        result.setCustomProperty("seam_inspector/mosaic", self.mosaic.id())
+        self.project.addMapLayer(result)
 
     def save(self, folder: Path) -> None:
         folder.mkdir()
@@ -98,31 +95,6 @@ def page(delivery: Delivery, tmp_path: Path) -> Iterator[AcceptPage]:
     settle()
 
 
-def test_all_settings_are_those_of_the_algorithm(page: AcceptPage, qgis_iface: QgisInterface,
-                                                 monkeypatch: pytest.MonkeyPatch) -> None:
-    """In QGIS's own form, which is gone once it is closed."""
-    from processing.gui import AlgorithmDialog, ParametersPanel
-    from processing.tools import general
-
-    for module in (general, AlgorithmDialog):
-        monkeypatch.setattr(module, "iface", qgis_iface)
-    monkeypatch.setattr(ParametersPanel, "iface", None)
-    forms, reports = [], []
-
-    def close() -> None:
-        for form in QgsApplication.instance().topLevelWidgets():
-            if isinstance(form, QgsProcessingAlgorithmDialogBase):
-                forms.append(form)
-                reports.append(form.createProcessingParameters()["REPORT"])
-                form.close()
-
-    QTimer.singleShot(0, close)
-    page._open_form()
-    settle()
-    assert [Path(report).name for report in reports] == ["ortho_5_report.html"]
-    assert [sip.isdeleted(form) for form in forms] == [True]
-
-
 def decided(page: AcceptPage) -> str:
     """What the page says once it has decided."""
     page.decide()
@@ -159,17 +131,3 @@ def test_other_limits_decide_anew_and_replace_no_document(page: AcceptPage, tmp_
     page.save(tmp_path / "project")
     assert (tmp_path / "project" / "ortho_5_report_2.html").is_file()
     assert (tmp_path / "project" / "ortho_5_report.html").read_bytes() == before
-
-
-def test_the_page_goes_with_its_project(page: AcceptPage, delivery: Delivery) -> None:
-    delivery.project.clear()
-    settle()
-    assert sip.isdeleted(page)
-
-
-def test_without_a_scan_nothing_can_be_decided(delivery: Delivery) -> None:
-    dock = QWidget()
-    page = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock)
-    assert not page.decider.isEnabled()
-    dock.deleteLater()
-    settle()

@@ -1,97 +1,50 @@
 """The curves panel shows the selected windows, draws no more than it must, and saves what it shows."""
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from qgis.core import QgsProject, QgsVectorLayer
-from qgis.PyQt.QtCore import QEvent, QObject, QPointF, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QPointF, Qt
 from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.charts.chart_curves import (
-    ChartCurve,
-    numbered,
-    point_words,
-    share_text,
-    share_ticks,
-    significance_limit,
-)
-from seam_inspector.plugin.seams.charts.curves_painter import COMPOSITE_DASHES, CurvesPainter, curve_look
+from seam_inspector.plugin.seams.charts.curves_painter import CurvesPainter
 from seam_inspector.plugin.seams.desk.charts.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
-from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowClips, WindowCurves, WindowResult
+from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
 from seam_inspector.plugin.toolkit.desk.theme import chart_style, contrast
 
+from tests.qgis.seams.desk.windows_session import WindowsSession
+
 BANDS = ("luminance", "red", "green", "blue")
 
 
-class Inputs:
-    """What the panel reads of a session's inputs."""
-
-    max_ratio = 0.5
-    reference = "sources"
-
-
-class FakeSession(QObject):
+class CurvesSession(WindowsSession):
     """A session that holds what the test puts into it."""
-
-    inputsChanged = pyqtSignal()
-    windowsChanged = pyqtSignal()
-    selectionChanged = pyqtSignal()
-    liveChanged = pyqtSignal()
-    curvesArrived = pyqtSignal(int)
-    resultArrived = pyqtSignal(int)
-    progressChanged = pyqtSignal(int, int)
-    messageRaised = pyqtSignal(str, int)
 
     def __init__(self) -> None:
         super().__init__()
-        self.inputs = Inputs()
         self.is_busy = False
-        self.live: LiveWindow | None = None
-        self.results: dict[int, WindowResult] = {}
-        self.first: dict[int, WindowClips] = {}
-        self.rows_by_fid: dict[int, WindowRecord] = {}
-        self.fids: list[int] = []
+        self.inputs = replace(self.inputs, max_ratio=0.5, reference="sources")
 
     def add(self, fid: int, result: WindowResult) -> None:
         self.results[fid] = result
-        self.rows_by_fid[fid] = WindowRecord(result.window_id, None, result.judgement.verdict.value)
+        row = WindowRecord(result.window_id, None, result.judgement.verdict.value, fid=fid)
+        self.rows = [*(other for other in self.rows if other.fid != fid), row]
         self.resultArrived.emit(fid)
 
-    def select(self, fids: list[int]) -> None:
-        self.fids = fids
-        self.selectionChanged.emit()
-
-    def selected(self) -> list[int]:
-        return self.fids
-
-    def result(self, fid: int) -> WindowResult | None:
-        return self.results.get(fid)
-
     def clips(self, fid: int) -> WindowCurves | None:
-        return self.results.get(fid) or self.first.get(fid)
+        return self.results.get(fid)
 
     def is_pending(self, fid: int) -> bool:
         return self.is_busy
-
-    def row(self, fid: int) -> WindowRecord | None:
-        return self.rows_by_fid.get(fid)
-
-
-def make_row(window_id: int) -> WindowRecord:
-    return WindowRecord(window_id, None)
 
 
 def make_curve(level_1: float) -> Curve:
@@ -135,12 +88,12 @@ def wait_for_timer(panel: CurvesPanel) -> None:
 
 
 @pytest.fixture
-def session(qgis_app: object) -> FakeSession:
-    return FakeSession()
+def session(qgis_app: object) -> CurvesSession:
+    return CurvesSession()
 
 
 @pytest.fixture
-def panel(session: FakeSession) -> Iterator[CurvesPanel]:
+def panel(session: CurvesSession) -> Iterator[CurvesPanel]:
     made = CurvesPanel(session)
     made.resize(420, 300)
     made.show()
@@ -199,7 +152,7 @@ def ink(panel: CurvesPanel, row: int) -> float:
     return max(contrast(QColor(colour), back) for colour in colours)
 
 
-def select_one(session: FakeSession, result: WindowResult | None = None) -> None:
+def select_one(session: CurvesSession, result: WindowResult | None = None) -> None:
     session.add(1, result or make_result())
     session.select([1])
     settle()
@@ -208,10 +161,10 @@ def select_one(session: FakeSession, result: WindowResult | None = None) -> None
 # words in place of the chart
 
 
-def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: CurvesPanel) -> None:
+def test_it_says_why_there_is_nothing_to_draw(session: CurvesSession, panel: CurvesPanel) -> None:
     assert text_of(panel).startswith("Select a window")
 
-    session.rows_by_fid[1] = WindowRecord(12, None)
+    session.rows = [WindowRecord(12, None, fid=1)]
     session.select([1])
     settle()
     assert text_of(panel) == "Not inspected yet"
@@ -232,33 +185,10 @@ def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: Curve
     assert panel._save.isEnabled()
 
 
-def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: FakeSession, panel: CurvesPanel) -> None:
-    session.rows_by_fid = {
-        1: WindowRecord(12, None, "reduced"), 2: WindowRecord(13, None, "not_comparable", "No source here.")
-    }
-    session.select([1])
-    settle()
-    assert "Inspect again" in text_of(panel)
-    session.select([2])
-    settle()
-    assert text_of(panel) == "No source here."
-
-
-def test_it_needs_no_matplotlib(repository: Path) -> None:
-    code = (
-        "import sys, qgis.core, qgis.gui; qgis_has = set(sys.modules); "  # newer ones bring numpy
-        "import seam_inspector.plugin.seams.desk.charts.curves_panel; "
-        "print([m for m in ('matplotlib', 'numpy', 'pywt') if m in sys.modules and m not in qgis_has])"
-    )
-    environment = {**os.environ, "PYTHONPATH": str(repository / "build" / "plugins")}
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
-    assert done.stdout.strip() == "[]"
-
-
 # the chart
 
 
-def test_one_window_shows_mosaic_sources_and_limit(session: FakeSession, panel: CurvesPanel) -> None:
+def test_one_window_shows_mosaic_sources_and_limit(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert labels(panel) == [
         "mosaic.tif", "ortho_2024_flight_0412_0031.tif", "ortho_2024_flight_0412_0032.tif", "limit",
@@ -276,15 +206,7 @@ def test_one_window_shows_mosaic_sources_and_limit(session: FakeSession, panel: 
     assert panel._status.text() == "Window 12"
 
 
-def test_the_limit_follows_the_inputs(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    session.inputs.max_ratio = 0.8
-    session.inputsChanged.emit()
-    settle()
-    assert painter(panel).limit == pytest.approx(0.8 * 0.039)
-
-
-def test_values_under_the_mouse(session: FakeSession, panel: CurvesPanel) -> None:
+def test_values_under_the_mouse(session: CurvesSession, panel: CurvesPanel) -> None:
     panel.resize(900, 300)
     select_one(session)
     point_at(panel, (0, 0))
@@ -297,16 +219,7 @@ def test_values_under_the_mouse(session: FakeSession, panel: CurvesPanel) -> Non
     assert panel._status.text() == "Window 12"
 
 
-def test_where_it_is_narrow_the_name_is_elided_and_not_the_value(session: FakeSession, panel: CurvesPanel) -> None:
-    panel.resize(330, 240)
-    select_one(session)
-    point_at(panel, (1, 0))
-    assert panel._status.text().endswith(", level 1: 0.0390 (mosaic: 41 % of it)")
-    assert "ortho_2024_flight_0412_0031.tif" not in panel._status.text()
-    assert "ortho_2024_flight_0412_0031.tif" in panel._status.toolTip()
-
-
-def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: CurvesPanel) -> None:
+def test_a_hidden_raster_stays_hidden_by_its_name(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     name = "ortho_2024_flight_0412_0031.tif"
     panel._legend.itemClicked.emit(panel._legend.item(1))
@@ -325,16 +238,7 @@ def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: C
     assert name in labels(panel)
 
 
-def test_the_limit_in_the_legend_cannot_be_hidden(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    last = panel._legend.item(panel._legend.count() - 1)
-    assert last.text() == "limit"
-    panel._legend.itemClicked.emit(last)
-    settle()
-    assert len(labels(panel)) == 4
-
-
-def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, panel: CurvesPanel) -> None:
+def test_a_source_keeps_its_colour_from_window_to_window(session: CurvesSession, panel: CurvesPanel) -> None:
     whole = make_result(sources=3)
     select_one(session, whole)
     colour = seen(panel, (3, 1))
@@ -345,7 +249,7 @@ def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, p
     assert seen(panel, (1, 1)) == colour
 
 
-def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, panel: CurvesPanel) -> None:
+def test_the_band_is_kept_while_there_is_one_of_that_name(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert [panel._bands.itemText(i) for i in range(panel._bands.count())] == ["luminance", "red", "green", "blue"]
     panel._bands.activated.emit(2)
@@ -364,33 +268,10 @@ def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, 
     assert panel._bands.itemText(4) == "near infrared"
 
 
-def test_of_several_windows_nothing_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
-    for fid in (1, 2):
-        session.add(fid, make_result(fid))
-    session.select([1, 2])
-    settle()
-    assert text_of(panel) == "Select one window to see its curves."
-
-
-def test_constant_clips_and_sources_without_detail_are_drawn_as_far_as_they_go(
-    session: FakeSession, panel: CurvesPanel
-) -> None:
-    nan = float("nan")
-    result = make_result()
-    odd = (
-        ClipResult("constant.tif", "source", dict.fromkeys(BANDS, Curve((nan, nan, nan), nan, 0.0))),
-        ClipResult("smooth.tif", "source", dict.fromkeys(BANDS, Curve((0.0, 0.0, 0.1), 0.9, 5.0))),
-    )
-    select_one(session, replace(result, clips=(*result.clips, *odd)))
-    assert place_of(panel, (3, 0)) is None
-    assert place_of(panel, (4, 0)) is None
-    assert place_of(panel, (4, 2)) is not None
-
-
 # when it draws
 
 
-def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel) -> None:
+def test_it_draws_only_what_has_changed(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     settle(8)
     shown: list[object] = []
@@ -408,42 +289,7 @@ def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel
     assert painter(panel).axes == axes
 
 
-def test_out_of_sight_nothing_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    settle(8)
-    panel.hide()
-    before = panel._chart.chart
-    session.add(1, make_result(level_1=0.03))
-    settle()
-    assert panel._chart.chart is before
-    panel.show()
-    settle()
-    assert panel._chart.chart.curves[0].detail[0] == 0.03
-
-
-def test_it_can_be_deleted_while_the_session_goes_on(session: FakeSession) -> None:
-    panel = CurvesPanel(session)
-    panel.show()
-    select_one(session)
-    panel.close()
-    panel.deleteLater()
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    session.add(1, make_result(level_1=0.03))
-    session.select([])
-    settle()
-
-
-def test_the_curve_under_the_mouse_stands_out(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    plain = panel._chart.grab().toImage()
-    point_at(panel, (1, 0))
-    assert panel._chart.grab().toImage() != plain
-    QApplication.sendEvent(panel._chart, QEvent(QEvent.Type.Leave))
-    settle()
-    assert panel._chart.grab().toImage() == plain
-
-
-def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: CurvesPanel) -> None:
+def test_it_takes_its_colours_from_the_palette(session: CurvesSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert seen(panel, (2, 1)) == QColor(PAPER.sources[1])
     dark = QPalette(panel.palette())
@@ -454,33 +300,6 @@ def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: Curv
     assert seen(panel, (2, 1)) == QColor(DARK.sources[1])
     image = panel._chart.grab().toImage()
     assert image.pixelColor(1, 1).name() == "#232629"
-
-
-def test_at_any_size_the_axes_are_inside(session: FakeSession, panel: CurvesPanel) -> None:
-    select_one(session, make_result(sources=10))
-    for width, height in ((420, 240), (300, 200), (1600, 240), (420, 900)):
-        panel.resize(width, height)
-        settle()
-        placed = painter(panel)
-        assert placed.axes.width() > 60
-        assert placed.axes.height() > 40
-        last = placed.x_of(3) + placed.metrics.horizontalAdvance("background") / 2
-        assert last <= panel._chart.width()
-
-
-@pytest.mark.parametrize("width", [420, 1000])
-def test_the_legend_is_below_the_chart(session: FakeSession, panel: CurvesPanel, width: int) -> None:
-    font = panel.font()
-    font.setPixelSize(12)
-    panel.setFont(font)
-    panel.resize(width, 400)
-    select_one(session, make_result(sources=5))
-    chart, legend = panel._chart.geometry(), panel._legend.geometry()
-    assert legend.top() > chart.bottom()
-    assert chart.width() * chart.height() > 0.6 * panel._pages.width() * panel._pages.height()
-    columns = {panel._legend.visualItemRect(panel._legend.item(row)).left() for row in range(panel._legend.count())}
-    assert len(columns) > 1
-    assert panel._legend.verticalScrollBar().maximum() == 0
 
 
 # save
@@ -497,7 +316,7 @@ def save(panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, path: Path) -> lis
 
 @pytest.mark.parametrize("ending", ["png", "svg"])
 def test_no_layer_of_the_project_is_written_over(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, project: QgsProject,
+    session: CurvesSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, project: QgsProject,
     ending: str,
 ) -> None:
     select_one(session)
@@ -510,75 +329,10 @@ def test_no_layer_of_the_project_is_written_over(
 
 @pytest.mark.parametrize(("name", "start"), [("a.png", b"\x89PNG"), ("a.svg", b"<?xml"), ("a", b"\x89PNG")])
 def test_pictures(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, start: bytes
+    session: CurvesSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, start: bytes
 ) -> None:
     select_one(session)
     said = save(panel, monkeypatch, tmp_path / name)
     path = tmp_path / (name if "." in name else f"{name}.png")
     assert path.read_bytes().startswith(start)
     assert said == [f"The picture was saved to {path}."]
-
-
-def test_a_folder_that_is_not_there_is_said(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    select_one(session)
-    (said,) = save(panel, monkeypatch, tmp_path / "gone" / "curves.png")
-    assert "not saved" in said
-
-
-# words and numbers
-
-
-@pytest.mark.parametrize(
-    ("low", "room", "ticks"),
-    [
-        (0.01, 20, [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1]), (0.01, 7, [0.01, 0.03, 0.1, 0.3, 1]),
-        (0.01, 5, [0.01, 0.1, 1]), (1e-6, 2, [1e-5, 0.01]),
-    ],
-)  # fmt: skip
-def test_ticks_are_round_and_no_more_than_there_is_room_for(
-    low: float, room: float, ticks: list[float]
-) -> None:
-    assert share_ticks(low, 1.25, room) == pytest.approx(ticks)
-
-
-@pytest.mark.parametrize(
-    ("share", "text"),
-    [(0.016, "0.0160"), (0.412, "0.412"), (0.000521, "0.000521"), (1.0, "1.00"), (0.0, "0"), (float("nan"), "nan")],
-)
-def test_shares_have_three_digits_that_count(share: float, text: str) -> None:
-    assert share_text(share) == text
-
-
-def test_the_limit_is_that_of_the_least_sharp_source_with_detail() -> None:
-    def curve(name: str, share: float) -> ChartCurve:
-        return ChartCurve(name, name == "m", (share,), 1 - share)
-
-    curves = [curve("m", 0.1), curve("a", 0.4), curve("b", 0.3), curve("empty", 0.0)]
-    assert significance_limit(curves, 0.5) == pytest.approx(0.15)
-    assert significance_limit(curves[:1], 0.5) is None
-    assert point_words(curves[:1], 0, 0) == ("m", ", level 1: 0.100")
-    assert point_words(curves, 0, 0)[1].endswith("(33 % of the least sharp source)")
-
-
-def test_the_composite_is_the_limit_where_the_verdict_is_taken_against_it() -> None:
-    mosaic, source = ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7)
-    beside = ChartCurve("c", False, (0.2,), 0.8, is_composite=True)
-    curves = [mosaic, source, beside]
-    assert significance_limit(curves, 0.5) == pytest.approx(0.15)
-    assert point_words(curves, 2, 0) == ("c", ", level 1: 0.200 (mosaic: 50 % of it)")
-    judged = [mosaic, source, replace(beside, is_reference=True)]
-    assert significance_limit(judged, 0.5) == pytest.approx(0.1)
-    assert point_words(judged, 0, 0)[1].endswith("(50 % of the composite)")
-
-
-def test_the_composite_is_dashed_in_the_colour_of_words() -> None:
-    curves = [
-        ChartCurve("m", True, (0.1,), 0.9), ChartCurve("a", False, (0.3,), 0.7), ChartCurve("b", False, (0.3,), 0.7),
-        ChartCurve("c", False, (0.2,), 0.8, is_composite=True),
-    ]  # fmt: skip
-    looks = [curve_look(curve, number, PAPER) for number, curve in numbered(curves)]
-    assert looks[0] == (PAPER.text, Qt.PenStyle.SolidLine)
-    assert [look[0] for look in looks[1:3]] == list(PAPER.sources[:2])
-    assert looks[3] == (PAPER.text, COMPOSITE_DASHES)

@@ -83,27 +83,6 @@ def test_the_next_window_begins_with_the_mosaic_and_its_hard_cut_lies_ready(map_
     assert not map_.flicker.is_shown
 
 
-def test_nothing_of_it_is_left_in_a_new_project(map_: _Map) -> None:
-    map_.tap()
-    map_.wait_for_cut()
-    QgsProject.instance().clear()
-    assert not map_.flicker.is_shown
-    assert map_.flicker.hard_cut.layer is None
-    assert "hard cut" not in map_.names()
-
-
-def test_it_goes_with_the_mosaic(map_: _Map) -> None:
-    map_.tap()
-    QgsProject.instance().removeMapLayer(map_.desk.mosaic.id())
-    assert not map_.flicker.is_shown
-
-
-def test_another_layer_is_no_reason_to_hide_it(map_: _Map) -> None:
-    map_.tap()
-    map_.desk.raster(Path(map_.desk.sources[0].source()))
-    assert map_.flicker.is_shown
-
-
 @pytest.mark.slow
 def test_what_lies_on_the_map_goes_with_judging_and_with_the_desk(plugin: Any, scene: Scene, tmp_path: Path) -> None:
     action_of(plugin).trigger()

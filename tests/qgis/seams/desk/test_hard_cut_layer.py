@@ -1,7 +1,6 @@
 """The composite as a layer: the mosaic's own bands and pixels, but for those of the composite."""
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -36,20 +35,10 @@ def test_bands_lie_where_the_mosaic_has_them(tmp_path: Path, dtype: str, qgis_ap
     target = tmp_path / "composite.tif"
     write_composite(composite, WindowRequest(1, mosaic, (), WINDOW, InspectionSettings()), str(target))
     written = gdal.Open(str(target))
-    found = written.ReadAsArray()
-    assert found.dtype == np.dtype(dtype)
-    assert [int(band.min()) for band in found[:3]] == [int(band.max()) for band in found[:3]] == [30, 120, 210]
-    assert np.array_equal(found[3], pixels[3, 32:128, 64:192])
+    result = written.ReadAsArray()
+    assert result.dtype == np.dtype(dtype)
+    assert [int(band.min()) for band in result[:3]] == [int(band.max()) for band in result[:3]] == [30, 120, 210]
+    assert np.array_equal(result[3], pixels[3, 32:128, 64:192])
     left, _, _, top = mosaic.grid.window_extent(WINDOW)
     assert written.GetGeoTransform()[::3] == pytest.approx((left, top))
     assert looks_alike(QgsRasterLayer(str(target), "composite"), QgsRasterLayer(str(path), "mosaic"))
-
-
-def test_a_mosaic_of_one_band(tmp_path: Path) -> None:
-    path = tmp_path / "mosaic.tif"
-    write_raster(path, orthoimage((256, 512), 1))
-    mosaic = describe_mosaic(RasterRef(str(path)))
-    request = WindowRequest(1, mosaic, (), WINDOW, InspectionSettings())
-    composite = WindowComposite(mosaic.band_names, np.full((1, 96, 128), 77, np.uint8))
-    write_composite(composite, replace(request), str(tmp_path / "composite.tif"))
-    assert set(np.unique(gdal.Open(str(tmp_path / "composite.tif")).ReadAsArray())) == {77}

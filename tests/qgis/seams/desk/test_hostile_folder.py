@@ -8,9 +8,6 @@ from pathlib import Path
 
 import pytest
 from qgis.core import (
-    QgsGeometry,
-    QgsLineString,
-    QgsPolygon,
     QgsProject,
 )
 from seam_inspector.plugin.resolution.line_layers import create_bar_layer
@@ -22,8 +19,6 @@ from seam_inspector.plugin.seams.tables.window_file import count_windows
 from seam_inspector.plugin.toolkit.geopackages import free_path
 
 from tests.numbers.synthetic import UTM33, wkt
-from tests.qgis.scenes import layer
-from tests.qgis.seams.desk.session_desk import Desk
 
 
 @pytest.mark.skipif(os.name == "nt", reason="links and pipes of POSIX")
@@ -60,12 +55,6 @@ def test_a_scan_takes_no_names_that_are_taken(tmp_path: Path) -> None:
 def test_numbers_that_no_box_can_show_are_no_settings(qgis_app: object, value: float) -> None:
     project = QgsProject()
     for key, kind in (("inputs", Inputs), ("judging", JudgingSettings)):
-        project.writeEntry("SeamInspector", key, json.dumps(dict.fromkeys([one.name for one in fields(kind)], value)))
+        project.writeEntry("SeamInspector", key, json.dumps(dict.fromkeys([item.name for item in fields(kind)], value)))
     assert load_inputs(project) == Inputs()
     assert load_judging(project) == JudgingSettings()
-
-
-def test_a_window_of_coordinates_that_are_no_numbers_has_no_outline(desk: Desk) -> None:
-    nowhere = QgsGeometry(QgsPolygon(QgsLineString([float("nan")] * 4, [float("nan")] * 4)))
-    desk.use(layer("Polygon", [nowhere]))
-    assert [row.extent for row in desk.rows().values()] == [None]

@@ -3,10 +3,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
-from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
 
@@ -43,7 +41,7 @@ def choose(panel: ImagesPanel, name: str) -> None:
 
 def words(panel: ImagesPanel) -> list[str]:
     """What the two maps say they show."""
-    return [one.outline._items.label.text() for one in (panel.mosaic, panel.other)]
+    return [item.outline._items.label.text() for item in (panel.mosaic, panel.other)]
 
 
 def test_the_mosaic_stands_beside_the_hard_cut_and_any_source(panel: ImagesPanel, desk: Desk) -> None:
@@ -65,8 +63,8 @@ def test_the_mosaic_stands_beside_the_hard_cut_and_any_source(panel: ImagesPanel
 
 def test_it_is_looked_at_at_2x_and_both_maps_move_as_one(panel: ImagesPanel) -> None:
     settle(0.3)
-    for one in (panel.mosaic, panel.other):
-        assert one.mapUnitsPerPixel() == pytest.approx(PIXEL / 2, rel=1e-6)
+    for item in (panel.mosaic, panel.other):
+        assert item.mapUnitsPerPixel() == pytest.approx(PIXEL / 2, rel=1e-6)
     panel.other.setExtent(panel.other.extent().scaled(3))
     assert panel.mosaic.mapUnitsPerPixel() == pytest.approx(1.5 * PIXEL, rel=1e-6)
     centre = panel.mosaic.center()
@@ -96,17 +94,6 @@ def test_lost_detail_lies_over_both_where_it_is_asked_for(panel: ImagesPanel, de
     assert not panel.other.loss.pictures
 
 
-def test_another_kind_of_bands_keeps_its_own_stretch(panel: ImagesPanel, desk: Desk, tmp_path: Path) -> None:
-    path = tmp_path / "deep.tif"
-    gdal.Translate(str(path), desk.sources[0].source(), outputType=gdal.GDT_UInt16)
-    deep = desk.raster(path)
-    desk.session.set_inputs(replace(desk.session.inputs, sources=(deep.id(),)))
-    wait_until(lambda: panel.choice.findText("deep.tif") > 0, "for the other source")
-    choose(panel, "deep.tif")
-    compared(panel)
-    assert words(panel)[1] == "deep.tif (its own stretch)"
-
-
 def test_without_a_window_a_mosaic_or_a_source_it_says_so(panel: ImagesPanel, desk: Desk) -> None:
     desk.session.set_inputs(replace(desk.session.inputs, sources=()))
     wait_until(panel._hint.isVisible, "for the sources to go")
@@ -118,14 +105,3 @@ def test_without_a_window_a_mosaic_or_a_source_it_says_so(panel: ImagesPanel, de
     QgsProject.instance().removeMapLayer(desk.mosaic.id())
     settle()
     assert panel._hint.isVisible()
-
-
-def test_out_of_sight_nothing_is_opened(desk: Desk) -> None:
-    desk.set(desk.inputs())
-    desk.session.select([desk.add()])
-    hidden = ImagesPanel(desk.session)
-    desk.session.selectionChanged.emit()
-    settle(0.2)
-    assert hidden.compared.layer is None
-    assert not hidden.mosaic.layers()
-    hidden.close()

@@ -11,24 +11,20 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QColor, QPalette
-from qgis.PyQt.QtWidgets import QApplication, QLineEdit, QStyleOptionViewItem
+from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.toolkit.desk.theme import contrast
 
 from tests.numbers.synthetic import ORIGIN, write_raster
 from tests.qgis.scenes import PIXEL, Scene, layer, line, outline, whole
 from tests.qgis.seams.desk.fake_session import FakeSession
-
-GONE = "sheet_144_c0ffcfeb_70d2_4cb8_bb70_bc0774454265"  # the id of a layer that was removed
 
 
 def noisy(scene: Scene) -> list[np.ndarray]:
     """Both sources with the noise and the lean of heights that tell two flights apart."""
     random = np.random.default_rng(3)
     both = (whole(scene.west), np.roll(whole(scene.east), 3, axis=2))
-    return [np.clip(one + random.normal(0, 12, one.shape), 1, 255).astype(np.uint8) for one in both]
+    return [np.clip(item + random.normal(0, 12, item.shape), 1, 255).astype(np.uint8) for item in both]
 
 
 class Desk:
@@ -146,16 +142,6 @@ def test_sources_that_somebody_set_stay_whatever_is_suggested(desk: Desk, scene:
     assert desk.sources == {"east", "west"}
 
 
-def test_another_mosaic_of_the_same_block_keeps_the_sources(desk: Desk, scene: Scene) -> None:
-    other = QgsRasterLayer(str(scene.mosaic), "other")
-    QgsProject.instance().addMapLayer(other)
-    desk.set_all()
-    desk.check("west", False)
-    desk.choose("mosaic", other.id())
-    assert desk.session.inputs.mosaic == other.id()
-    assert desk.sources == {"east"}
-
-
 def test_sources_are_checked_one_by_one_all_and_none(desk: Desk) -> None:
     desk.set_all()
     desk.check("west", False)
@@ -164,28 +150,6 @@ def test_sources_are_checked_one_by_one_all_and_none(desk: Desk) -> None:
     assert desk.sources == set()
     desk.panel.sources.suggested.click()
     assert desk.sources == {"east", "west"}
-
-
-def test_rasters_loaded_later_become_sources_unless_the_operator_chose(desk: Desk, scene: Scene) -> None:
-    desk.choose("mosaic", desk.id("mosaic"))
-    east = desk.rasters["east"].source()
-    more = QgsRasterLayer(east, "more")
-    QgsProject.instance().addMapLayer(more)
-    assert more.id() in desk.session.inputs.sources
-    desk.check("more", False)
-    QgsProject.instance().addMapLayer(QgsRasterLayer(east, "yet more"))
-    assert desk.sources == {"east", "west"}
-
-
-def test_missing_source_is_shown_in_italics_until_it_is_unchecked(desk: Desk) -> None:
-    desk.set_all()
-    desk.session.set_inputs(replace(desk.session.inputs, sources=(*desk.session.inputs.sources, GONE)))
-    assert desk.listed() == {"missing: sheet_144": True, "east": True, "west": True}
-    assert desk.panel.sources.list.item(0).font().italic()
-    assert desk.panel.box.toolTip() == "mosaic · 2 sources · 1 missing"
-    desk.check("missing: sheet_144", False)
-    assert desk.sources == {"east", "west"}
-    assert desk.listed() == {"east": True, "west": True}
 
 
 def test_layers_that_are_removed_stay_in_the_inputs_as_missing(desk: Desk) -> None:
@@ -204,17 +168,6 @@ def test_layers_that_are_removed_stay_in_the_inputs_as_missing(desk: Desk) -> No
     desk.panel.seamlines.setCurrentIndex(0)
     desk.panel.seamlines.activated.emit(0)
     assert desk.session.inputs.seamlines == ""
-
-
-def test_boxes_offer_what_fits(desk: Desk) -> None:
-    vector("Polygon", "cells")
-    vector("Polygon", "tiles", location=("string", ["a.tif"]))
-    vector("LineString", "seams")
-    vector("Point", "points")
-    assert offered(desk.panel.mosaic) == ["choose the mosaic", "east", "mosaic", "west"]
-    assert offered(desk.panel.index) == ["none", "tiles"]
-    assert offered(desk.panel.seamlines) == ["none", "cells", "seams", "tiles"]
-    assert offered(desk.panel.windows) == ["new layer", "cells", "tiles"]
 
 
 def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
@@ -256,17 +209,6 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
     assert desk.session.inputs == replace(expected, cells=seam_cells.id())
 
 
-def test_following_the_session_changes_nothing(desk: Desk) -> None:
-    inputs = Inputs(desk.id("mosaic"), (desk.id("west"), GONE), side_m=51.25, spacing_m=0.04, wavelet="db2", levels=5,
-                    reference="composite", cells=GONE)
-    desk.session.set_inputs(inputs)
-    assert desk.session.settings == [inputs]
-    assert desk.panel.more.boxes["wavelet"].currentText() == "db2"
-    assert desk.panel.more.boxes["levels"].value() == 5
-    assert desk.panel.more.boxes["reference"].currentText() == "the composite"
-    assert desk.panel.more.boxes["cells"].currentText() == "missing: sheet_144"
-
-
 @pytest.mark.parametrize(
     ("side", "levels", "becomes", "shown", "note"),
     [
@@ -295,19 +237,6 @@ def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
         assert desk.panel.side_note.isVisibleTo(desk.panel.box) == (bool(note) and not folded)
 
 
-def test_stays_open_and_says_what_is_missing_until_all_is_set(desk: Desk) -> None:
-    box = desk.panel.box
-    desk.session.set_inputs(Inputs(mosaic=desk.id("mosaic")))
-    assert not box.isCollapsed()
-    assert "sources" in box.toolTip()
-    desk.panel.refresh()
-    assert box.toolTip() == "mosaic \u00b7 check the sources"
-    desk.set_all()
-    assert box.isCollapsed()
-    desk.panel.sources.none.click()
-    assert not box.isCollapsed()
-
-
 def test_folds_once_set_and_then_stays_as_it_is_left(desk: Desk) -> None:
     box = desk.panel.box
     desk.panel.resize(900, 500)
@@ -322,59 +251,6 @@ def test_folds_once_set_and_then_stays_as_it_is_left(desk: Desk) -> None:
     assert not box.isCollapsed()
 
 
-def test_does_not_fold_under_the_operator_s_hands(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(QApplication, "focusWidget", lambda: desk.panel.mosaic)
-    desk.choose("mosaic", desk.id("mosaic"))
-    assert not desk.panel.box.isCollapsed()
-    elsewhere = QLineEdit()
-    monkeypatch.setattr(QApplication, "focusWidget", lambda: elsewhere)
-    QApplication.instance().focusChanged.emit(desk.panel.mosaic, elsewhere)
-    assert desk.panel.box.isCollapsed()
-
-
-def test_unfolds_for_a_new_project(desk: Desk) -> None:
-    desk.set_all()
-    desk.session.set_inputs(Inputs())
-    assert not desk.panel.box.isCollapsed()
-    desk.set_all()
-    assert desk.panel.box.isCollapsed()
-
-
-def test_folded_while_hidden_is_folded_when_shown(desk: Desk) -> None:
-    desk.panel.show()
-    desk.panel.hide()
-    desk.set_all()
-    desk.panel.show()
-    QApplication.processEvents()
-    assert desk.panel.box.isCollapsed()
-    assert not desk.panel.mosaic.isVisible()
-    assert desk.panel.box.height() < 3 * desk.panel.fontMetrics().height()
-
-
-def test_sources_stand_beside_the_rest_where_there_is_room(desk: Desk) -> None:
-    def beside() -> bool:
-        desk.panel.grab()
-        return bool(desk.panel.sources.x() > desk.panel.mosaic.geometry().right())
-
-    for width, expected in ((1500, True), (420, False), (1500, True)):
-        desk.panel.resize(width, 500)
-        assert beside() == expected
-    assert desk.panel.minimumSizeHint().width() <= 420
-
-
-def test_tab_goes_through_all_fields(desk: Desk) -> None:
-    panel = desk.panel
-    widget, seen = panel.mosaic, []
-    for _ in range(60):
-        seen.append(widget)
-        widget = widget.nextInFocusChain()
-    wanted = [
-        panel.mosaic, *panel.sources.fields(), panel.index, panel.seamlines, panel.windows, panel.side,
-        *panel.more.boxes.values(),
-    ]  # fmt: skip
-    assert [one for one in seen if one in wanted][: len(wanted)] == wanted
-
-
 def test_close_lets_go_of_everything(desk: Desk) -> None:
     project, app = QgsProject.instance(), QApplication.instance()
     owners = [(desk.session, "inputsChanged"), (app, "focusChanged")]
@@ -382,30 +258,7 @@ def test_close_lets_go_of_everything(desk: Desk) -> None:
     before = [owner.receivers(getattr(owner, name)) for owner, name in owners]
     desk.panel.close()
     after = [owner.receivers(getattr(owner, name)) for owner, name in owners]
-    assert [one - two for one, two in zip(before, after)] == [1, 1, 1, 1]
+    assert [item - two for item, two in zip(before, after)] == [1, 1, 1, 1]
     desk.panel.close()
     desk.set_all()
     assert desk.panel.mosaic.currentText() == "choose the mosaic"
-
-
-def test_names_can_be_read_in_a_theme_of_style_sheets(desk: Desk) -> None:
-    """A theme like Night Mapping: its colours are not in the palette of widgets of no kind that it knows."""
-    desk.set_all()
-    desk.check("east", False)
-    sources = desk.panel.sources
-    dark = QPalette(sources.palette())
-    for role in (QPalette.ColorRole.Text, QPalette.ColorRole.PlaceholderText):
-        dark.setColor(role, QColor("#222222"))
-    sources.setPalette(dark)
-    sources.setStyleSheet("QAbstractScrollArea { color: #aaaaaa; background-color: #323232; }")
-    desk.panel.show()
-    desk.set_all()
-    for row in range(sources.list.count()):
-        option = QStyleOptionViewItem()
-        sources.list.itemDelegate().initStyleOption(option, sources.list.model().index(row, 0))
-        assert contrast(option.palette.color(QPalette.ColorRole.Text), QColor("#323232")) >= 3
-
-
-def test_rows_of_sources_have_air_between_their_boxes(desk: Desk) -> None:
-    listed = desk.panel.sources.list
-    assert listed.sizeHintForRow(0) >= listed.fontMetrics().height() + 2

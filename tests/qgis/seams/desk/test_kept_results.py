@@ -9,9 +9,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsVectorLayer
-from seam_inspector.plugin.seams.desk.windows import window_results
-from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 from tests.qgis.scenes import outline
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle
@@ -35,25 +32,17 @@ def test_results_are_there_on_reopening(desk: Desk, tmp_path: Path) -> None:
     reopen(desk, tmp_path)
     assert not desk.session.is_busy
     for number, row in desk.rows().items():
-        found, had = desk.session.result(row.fid), before[number]
-        assert found == had
-        assert found is not had
-        assert found is not None
+        items, had = desk.session.result(row.fid), before[number]
+        assert items == had
+        assert items is not had
+        assert items is not None
         assert had is not None
-        assert found.profile == had.profile
-        assert (found.loss is None) == (had.loss is None)
-        if found.loss is not None and had.loss is not None:
-            np.testing.assert_allclose(found.loss.kept, had.loss.kept, rtol=6e-4)
+        assert items.profile == had.profile
+        assert (items.loss is None) == (had.loss is None)
+        if items.loss is not None and had.loss is not None:
+            np.testing.assert_allclose(items.loss.kept, had.loss.kept, rtol=6e-4)
     with closing(sqlite3.connect(tmp_path / "windows.gpkg")) as file:
         assert file.execute("SELECT sum(length(record)) FROM results").fetchone()[0] < 30_000
-
-
-def test_a_layer_that_is_removed_and_added_again_finds_its_results(desk: Desk) -> None:
-    desk.add()
-    source = desk.layer().source()
-    desk.project.removeMapLayers([desk.layer().id()])
-    desk.use(QgsVectorLayer(source, "again", "ogr"))
-    assert desk.session.result(desk.rows()[1].fid) is not None
 
 
 def test_what_changed_is_stale_after_reopening_as_before(desk: Desk, tmp_path: Path) -> None:
@@ -98,14 +87,3 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
     reopen(desk, tmp_path)
     assert desk.session.result(desk.rows()[1].fid) is not None
     assert not any("windows" in message for message in desk.messages)
-
-
-def test_only_some_results_are_held_and_others_read_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(window_results, "MOST_HELD", 1)
-    results: dict[int, WindowResult | None] = {}
-    for window in (None, SHARP_WINDOW):
-        fid = desk.add(*[window] if window else [])
-        results[fid] = desk.session.result(fid)
-    assert [desk.session.result(fid) == result for fid, result in results.items()] == [True, True]
-    assert [desk.session.result(fid) is result for fid, result in results.items()].count(True) < 2
-    assert len(desk.session.source_uses()) == 2  # what they say of the sources stays

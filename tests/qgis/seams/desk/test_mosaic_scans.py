@@ -6,8 +6,6 @@ from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsProject
-from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
-from seam_inspector.plugin.seams.jobs import ScanDone, ScanFiles, time_left
 
 from tests.qgis.seams.desk.scan_scene import ScanDesk, ScanScene, make_scan_scene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
@@ -67,35 +65,6 @@ def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> Non
     assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]
 
 
-def test_another_scan_leaves_the_first_one_alone(desk: ScanDesk) -> None:
-    desk.use("north", "south")
-    desk.scan()
-    desk.scan()
-    assert names(desk.folder) == ["ortho_loss.tif", "ortho_loss_2.tif", "ortho_scan.gpkg", "ortho_scan_2.gpkg"]
-    assert desk.titles()[:8] == FOUND + FOUND
-
-
-def test_seamlines_alone_are_enough(desk: ScanDesk) -> None:
-    desk.use(seamlines="")
-    assert desk.scans.why_not()
-    desk.scans.start()
-    assert len(desk.messages) == 1
-    assert "orthoimages" in desk.messages[0]
-    desk.messages.clear()
-    desk.use(seamlines=desk.seamlines.id())
-    assert not desk.scans.why_not()
-    done = desk.scan()
-    assert done is not None, desk.messages
-    assert done.seam_metres == pytest.approx(256, rel=0.01)
-    assert "Seams" in desk.titles()
-
-
-def test_given_seamlines_are_the_seams(desk: ScanDesk) -> None:
-    desk.use("north", "south", seamlines=desk.seamlines.id())
-    done = desk.scan()
-    assert done.seam_metres == pytest.approx(256, rel=0.001)
-
-
 def test_the_worst_windows_become_the_desks_own(desk: ScanDesk) -> None:
     desk.use("north", "south")
     assert desk.scans.worst_layer() is None
@@ -141,28 +110,3 @@ def test_a_folder_that_takes_no_files_is_told_in_one_sentence(desk: ScanDesk) ->
     assert len(desk.messages) == 1
     assert "folder" in desk.messages[0]
     assert not desk.scans.why_not()
-
-
-def test_levels_that_a_scan_does_not_have_are_told(desk: ScanDesk) -> None:
-    desk.use("north", "south", levels=5)
-    assert desk.scans.why_not()
-    desk.scans.start()
-    assert len(desk.messages) == 1
-
-
-@pytest.mark.parametrize(
-    ("seconds", "words"),
-    [
-        (0, "less than a minute left"), (59, "less than a minute left"), (61, "about 1 min left"),
-        (240, "about 4 min left"), (5300, "about 88 min left"), (5500, "about 2 h left"), (40000, "about 11 h left"),
-    ],
-)
-def test_the_time_left_is_told_no_more_precisely_than_it_is_known(seconds: float, words: str) -> None:
-    assert time_left(seconds) == words
-
-
-def test_what_a_scan_found_is_told_shortly() -> None:
-    files = ScanFiles(Path("a"), Path("b"))
-    assert scan_sentence(ScanDone(files, 0.0, 0.0, None, 0)) == "Scanned: no seam was found."
-    assert scan_sentence(ScanDone(files, 265.4, 12.0, 0.469, 9)) == "Significant loss on 12 of 265 m of seams."
-    assert scan_sentence(ScanDone(files, 265.4, 0.0, 0.974, 9)) == "No significant loss on 265 m of seams."

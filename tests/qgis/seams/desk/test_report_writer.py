@@ -4,7 +4,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from qgis.PyQt.QtWidgets import QFileDialog, QWidget
+from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.seams.desk.report_writer import ReportWriter
 
 from tests.qgis.scenes import SHARP, windows
@@ -58,27 +58,3 @@ def test_windows_that_were_measured_elsewhere_have_no_curves(
     said = writer.write(tmp_path / "report.html")
     assert "1 of them have no curves" in said
     assert (tmp_path / "report.html").exists()
-
-
-def test_a_folder_that_is_not_there_is_told(desk: Desk, writer: Writer, tmp_path: Path) -> None:
-    desk.add()
-    assert "can't be written" in writer.write(tmp_path / "gone" / "report.html")
-
-
-def test_the_file_is_asked_for(
-    desk: Desk, writer: Writer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    desk.add()
-    for chosen, made in (("", None), (str(tmp_path / "x"), "x.html"), (str(tmp_path / "y.HTM"), "y.HTM")):
-        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, chosen=chosen: (chosen, ""))
-        writer.writer.ask()
-        wait_for_tasks()
-        assert made is None or (tmp_path / made).exists()
-
-
-def test_no_layer_of_the_project_is_written_over(desk: Desk, writer: Writer) -> None:
-    desk.add()
-    mosaic = Path(desk.mosaic.source())
-    before = mosaic.read_bytes()
-    assert "which belongs to an input; choose another file" in writer.write(mosaic)
-    assert mosaic.read_bytes() == before

@@ -45,7 +45,7 @@ def scan(dock: InspectionDock) -> None:
 
 def judge_buttons(iface: QgisInterface) -> list[QPushButton]:
     """In the message bar."""
-    return [one for one in iface.messageBar().findChildren(QPushButton) if one.text().startswith("Judge")]
+    return [button for button in iface.messageBar().findChildren(QPushButton) if button.text().startswith("Judge")]
 
 
 def test_the_button_waits_for_something_to_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
@@ -62,15 +62,6 @@ def test_the_button_waits_for_something_to_scan(plugin: Any, scan_scene: ScanSce
     assert dock.scan.isEnabled()
     assert not dock.stop.isEnabled()
     assert dock.scan_progress.isHidden()
-
-
-def test_stop_stops_the_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
-    dock = opened(plugin, scan_scene, tmp_path)
-    dock.scan.trigger()
-    dock.stop.trigger()
-    wait_until(lambda: not dock.scans.is_at_work, "for the end")
-    assert not list(tmp_path.glob("*.gpkg"))
-    assert dock.scan.isEnabled()
 
 
 def test_the_worst_places_are_inspected_and_the_first_is_shown(
@@ -99,16 +90,6 @@ def test_the_worst_places_are_inspected_and_the_first_is_shown(
     assert judge_buttons(qgis_iface) == []
 
 
-def test_pictures_of_losses_do_not_become_sources(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
-    dock = opened(plugin, scan_scene, tmp_path)
-    before = dock.session.inputs
-    scan(dock)
-    assert dock.session.inputs == before
-    rows = range(dock.inputs.sources.list.count())
-    listed = [dock.inputs.sources.list.item(row).text().split()[0] for row in rows]  # and what is said of it
-    assert sorted(listed) == ["north", "south"]
-
-
 def test_unloading_while_it_scans_leaves_nothing(
     qgis_iface: QgisInterface, project: QgsProject, scan_scene: ScanScene, tmp_path: Path
 ) -> None:
@@ -122,33 +103,6 @@ def test_unloading_while_it_scans_leaves_nothing(
         assert not [layer for layer in project.mapLayers().values() if "losses" in layer.name()]
 
     assert_leaves_nothing(qgis_iface, 2, use, no_losses)
-
-
-def test_grey_buttons_say_why(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:
-    action_of(plugin).trigger()
-    dock: InspectionDock = plugin.desk("seamInspectorAction").dock
-    for action in (dock.draw, dock.place, dock.inspect, dock.scan):
-        assert not action.isEnabled()
-        assert "choose" in action.toolTip().lower()
-    assert "inspected" in dock.report.toolTip() or "no window" in dock.report.toolTip()
-    dock = opened(plugin, scan_scene, tmp_path)
-    assert dock.draw.isEnabled()
-    assert "\n" not in dock.draw.toolTip()
-    assert not dock.place.isEnabled()
-    assert "seamlines" in dock.place.toolTip().split("\n")[-1]
-    assert "no window" in dock.inspect.toolTip()
-    assert "scan the mosaic first" in dock.worst.toolTip()
-
-
-def test_a_closed_project_takes_the_offer_along(
-    plugin: Any, qgis_iface: QgisInterface, project: QgsProject, scan_scene: ScanScene, tmp_path: Path
-) -> None:
-    dock = opened(plugin, scan_scene, tmp_path)
-    scan(dock)
-    assert len(judge_buttons(qgis_iface)) == 1
-    project.clear()
-    settle()
-    assert judge_buttons(qgis_iface) == []
 
 
 def test_accept_opens_the_decision_on_the_scan(plugin: Any, scan_scene: ScanScene, tmp_path: Path) -> None:

@@ -5,15 +5,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsMapRendererSequentialJob, QgsMapSettings, QgsProject, QgsRasterLayer
+from qgis.core import QgsApplication, QgsMapRendererSequentialJob, QgsMapSettings, QgsRasterLayer
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QColor
-from seam_inspector.plugin.seams.tables.scan_layers import CELLS, SCAN_LAYERS, SEAMS
+from seam_inspector.plugin.seams.tables.scan_layers import SCAN_LAYERS
 from seam_inspector.plugin.seams.words import VERDICTS
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tests.numbers.synthetic import write_raster
-from tests.qgis.scenes import layer, line, outline
+from tests.qgis.scenes import layer, line
 
 KEPT = (1.3, 0.95, 0.91, 0.85, 0.75, 0.65, 0.55, 0.45, 0.1)
 
@@ -43,12 +43,6 @@ def colours(picture: QgsRasterLayer) -> list[QColor]:
     return [image.pixelColor(10 * column + 5, 5) for column in range(picture.width())]
 
 
-def test_even_ground_and_what_was_not_measured_can_be_seen_through(picture: QgsRasterLayer) -> None:
-    found = colours(picture)
-    assert [colour.alpha() for colour in (*found[:3], found[-1])] == [0, 0, 0, 0]
-    assert all(colour.alpha() > 200 for colour in found[3:-1])
-
-
 def test_losses_go_from_yellow_to_red(picture: QgsRasterLayer) -> None:
     losses = colours(picture)[3:-1]
     hues = [(colour.hsvHue() + 60) % 360 for colour in losses]  # red is at 60 then, yellow at 120
@@ -56,12 +50,6 @@ def test_losses_go_from_yellow_to_red(picture: QgsRasterLayer) -> None:
     assert all(after < before for before, after in zip(hues, hues[1:-1]))
     assert losses[-1] == losses[-2]  # half of it, or less, is as bad as it gets
     assert all(40 <= hue <= 65 for hue in hues[-2:])
-
-
-def test_the_legend_of_the_picture_says_how_much_is_kept(picture: QgsRasterLayer) -> None:
-    labels = [label for label, _ in picture.renderer().legendSymbologyItems()]
-    assert labels == ["50 % kept, or less", "50 to 60 %", "60 to 70 %", "70 to 80 %", "80 to 90 %",
-                      "90 % and more: even ground"]
 
 
 def test_seams_have_the_colours_of_verdicts(qgis_app: QgsApplication) -> None:
@@ -82,23 +70,5 @@ def test_seams_have_the_colours_of_verdicts(qgis_app: QgsApplication) -> None:
     assert thin.width() < min(widths)
 
 
-def test_cells_are_outlines_with_names(qgis_app: QgsApplication, project: QgsProject) -> None:
-    cells = layer("Polygon", [outline((0, 0, 9, 9))], source=("string", ["west.tif"]))
-    message, worked = cells.loadNamedStyle(style_path("source_cells"))
-    assert worked, message
-    assert cells.labelsEnabled()
-    assert cells.labeling().settings().fieldName == "source"
-    kinds = {shown.layerType() for shown in cells.renderer().symbol().symbolLayers()}
-    assert kinds == {"SimpleLine"}  # nothing is filled
-
-
-def test_labels_and_tips_name_fields_that_there_are(qgis_app: QgsApplication) -> None:
-    for made in (SEAMS, CELLS):
-        text = Path(style_path(made.style)).read_text(encoding="utf-8")
-        for name in ("kept_1", "kept_low", "kept_high", "band_width", "left_source", "right_source", "source"):
-            if f"&quot;{name}&quot;" in text or f'fieldName="{name}"' in text:
-                assert name in made.fields(3).names()
-
-
 def test_every_layer_has_its_style() -> None:
-    assert all(Path(style_path(one.style)).is_file() for one in SCAN_LAYERS)
+    assert all(Path(style_path(item.style)).is_file() for item in SCAN_LAYERS)

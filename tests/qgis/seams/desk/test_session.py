@@ -2,16 +2,12 @@
 from __future__ import annotations
 
 import pytest
-from qgis.core import NULL, QgsApplication, QgsVectorLayer, QgsVectorLayerUtils
+from qgis.core import NULL, QgsApplication, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.statistics import OPERATORS, Operator
-from seam_inspector.plugin.seams.desk.charts.curves_panel import shown_window
-from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging import Judging
 
-from tests.qgis.runs import run
-from tests.qgis.scenes import BLURRED, SHARP, layer, outline, pixel_box, windows
+from tests.qgis.scenes import BLURRED, SHARP, outline, pixel_box, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 # One window
@@ -43,23 +39,6 @@ def test_a_new_window_is_inspected_in_the_background(desk: Desk) -> None:
     assert desk.messages == []
 
 
-def test_the_curves_come_ahead_of_the_rest(desk: Desk) -> None:
-    told: list[tuple[str, int, bool]] = []
-    session = desk.session
-    session.curvesArrived.connect(lambda fid: told.append(("curves", fid, session.result(fid) is None)))
-    session.resultArrived.connect(lambda fid: told.append(("result", fid, session.clips(fid) is session.result(fid))))
-    first = []
-    session.curvesArrived.connect(lambda fid: first.append(session.clips(fid)))
-    session.add_window(BLURRED_WINDOW)
-    desk.wait()
-    fid = desk.rows()[1].fid
-    assert told == [("curves", fid, True), ("result", fid, True)]
-    result = session.result(fid)
-    assert result is not None
-    assert first[0].clips == result.clips
-    assert first[0].paper.verdict == result.paper_verdict
-
-
 def test_undo_takes_a_drawn_window_and_its_result_back_together(desk: Desk) -> None:
     fid = desk.add()
     desk.undo()
@@ -80,16 +59,6 @@ def test_windows_get_the_next_number_and_none_twice(desk: Desk) -> None:
     assert {row.window_id: row.fid for row in desk.session.windows()} == {1: first, 3: third}
 
 
-def test_a_window_drawn_where_there_is_one_is_that_one(desk: Desk) -> None:
-    fid = desk.add()
-    desk.session.judge([fid], "visible")
-    desk.add(SHARP_WINDOW)
-    desk.session.add_window(BLURRED_WINDOW)
-    desk.wait()
-    assert [row.observer for row in desk.session.windows()] == ["visible", ""]
-    assert desk.session.selected() == [fid]
-
-
 @pytest.mark.parametrize("operator", OPERATORS)
 def test_a_verdict_that_is_taken_back_takes_along_how_sure_the_operator_was(desk: Desk, operator: Operator) -> None:
     names = {"window_id": ("integer", [1, 2]), "observer": ("string", ["", ""])}
@@ -104,31 +73,18 @@ def test_a_verdict_that_is_taken_back_takes_along_how_sure_the_operator_was(desk
     assert getattr(desk.rows()[1], operator.confidence) == 90
 
 
-def test_judging_and_removing_are_undone_in_one_step(desk: Desk) -> None:
-    fids = [desk.add(), desk.add(SHARP_WINDOW)]
-    desk.session.judge(fids, "visible")
-    assert [row.observer for row in desk.session.windows()] == ["visible"] * 2
-    desk.session.judge(fids[:1], "")
-    assert [row.observer for row in desk.session.windows()] == ["", "visible"]
-    desk.undo()
-    desk.undo()
-    assert [row.observer for row in desk.session.windows()] == ["", ""]
-    desk.session.remove(fids)
-    assert desk.session.windows() == []
-    desk.undo()
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
-
-
 def test_what_is_drawn_measured_and_judged_is_in_the_file_at_once(desk: Desk) -> None:
     for fid in (desk.add(), desk.add(SHARP_WINDOW)):
         desk.session.judge([fid], "visible")
     assert not desk.layer().isEditable()
     saved = QgsVectorLayer(desk.layer().source(), "saved", "ogr")
-    said = [tuple(one[name] for name in ("window_id", "verdict", "observer", "origin")) for one in saved.getFeatures()]
+    names = ("window_id", "verdict", "observer", "origin")
+    said = [tuple(feature[name] for name in names) for feature in saved.getFeatures()]
     assert said == [(1, "significant", "visible", "drawn"), (2, "preserved", "visible", "drawn")]
     for table in ("curves", "pairs", "results", "profiles"):
         beside = QgsVectorLayer(desk.layer().source().replace("=windows", f"={table}"), table, "ogr")
-        assert {one["window_id"] for one in beside.getFeatures()} in ({1, 2}, set() if table == "profiles" else {})
+        numbers = {feature["window_id"] for feature in beside.getFeatures()}
+        assert numbers in ({1, 2}, set() if table == "profiles" else {})
 
 
 def test_results_selection_and_steps_outlast_edits_with_the_tools_of_qgis(desk: Desk) -> None:
@@ -157,15 +113,6 @@ def test_results_selection_and_steps_outlast_edits_with_the_tools_of_qgis(desk: 
     assert desk.steps() == []  # what they would take back is gone already
 
 
-def test_windows_that_are_drawn_while_the_layer_is_made_wait_for_it(desk: Desk) -> None:
-    for window in (BLURRED_WINDOW, SHARP_WINDOW):
-        desk.session.add_window(window)
-    assert desk.session.window_layer() is None
-    desk.wait()
-    assert [row.verdict for row in desk.session.windows()] == ["significant", "preserved"]
-    assert len([layer for layer in desk.project.mapLayers().values() if layer.name() == "Windows"]) == 1
-
-
 @pytest.mark.parametrize("danger", ["close the project", "close the session", "choose another layer"])
 def test_dangers_while_the_layer_is_made(desk: Desk, danger: str) -> None:
     for steps in range(5):
@@ -190,18 +137,6 @@ def test_dangers_while_the_layer_is_made(desk: Desk, danger: str) -> None:
     assert desk.messages == []
 
 
-def test_a_window_is_not_inspected_twice_at_the_same_time(desk: Desk) -> None:
-    desk.add(SHARP_WINDOW)
-    desk.session.add_window(BLURRED_WINDOW)
-    (fid,) = desk.session.selected()
-    steps: list[int] = []
-    desk.session.progressChanged.connect(lambda done, asked: steps.append(asked))
-    desk.session.inspect_pending()
-    desk.session.inspect([fid])
-    desk.wait()
-    assert set(steps) == {1, 0}
-
-
 def test_stop_keeps_what_is_done(desk: Desk) -> None:
     boxes = [(column, row, 64, 64) for row in range(0, 192, 64) for column in range(0, 448, 64)]
     desk.use(windows(*boxes))
@@ -218,46 +153,6 @@ def test_stop_keeps_what_is_done(desk: Desk) -> None:
 
 
 # Layers made elsewhere
-
-
-def test_windows_placed_by_the_algorithm_can_be_inspected(desk: Desk, provider: object) -> None:
-    ran = run("placewindows", SEAMLINES=desk.seamlines, MOSAIC=desk.mosaic, SIDE=6.4, SPACING=6.0)
-    placed = desk.use(ran.context.takeResultLayer(ran.results["OUTPUT"]))
-    count = placed.featureCount()
-    assert count == 4
-    desk.session.inspect_pending()
-    desk.wait()
-    assert [bool(row.verdict) for row in desk.session.windows()] == [True] * count
-    assert all(row.seam_id is not None and row.station is not None for row in desk.session.windows())
-
-
-def test_a_window_without_outline_says_so(desk: Desk) -> None:
-    desk.use(layer("Polygon", [None, outline(BLURRED)]))
-    desk.session.inspect_pending()
-    desk.wait()
-    nowhere, blurred = desk.session.windows()
-    assert (nowhere.verdict, nowhere.reason) == ("not_comparable", "The window has no outline; draw it anew.")
-    assert blurred.verdict == "significant"
-
-
-@pytest.mark.parametrize("is_saved", [True, False])
-def test_windows_drawn_by_hand_can_be_inspected(desk: Desk, is_saved: bool) -> None:
-    drawn = desk.use(layer("Polygon", []))
-    drawn.startEditing()
-    shapes = [QgsVectorLayerUtils.createFeature(drawn, outline(box)) for box in (BLURRED, SHARP)]
-    assert drawn.addFeatures(shapes)
-    if is_saved:
-        assert drawn.commitChanges()
-    assert sorted(desk.rows()) == [1, 2]
-    desk.session.select([row.fid for row in desk.session.windows()])
-    desk.session.inspect_pending()
-    desk.wait()
-    found = {pixel_box(drawn.getFeature(row.fid).geometry()): row.verdict for row in desk.session.windows()}
-    assert found == {BLURRED: "significant", SHARP: "preserved"}
-    assert len(desk.session.selected()) == 2
-    assert is_saved or drawn.commitChanges(), drawn.commitErrors()
-    values = {(feature["window_id"], feature["verdict"]) for feature in drawn.getFeatures()}
-    assert values == {(1, "significant"), (2, "preserved")}
 
 
 def test_a_copied_window_gets_a_number_of_its_own(desk: Desk) -> None:
@@ -288,28 +183,3 @@ def test_the_window_layer_may_have_another_reference_system(desk: Desk, epsg: in
     sharp = desk.session.result(1)
     assert sharp is not None
     assert sharp.window == SHARP_WINDOW
-
-
-# What is said meanwhile
-
-
-def test_only_windows_that_were_asked_for_are_being_measured(desk: Desk) -> None:
-    desk.use(windows(BLURRED, SHARP))
-    judging = Judging(desk.session)
-    bar = JudgeBar(desk.session, judging)
-    desk.session.inspect([1])
-    assert [desk.session.is_pending(fid) for fid in (1, 2, 99)] == [True, False, False]
-    said = {}
-    for fid in (1, 2):
-        desk.session.select([fid])
-        settle(0.01)  # fields were added, and windows are told before what is selected of them
-        said[fid] = (shown_window(desk.session)[1], bar.sentence())
-    assert said == {1: ("Measuring ...", "Measuring ..."), 2: ("Not inspected yet", "Not inspected yet.")}
-    desk.session.select([1])
-    desk.wait()
-    assert not desk.session.is_pending(1)
-    assert "Significant loss" in bar.sentence()
-    desk.session.inspect([2])
-    desk.session.stop()
-    desk.wait()
-    assert not desk.session.is_pending(2)

@@ -6,13 +6,11 @@ from dataclasses import replace
 from pathlib import Path
 from threading import Event
 
-import numpy as np
 import pytest
 from osgeo import gdal
-from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer
+from qgis.core import QgsProject, QgsRasterLayer
 from seam_inspector.plugin.imagery import messages as imagery_messages
-from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
-from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.desk.inputs import block_cache as block_files
@@ -65,30 +63,6 @@ def test_a_copy_of_the_mosaic_hides_no_loss_from_a_window(desk: Desk, tmp_path: 
     assert len([text for text in desk.messages if copy.name in text]) == 1
 
 
-def test_vanished_layers_do_no_harm(desk: Desk) -> None:
-    desk.add()
-    before = desk.session.inputs
-    desk.project.removeMapLayers([desk.sources[0].id()])
-    assert desk.session.inputs == before
-    assert len(desk.session.block().sources_over(BLURRED_WINDOW)) == 1
-    desk.project.removeMapLayers([desk.mosaic.id(), desk.seamlines.id(), desk.layer().id()])
-    settle()
-    assert desk.session.mosaic_grid() is None
-    assert desk.session.mosaic_layer() is None
-    assert desk.session.block() is None
-    assert desk.session.seam_point_near(*at(256, 10), 5) is None
-    assert desk.session.windows() == []
-    assert load_inputs(desk.project) == before
-
-
-@pytest.mark.parametrize(
-    "stored", ["", "no json", "[]", "3", '{"sources": 5}', '{"side_m": "wide", "levels": null}', '{"reference": "x"}']
-)
-def test_inputs_that_make_no_sense_are_left_out(project: QgsProject, stored: str) -> None:
-    project.writeEntry("SeamInspector", "inputs", stored)
-    assert load_inputs(project) == Inputs()
-
-
 # Seams
 
 
@@ -105,26 +79,6 @@ def test_placing_is_one_step_of_undo(desk: Desk) -> None:
     assert len(desk.session.windows()) == 1
 
 
-def test_the_nearest_seam_is_known_once_it_is_found(desk: Desk) -> None:
-    x, y = at(250, 100)
-    wait_until(lambda: desk.session.seam_point_near(x, y, 1.0) is not None)
-    assert desk.session.seam_point_near(x, y, 1.0) == pytest.approx(at(256, 100))
-    assert desk.session.seam_point_near(x, y, 0.3) is None
-    other = layer("LineString", [line((300, 0), (300, 256))])
-    desk.project.addMapLayer(other)
-    desk.session.set_inputs(replace(desk.session.inputs, seamlines=other.id()))
-    wait_until(lambda: desk.session.seam_point_near(*at(299, 100), 1.0) is not None)
-    assert desk.session.seam_point_near(x, y, 1.0) is None
-
-
-def test_seams_are_found_whatever_is_chosen_first(scene: Scene, project: QgsProject, tmp_path: Path) -> None:
-    desk = Desk(scene, tmp_path)
-    desk.session.set_inputs(desk.inputs(sources=()))
-    desk.session.set_inputs(desk.inputs())
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
-    desk.session.close()
-
-
 def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
     wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
     desk.seamlines.startEditing()
@@ -137,14 +91,6 @@ def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
     assert desk.session.seam_point_near(*at(300, 100), 1.0) is None
 
 
-def test_seams_follow_the_reference_system_of_their_layer(desk: Desk) -> None:
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
-    desk.seamlines.setCrs(QgsCoordinateReferenceSystem("EPSG:32632"))
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is None)
-    desk.seamlines.setCrs(desk.mosaic.crs())
-    wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
-
-
 # Opening the mosaic
 
 
@@ -152,15 +98,15 @@ def test_seams_follow_the_reference_system_of_their_layer(desk: Desk) -> None:
 def gate(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> Iterator[Event]:
     """The desk without inputs; mosaics are opened from a slow drive, not before the gate is set."""
     desk.session.set_inputs(Inputs())
-    found = Event()
+    result = Event()
 
     def slow(ref: RasterRef) -> Raster:
-        assert found.wait(PATIENCE_S)
+        assert result.wait(PATIENCE_S)
         return describe_mosaic(ref)
 
     monkeypatch.setattr(block_files, "describe_mosaic", slow)
-    yield found
-    found.set()
+    yield result
+    result.set()
     wait_for_tasks()
 
 
@@ -193,57 +139,6 @@ def test_the_desk_can_be_used_while_the_mosaic_is_opened(desk: Desk, gate: Event
     panel.close()
 
 
-def test_only_the_mosaic_chosen_last_counts(desk: Desk, gate: Event) -> None:
-    desk.session.set_inputs(desk.inputs())
-    desk.session.set_inputs(desk.inputs(mosaic=desk.sources[0].id(), sources=(desk.sources[1].id(),)))
-    gate.set()
-    desk.wait_for_opening()
-    desk.add()
-    wait_for_tasks()
-    result = desk.session.result(desk.rows()[1].fid)
-    assert result is not None
-    assert [clip.raster for clip in result.clips[:2]] == ["west.tif", "east.tif"]
-
-
-@pytest.mark.parametrize("danger", ["remove the mosaic", "close the project", "close the session"])
-def test_dangers_while_the_mosaic_is_opened(desk: Desk, gate: Event, danger: str) -> None:
-    desk.session.set_inputs(desk.inputs())
-    if danger == "remove the mosaic":
-        desk.project.removeMapLayers([desk.mosaic.id()])
-    elif danger == "close the project":
-        desk.project.clear()
-    else:
-        desk.session.close()
-    gate.set()
-    wait_for_tasks()
-    assert desk.session.mosaic_grid() is None
-    assert desk.messages == []
-
-
-@pytest.mark.parametrize("with_sources", [False, True])
-def test_a_mosaic_whose_files_are_gone_is_not_blamed_on_its_sources(
-    desk: Desk, tmp_path: Path, with_sources: bool
-) -> None:
-    panel = InputsPanel(desk.session)
-    gone, mosaic = tmp_path / "gone.tif", tmp_path / "mosaic.vrt"
-    gdal.Translate(str(gone), desk.mosaic.source())
-    gdal.BuildVRT(str(mosaic), [str(gone)])
-    gone.unlink()
-    found = desk.raster(mosaic)
-    desk.set(desk.inputs(mosaic=found.id(), **({} if with_sources else {"sources": ()})))
-    problem = desk.session.problem()
-    # the reason on every grey button
-    assert problem == imagery_messages.PART_NOT_FOUND(name="mosaic.vrt", part=str(gone))
-    with pytest.raises(SettingsError, match=r"mosaic\.vrt"):
-        desk.session.scan_order()
-    _, said, why = panel._summary()
-    assert "can't be used" in said
-    assert ("2 sources" in said) == with_sources
-    assert "check the sources" not in said
-    assert "mosaic.vrt" in why
-    panel.close()
-
-
 def test_a_mosaic_that_cant_be_used_is_told_and_another_one_can_be_chosen(
     desk: Desk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -263,45 +158,6 @@ def test_a_mosaic_that_cant_be_used_is_told_and_another_one_can_be_chosen(
     desk.set(desk.inputs())
     assert desk.session.mosaic_grid() is not None
     panel.close()
-
-
-def test_opening_that_was_cancelled_is_told(desk: Desk, gate: Event) -> None:
-    desk.session.set_inputs(desk.inputs())
-    QgsApplication.taskManager().cancelAll()
-    gate.set()
-    desk.wait_for_opening()
-    desk.session.add_window(BLURRED_WINDOW)
-    assert_sentence(desk.messages.pop().split("; ")[0] + ".", "cancelled")
-    desk.session.set_inputs(Inputs())
-    desk.set(desk.inputs())
-    assert desk.session.mosaic_grid() is not None
-
-
-def test_sources_are_counted_by_their_pixels(desk: Desk, scene: Scene, tmp_path: Path) -> None:
-    west = np.array(whole(scene.west))
-    west[..., 300:] = 0  # no data, inside its footprint
-    half = desk.raster(Path(write_raster(tmp_path / "half.tif", west, nodata=0)))
-    desk.set(desk.inputs(sources=(half.id(), desk.sources[1].id())))
-    session = desk.session
-    wait_until(lambda: session.coverage(BLURRED_WINDOW).unread == 0, "for the validity")
-    assert len(session.block().sources_over(BLURRED_WINDOW)) == 2
-    assert session.coverage(BLURRED_WINDOW).sources == 1
-    assert session.coverage(SHARP_WINDOW).sources == 2
-    assert session.coverage(SHARP_WINDOW).can_be_judged
-
-
-def test_the_nearest_place_that_can_be_judged(desk: Desk, scene: Scene, tmp_path: Path) -> None:
-    pixels = np.array(whole(scene.mosaic))
-    pixels[:, :100] = 0
-    mosaic = desk.raster(Path(write_raster(tmp_path / "holed.tif", pixels, nodata=0)))
-    desk.set(desk.inputs(mosaic=mosaic.id()))
-    session, window = desk.session, PixelWindow(192, 20, 128, 128)
-    wait_until(lambda: session.coverage(window).missing is not None, "for the validity of the mosaic")
-    assert session.coverage(window).missing == pytest.approx(80 / 128)
-    assert not session.coverage(window).can_be_judged
-    assert session.nearest_judgeable(window, on_seam=False) == PixelWindow(192, 100, 128, 128)
-    wait_until(lambda: session.nearest_judgeable(window, on_seam=True) is not None, "for the seams")
-    assert session.nearest_judgeable(window, on_seam=True) == PixelWindow(192, 100, 128, 128)
 
 
 def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(
@@ -345,14 +201,14 @@ def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(
 def test_a_system_that_is_set_by_hand_is_taken_and_said_below_the_inputs(desk: Desk, tmp_path: Path) -> None:
     panel = InputsPanel(desk.session)
     layers = []
-    for one in (desk.mosaic, *desk.sources):
-        path = tmp_path / f"{one.name()}.tif"
-        layers.append(desk.raster(Path(write_raster(path, whole(Path(one.source())), system=2180, nodata=0))))
-        layers[-1].setCrs(one.crs())
+    for image in (desk.mosaic, *desk.sources):
+        path = tmp_path / f"{image.name()}.tif"
+        layers.append(desk.raster(Path(write_raster(path, whole(Path(image.source())), system=2180, nodata=0))))
+        layers[-1].setCrs(image.crs())
     desk.set(desk.inputs(mosaic=layers[0].id(), sources=tuple(layer.id() for layer in layers[1:])))
     said = panel.doubts.text()
-    for one in layers:
-        assert_sentence(said, rf"{one.name()} is taken in .*EPSG:32633.* not in that of its file, EPSG:2180")
+    for image in layers:
+        assert_sentence(said, rf"{image.name()} is taken in .*EPSG:32633.* not in that of its file, EPSG:2180")
     assert not panel.doubts.isHidden()
     block = desk.session.block()
     assert block is not None

@@ -4,7 +4,6 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from seam_inspector.plugin.imagery import raster_pool
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.desk.charts.profile_panel import CurvesAndProfile
 from seam_inspector.plugin.seams.measure.window import measured_window
@@ -13,11 +12,6 @@ from tests.qgis.scenes import BLURRED
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, Desk, settle, wait_until
 
 ACROSS = PixelWindow(BLURRED[0] + 8, BLURRED[1] + 8, 64, 64)
-
-
-def open_count() -> int:
-    """Rasters that the threads of this process keep open."""
-    return sum(map(len, list(raster_pool._all_pools)))
 
 
 def test_curves_follow_the_mouse_and_end_with_it(desk: Desk) -> None:
@@ -61,29 +55,6 @@ def test_a_click_where_the_mouse_rested_reads_nothing_again(desk: Desk, monkeypa
     session.add_window(ACROSS)
     desk.wait()
     assert measured == [BLURRED_WINDOW, ACROSS]
-
-
-def test_files_are_let_go_with_their_layers_and_the_project(desk: Desk) -> None:
-    session = desk.session
-    session.hover(BLURRED_WINDOW, is_live=True)
-    wait_until(lambda: session.live is not None)
-    assert open_count() == 3
-    desk.project.removeMapLayer(desk.sources[0].id())
-    wait_until(lambda: open_count() == 0)
-    session.hover(ACROSS, is_live=True)
-    wait_until(lambda: session.live is not None and session.live.window == ACROSS)
-    assert open_count() == 2
-    desk.project.clear()
-    wait_until(lambda: open_count() == 0)
-    assert session.live is None
-
-
-def test_files_are_let_go_when_nobody_moves_the_mouse(desk: Desk) -> None:
-    live = desk.session._live
-    live._idle.setInterval(500)
-    desk.session.hover(BLURRED_WINDOW, is_live=True)
-    wait_until(lambda: desk.session.live is not None)
-    wait_until(lambda: open_count() == 0)
 
 
 def test_the_charts_show_what_is_live_then_the_selected_window_again(desk: Desk) -> None:

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 from qgis.core import Qgis, QgsApplication, QgsCoordinateReferenceSystem, QgsGeometry, QgsProject
 from qgis.PyQt.QtCore import QThreadPool
-from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.toolkit.layers import system_wkt
 
 from tests.qgis.emptied import emptied_system
@@ -17,7 +16,6 @@ from tests.qgis.scenes import UTM33, Scene, layer, line
 from tests.qgis.seams.desk.session_desk import Desk, settle, wait_for_tasks
 
 _WHOLE = line((256, 0), (256, 256))
-_ALONG_THE_EDGE = line((300, 2), (500, 2))  # windows would stick out of the mosaic
 _BAR_CHARACTERS = 110  # about what the message bar shows of a sentence
 
 
@@ -61,31 +59,6 @@ def test_all_placed(desk: Desk, log: Log) -> None:
     assert log.lines == []
 
 
-def test_while_a_window_is_added_there_is_nothing_to_stop(desk: Desk) -> None:
-    desk.session.set_inputs(desk.inputs())
-    wait_for_tasks()
-    desk.session.add_window(PixelWindow(0, 0, 64, 64))
-    assert desk.session.is_busy
-    assert not desk.session.can_stop
-    desk.wait()
-
-
-def test_places_without_a_window_are_in_the_log(desk: Desk, log: Log) -> None:
-    said = place(desk, [_WHOLE, _ALONG_THE_EDGE])
-    count = len(desk.session.windows())
-    assert said.startswith(f"Windows placed along the seams: {count}; some places have none")
-    assert len(log.lines) == 1
-    assert "without a window" in log.lines[0]
-
-
-def test_no_window_at_all_is_a_warning_that_says_why(desk: Desk, log: Log) -> None:
-    said = place(desk, [_ALONG_THE_EDGE])
-    assert desk.session.windows() == []
-    assert desk.levels[-1] == Qgis.MessageLevel.Warning
-    assert log.lines == [said]
-    assert "without a window" in said
-
-
 def test_placing_twice_doubles_nothing(desk: Desk) -> None:
     place(desk, [_WHOLE])
     before = {row.window_id: row.extent for row in desk.session.windows()}
@@ -120,7 +93,7 @@ def test_windows_lie_in_the_mosaics_system_when_a_thread_has_emptied_qgis_s(desk
 
 @pytest.mark.slow
 def test_many_projects_in_one_process(scene: Scene, project: QgsProject, tmp_path: Path) -> None:
-    """New project, load, place, inspect, while threads that asked for systems end; ``make soak`` plays more rounds."""
+    """New project, load, place, inspect, while threads that asked for systems end."""
     pool = QThreadPool.globalInstance()
     before = pool.expiryTimeout()
     pool.setExpiryTimeout(20)  # ms, not half a minute

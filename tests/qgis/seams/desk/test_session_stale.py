@@ -6,15 +6,10 @@ from pathlib import Path
 
 import pytest
 from qgis.core import (
-    NULL,
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
-    QgsVectorFileWriter,
-    QgsVectorLayer,
 )
-from seam_inspector.plugin.seams.desk.session import Session
 
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, outline, saved, windows
+from tests.qgis.scenes import SHARP, Scene, layer, outline
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
 
 
@@ -47,30 +42,11 @@ def test_windows_are_still_stale_when_one_comes_back_to_their_layer(desk: Desk) 
     assert not desk.rows()[1].stale  # those that it was measured by
 
 
-def test_stale_marks_are_kept_of_a_layer_that_was_left(desk: Desk, tmp_path: Path) -> None:
-    desk.add()
-    own = desk.layer().id()
-    desk.session.set_inputs(replace(desk.session.inputs, sources=desk.session.inputs.sources[:1]))
-    desk.session.set_inputs(replace(desk.session.inputs, windows=""))
-    path = str(tmp_path / "project.qgz")
-    assert desk.project.write(path)
-    desk.project.clear()
-    assert desk.project.read(path)
-    desk.session.set_inputs(replace(desk.session.inputs, windows=own))
-    assert desk.rows()[1].stale
-
-
-def test_other_inputs_do_not(desk: Desk) -> None:
-    desk.add()
-    desk.session.set_inputs(replace(desk.session.inputs, side_m=50.0, spacing_m=3.0, seamlines=""))
-    assert not desk.rows()[1].stale
-
-
 def test_a_window_that_is_moved_becomes_stale_alone_until_it_is_back(desk: Desk) -> None:
     fid, other = desk.add(), desk.add(SHARP_WINDOW)
     before = desk.layer().getFeature(fid).geometry()
     desk.move(fid, outline((200, 64, 128, 128)))
-    assert [desk.session.row(one).stale for one in (fid, other)] == [True, False]  # type: ignore[union-attr]
+    assert [desk.session.row(item).stale for item in (fid, other)] == [True, False]  # type: ignore[union-attr]
     desk.move(fid, before)
     assert not any(row.stale for row in desk.session.windows())
     desk.move(fid, outline((200, 64, 128, 128)))
@@ -88,15 +64,6 @@ def test_stale_marks_come_back_with_the_project(desk: Desk, tmp_path: Path) -> N
     desk.project.clear()
     assert desk.project.read(path)
     assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
-
-
-def test_what_arrives_after_a_change_is_stale_at_once(desk: Desk) -> None:
-    desk.add(SHARP_WINDOW)
-    desk.session.add_window(BLURRED_WINDOW)
-    desk.session.set_inputs(replace(desk.session.inputs, max_ratio=0.1))
-    desk.wait()
-    assert desk.rows()[2].verdict
-    assert desk.rows()[2].stale
 
 
 def test_the_result_of_another_place_is_stale_where_the_window_comes_back(desk: Desk) -> None:
@@ -121,110 +88,7 @@ def test_inputs_that_are_changed_back_leave_nothing_stale(desk: Desk) -> None:
         assert not desk.rows()[1].stale, change
 
 
-def test_a_copy_of_an_inspected_window_is_stale(desk: Desk) -> None:
-    fid = desk.add()
-    copy = desk.layer().getFeature(fid)
-    copy.setGeometry(outline(SHARP))
-    copy["fid"] = NULL
-    desk.layer().startEditing()
-    desk.layer().addFeature(copy)
-    assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
-
-
-def test_fewer_levels_leave_no_ratio_of_the_inspection_before(desk: Desk) -> None:
-    fid = desk.add()
-    desk.session.set_inputs(replace(desk.session.inputs, levels=2))
-    desk.session.inspect([fid])
-    desk.wait()
-    assert [ratio is not None for ratio in desk.rows()[1].ratios] == [True, True, False]
-    assert not desk.rows()[1].stale
-
-
-@pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
-def test_windows_of_other_formats_are_copied_with_what_they_say(desk: Desk, tmp_path: Path, suffix: str) -> None:
-    path = str(tmp_path / f"drawn.{suffix}")
-    context, options = QgsCoordinateTransformContext(), QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName = QgsVectorFileWriter.driverForExtension(suffix)
-    said = {"window_id": ("integer", [1, 7]), "verdict": ("string", ["reduced", ""]), "soil": ("string", ["loam", ""])}
-    drawn = windows(SHARP, (-400, -400, 64, 64), **said)
-    assert QgsVectorFileWriter.writeAsVectorFormatV3(drawn, path, context, options)[0] == 0
-    given = QgsVectorLayer(path, "given")
-    given.setCrs(drawn.crs())
-    asked: list[object] = []
-    desk.session.copyDoubted.connect(asked.append)
-    desk.project.addMapLayer(given)
-    desk.set(desk.inputs(windows=given.id()))
-    assert [(row.window_id, row.verdict) for row in desk.session.windows()] == [(1, "reduced"), (7, "")]
-    assert asked == []
-    desk.session.judge([desk.rows()[1].fid], "visible")
-    assert "in no windows file" in str(asked[0])
-    desk.use(given)
-    assert desk.layer() is not given
-    assert [(row.window_id, row.verdict, row.stale) for row in desk.session.windows()] == [
-        (1, "reduced", False), (7, "", False)
-    ]
-    assert [one["soil"] or "" for one in desk.layer().getFeatures()] == ["loam", ""]
-    desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))
-    assert desk.rows()[1].stale
-    assert {one["verdict"] or "" for one in given.getFeatures()} == {"reduced", ""}
-    assert len(asked) == 1
-
-
 # Layers that change
-
-
-def test_a_mosaic_that_vanishes_makes_nothing_stale(desk: Desk) -> None:
-    desk.add()
-    desk.project.removeMapLayers([desk.mosaic.id()])
-    settle()
-    assert not desk.rows()[1].stale
-
-
-def test_a_source_that_is_removed_makes_windows_stale_until_it_is_added_again(desk: Desk, scene: Scene) -> None:
-    desk.add()
-    before = desk.session.inputs
-    desk.project.removeMapLayers([desk.sources[0].id()])
-    settle()
-    assert desk.rows()[1].stale
-    again = desk.raster(scene.west)  # the same file under another id
-    settle()
-    assert desk.session.inputs.sources == (again.id(), before.sources[1])
-    assert not desk.rows()[1].stale
-
-
-def test_layers_that_are_added_again_are_found_also_in_a_project_opened_since(
-    desk: Desk, scene: Scene, tmp_path: Path
-) -> None:
-    seamlines = QgsVectorLayer(saved(desk.seamlines, tmp_path / "seams.gpkg"), "seams")
-    desk.project.addMapLayer(seamlines)
-    desk.set(desk.inputs(seamlines=seamlines.id()))
-    desk.project.removeMapLayers([desk.mosaic.id(), seamlines.id()])
-    path = str(tmp_path / "project.qgz")
-    assert desk.project.write(path)
-    desk.project.clear()
-    assert desk.project.read(path)
-    mosaic = desk.raster(scene.mosaic)
-    assert desk.session.inputs.mosaic == mosaic.id()
-    lines = QgsVectorLayer(str(tmp_path / "seams.gpkg") + "|layername=seams", "lines")
-    desk.project.addMapLayer(lines)
-    assert desk.session.inputs.seamlines == lines.id()
-    desk.wait_for_opening()
-
-
-def test_another_mosaic_instead_of_one_that_vanished_makes_inspected_windows_stale(desk: Desk, tmp_path: Path) -> None:
-    desk.add()
-    desk.project.removeMapLayers([desk.mosaic.id()])
-    path = str(tmp_path / "project.qgz")
-    assert desk.project.write(path)
-    desk.project.clear()
-    desk.session.close()
-    session = Session()  # one that never saw it
-    assert desk.project.read(path)
-    (row,) = session.windows()
-    assert (row.verdict, row.stale) == ("significant", False)
-    session.set_inputs(replace(session.inputs, mosaic=session.inputs.sources[0]))
-    assert [row.stale for row in session.windows()] == [True]
-    session.close()
 
 
 def test_another_data_source_or_reference_system_makes_inspected_windows_stale(desk: Desk, scene: Scene) -> None:
@@ -247,25 +111,6 @@ def test_another_data_source_or_reference_system_makes_inspected_windows_stale(d
     desk.session.inspect_pending()
     desk.wait()
     assert desk.session.result(desk.rows()[1].fid).clips[0].raster == "east.tif"  # type: ignore[union-attr]
-
-
-def test_the_window_layer_in_another_reference_system_makes_them_stale(desk: Desk) -> None:
-    desk.add()
-    crs = desk.layer().crs()
-    desk.layer().setCrs(QgsCoordinateReferenceSystem("EPSG:32634"))
-    assert desk.rows()[1].stale
-    desk.layer().setCrs(crs)
-    assert not desk.rows()[1].stale
-
-
-def test_a_window_layer_with_another_data_source_is_read_anew(desk: Desk) -> None:
-    fid, own = desk.add(), desk.layer()
-    assert desk.session.result(fid) is not None
-    source = desk.use(windows(SHARP, BLURRED)).source()
-    desk.set(desk.inputs(windows=own.id()))
-    own.setDataSource(source, "other", "ogr")
-    assert [row.verdict for row in desk.session.windows()] == ["", ""]
-    assert desk.session.result(fid) is None
 
 
 def test_an_edited_source_index_makes_inspected_windows_stale(desk: Desk, scene: Scene) -> None:
@@ -316,24 +161,3 @@ def test_seam_cells_decide_and_make_inspected_windows_stale(desk: Desk) -> None:
     desk.project.removeMapLayers([cells.id()])
     settle()
     assert not desk.rows()[1].stale
-
-
-def test_cells_without_the_field_are_told(desk: Desk) -> None:
-    cells = layer("Polygon", [outline((0, 0, 512, 256))])
-    desk.project.addMapLayer(cells)
-    desk.set(desk.inputs(cells=cells.id()))
-    desk.session.add_window(BLURRED_WINDOW)
-    desk.wait()
-    assert "no field 'source'" in desk.messages.pop()
-
-
-def test_the_verdict_against_the_composite(desk: Desk) -> None:
-    desk.set(desk.inputs(reference="composite", max_ratio=0.5))
-    fid = desk.add(SHARP_WINDOW)
-    row, result = desk.session.row(fid), desk.session.result(fid)
-    assert row is not None
-    assert result is not None
-    assert result.explanation is not None
-    ratio = result.explanation.ratios["luminance"].detail[0]
-    assert ratio is not None
-    assert row.verdict == ("preserved" if ratio >= 1 else "reduced")

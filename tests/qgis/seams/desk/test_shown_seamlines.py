@@ -12,11 +12,11 @@ from tests.qgis.scenes import Scene, layer, line
 def test_seamlines_go_and_come_back(project: QgsProject) -> None:
     seams, other = (layer("LineString", [line((0, 0), (9, 9))]) for _ in range(2))
     group = project.layerTreeRoot().addGroup("given")
-    for one in (seams, other):
-        project.addMapLayer(one, False)
-        group.addLayer(one)
+    for item in (seams, other):
+        project.addMapLayer(item, False)
+        group.addLayer(item)
     session = SimpleNamespace(inputs=SimpleNamespace(seamlines=seams.id(), mosaic=""))
-    node, beside = (project.layerTreeRoot().findLayer(one.id()) for one in (seams, other))
+    node, beside = (project.layerTreeRoot().findLayer(item.id()) for item in (seams, other))
     assert toggle_seamlines(session)  # type: ignore[arg-type]
     assert (node.isVisible(), beside.isVisible()) == (False, True)
     assert toggle_seamlines(session)  # type: ignore[arg-type]
@@ -50,7 +50,7 @@ def test_what_a_scan_found_goes_with_them(project: QgsProject) -> None:
 def test_rasters_over_the_mosaic_would_be_judged_in_its_place(project: QgsProject, scene: Scene) -> None:
     below, mosaic, above = (QgsRasterLayer(str(path), path.stem) for path in (scene.west, scene.mosaic, scene.east))
     lines = layer("LineString", [])
-    for one in (below, mosaic, lines, above):
-        project.addMapLayer(one)
+    for item in (below, mosaic, lines, above):
+        project.addMapLayer(item)
     session = SimpleNamespace(inputs=SimpleNamespace(seamlines="", mosaic=mosaic.id()))
     assert [node.layerId() for node in over_the_mosaic(session)] == [above.id()]  # type: ignore[arg-type]

@@ -23,11 +23,11 @@ def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) ->
     assert desk.steps() == [
         "drawing window 1", "judging window 1", "drawing window 2", "judging 2 windows", "removing window 1"
     ]
-    found = []
+    items = []
     while desk.session.steps.canUndo():
         desk.undo()
-        found.append([(row.window_id, row.observer) for row in desk.session.windows()])
-    assert found == [[(1, "invisible"), (2, "invisible")], [(1, "visible"), (2, "")], [(1, "visible")], [(1, "")], []]
+        items.append([(row.window_id, row.observer) for row in desk.session.windows()])
+    assert items == [[(1, "invisible"), (2, "invisible")], [(1, "visible"), (2, "")], [(1, "visible")], [(1, "")], []]
     assert gone == [first, first, first]
     while desk.session.steps.canRedo():
         desk.redo()
@@ -35,16 +35,6 @@ def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) ->
     assert (row.window_id, row.verdict, row.observer, row.stale) == (2, "preserved", "invisible", False)
     assert desk.session.result(row.fid) is not None
     assert desk.session.selected() == [row.fid]
-
-
-def test_a_new_number_is_none_that_was_removed(desk: Desk) -> None:
-    desk.add()
-    desk.session.remove([desk.add(SHARP_WINDOW)])
-    layer, watch = desk.layer(), desk.session._watch
-    watch.watch(None)
-    watch.watch(layer)  # as it is opened anew
-    desk.add(SHARP_WINDOW)
-    assert sorted(desk.rows()) == [1, 3]
 
 
 def test_an_inspection_is_undone_with_what_it_measured(desk: Desk) -> None:

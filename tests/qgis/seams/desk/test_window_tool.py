@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
 
 import pytest
 from qgis.core import (
@@ -19,12 +18,11 @@ from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QApplication, QLabel
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.seams.desk.map.window_tool import WindowTool, drawn_extent
+from seam_inspector.plugin.seams.desk.map.window_tool import WindowTool
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL, Scene, at, windows
 from tests.qgis.seams.desk.fake_session import FakeSession
-from tests.work import calls_of
 
 LEFT, RIGHT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
 SHIFT, CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -122,16 +120,6 @@ def test_click_places_the_standard_window_around_it(operator: Operator) -> None:
     assert operator.session.added == [PixelWindow(2048 - 64, 1024 - 64, 128, 128)]
 
 
-@pytest.mark.parametrize(
-    ("place", "corner"), [((8, 8), (0, 0)), ((4080, 2040), (4096 - 128, 2048 - 128)), ((30, 1024), (0, 1024 - 64))]
-)
-def test_click_near_the_edge_places_it_inside(
-    operator: Operator, place: tuple[int, int], corner: tuple[int, int]
-) -> None:
-    operator.click(place)
-    assert operator.session.added == [PixelWindow(*corner, 128, 128)]
-
-
 def test_click_near_a_seam_is_moved_onto_it(operator: Operator) -> None:
     operator.session.seam_x = at(2048, 0)[0]
     operator.move((2048 + 40, 1024))  # 10 screen pixels beside it
@@ -141,13 +129,6 @@ def test_click_near_a_seam_is_moved_onto_it(operator: Operator) -> None:
     assert not operator.has_mark
     operator.click((2048 + 80, 1024))
     assert [window.column for window in operator.session.added] == [2048 - 64, 2048 + 80 - 64]
-
-
-def test_label_and_rubber_band_tell_the_exact_pixels(operator: Operator) -> None:
-    operator.move((1000, 600))
-    assert operator.text == "12.8 x 12.8 m, 128 x 128 px, 3 sources"
-    left, top = ORIGIN[0] + 936 * PIXEL, ORIGIN[1] - 536 * PIXEL
-    assert operator.outline.toString(6) == QgsRectangle(left, top - 12.8, left + 12.8, top).toString(6)
 
 
 def test_drag_is_snapped_while_it_is_drawn(operator: Operator) -> None:
@@ -171,30 +152,6 @@ def test_shift_makes_a_square_also_when_pressed_midway(operator: Operator) -> No
     assert operator.session.added == [PixelWindow(402, 402, 600, 600)]
 
 
-@pytest.mark.parametrize("end", [(300.4, 77.7), (-900, -40), (5000, 260), (130, 9000)])
-@pytest.mark.parametrize("anchor", [(200.3, 140.9), (0, 0), (-50, 300)])
-def test_square_is_square_and_inside(
-    operator: Operator, anchor: tuple[float, float], end: tuple[float, float]
-) -> None:
-    grid = operator.session.grid
-    assert grid is not None
-    xmin, ymin, xmax, ymax = drawn_extent(grid, at(*anchor), at(*end), True)
-    assert xmax - xmin == pytest.approx(ymax - ymin, abs=1e-6)
-    assert (xmax - xmin) / PIXEL == pytest.approx(round((xmax - xmin) / PIXEL), abs=1e-4)
-    left, bottom, right, top = grid.extent
-    assert xmin >= left - 1e-6
-    assert xmax <= right + 1e-6
-    assert ymin >= bottom - 1e-6
-    assert ymax <= top + 1e-6
-
-
-def test_a_small_shake_is_still_a_click(operator: Operator) -> None:
-    operator.press(MIDDLE)
-    operator.move((2048 + 4 * QApplication.startDragDistance(), 1024), LEFT)
-    operator.release((2048 + 4 * QApplication.startDragDistance(), 1024))
-    assert [window.width for window in operator.session.added] == [128]
-
-
 @pytest.mark.parametrize(
     ("start", "end", "why"),
     [
@@ -212,41 +169,6 @@ def test_label_says_why_a_drag_is_no_window(
     operator.release(end)
     assert operator.session.added == []
     assert why in operator.text
-
-
-@pytest.mark.parametrize(
-    ("inputs", "why"),
-    [
-        ({"side_m": 500.0}, "too small for a window of 819.2 m"),
-        ({"side_m": 3.0}, "need at least 64 px"),
-        ({"side_m": 3.0, "levels": 8}, "8 levels need at least 256 px"),
-    ],
-)
-def test_label_says_why_a_click_is_no_window(operator: Operator, inputs: dict[str, float], why: str) -> None:
-    operator.session.inputs = Inputs(mosaic=operator.session.inputs.mosaic, **inputs)  # type: ignore[arg-type]
-    operator.click(MIDDLE)
-    assert why in operator.text
-    assert operator.session.added == []
-
-
-def test_without_sources_it_is_a_window_but_warned_of(operator: Operator) -> None:
-    operator.session.source_count = 0
-    operator.move(MIDDLE)
-    assert operator.text.endswith("128 x 128 px, no source has pixels there")
-    operator.click(MIDDLE)
-    assert len(operator.session.added) == 1
-
-
-def test_less_is_said_of_sources_while_less_is_known(operator: Operator) -> None:
-    operator.session.source_count, operator.session.unread = 0, 3
-    operator.move(MIDDLE)
-    assert operator.text == "12.8 x 12.8 m, 128 x 128 px"
-    operator.session.source_count, operator.session.unread = 2, 1
-    operator.session.coverageChanged.emit()
-    assert operator.text.endswith("px, 2 sources or more")
-    operator.session.source_count, operator.session.unread = 3, 0
-    operator.session.coverageChanged.emit()
-    assert operator.text.endswith("px, 3 sources")
 
 
 def test_a_click_where_nothing_can_be_judged_goes_to_the_nearest_place_that_can_be(operator: Operator) -> None:
@@ -268,17 +190,6 @@ def test_a_click_where_nothing_can_be_judged_goes_to_the_nearest_place_that_can_
     assert session.added[-1] == here
 
 
-def test_vanished_mosaic_does_no_harm(operator: Operator) -> None:
-    operator.press((400, 400))
-    operator.move((1000, 800), LEFT)
-    QgsProject.instance().clear()
-    operator.session.inputsChanged.emit()
-    assert operator.text == "No mosaic is chosen; choose the mosaic in the inputs."
-    operator.release((1000, 800))
-    operator.click(MIDDLE)
-    assert operator.session.added == []
-
-
 def test_other_map_reference_system(operator: Operator) -> None:
     operator.canvas.setDestinationCrs(WEB_MERCATOR)
     operator.canvas.setExtent(QgsRectangle(operator.on_map((0, 2048)), operator.on_map((4096, 0))))
@@ -295,15 +206,6 @@ def test_other_map_reference_system(operator: Operator) -> None:
     assert abs(drawn.height - 800) <= 16
 
 
-def test_escape_cancels_a_drag(operator: Operator) -> None:
-    operator.press((400, 400))
-    operator.move((1000, 800), LEFT)
-    operator.key(Qt.Key.Key_Escape)
-    assert operator.text == ""
-    operator.release((1000, 800))
-    assert operator.session.added == []
-
-
 def test_right_click_ends_but_only_cancels_within_a_drag(operator: Operator) -> None:
     ended: list[None] = []
     operator.tool.finished.connect(lambda: ended.append(None))
@@ -315,29 +217,6 @@ def test_right_click_ends_but_only_cancels_within_a_drag(operator: Operator) -> 
     operator.click(MIDDLE, RIGHT)
     assert len(ended) == 1
     assert operator.session.added == []
-
-
-def test_second_release_of_a_double_click_adds_nothing(operator: Operator) -> None:
-    operator.click(MIDDLE)
-    operator.release(MIDDLE)
-    assert len(operator.session.added) == 1
-
-
-@pytest.mark.parametrize("place", [(0, 0), (4090, 10), (10, 2040), (4090, 2040), (2048, 30)])
-def test_label_stays_on_the_map(operator: Operator, place: tuple[int, int]) -> None:
-    for _ in range(2):
-        operator.move(place)
-        assert operator.label is not None
-        assert operator.canvas.rect().contains(operator.label.geometry())
-        operator.canvas.setExtent(operator.canvas.extent().scaled(0.1, operator.on_map(place)))
-        assert operator.canvas.rect().contains(operator.label.geometry())
-
-
-def test_cursor_that_leaves_the_map_takes_the_outline_along(operator: Operator) -> None:
-    operator.move(MIDDLE)
-    QApplication.sendEvent(operator.canvas.viewport(), QEvent(QEvent.Type.Leave))
-    assert operator.text == ""
-    assert operator.outline.isNull()
 
 
 def test_nothing_is_left_after_another_tool_or_close(qgis_canvas: QgsMapCanvas, operator: Operator) -> None:
@@ -354,17 +233,6 @@ def test_nothing_is_left_after_another_tool_or_close(qgis_canvas: QgsMapCanvas, 
         assert len(qgis_canvas.findChildren(QLabel)) == children
         assert qgis_canvas.receivers(qgis_canvas.extentsChanged) == receivers
         assert operator.session.receivers(operator.session.inputsChanged) == 0
-
-
-def test_hovering_is_cheap(operator: Operator) -> None:
-    """A move costs some hundred calls, and no more where the mosaic lies in another reference system."""
-    operator.canvas.setDestinationCrs(WEB_MERCATOR)
-    operator.canvas.setExtent(QgsRectangle(operator.on_map((0, 2048)), operator.on_map((4096, 0))))
-    operator.session.seam_x = at(*MIDDLE)[0]
-    places = [(1500 + 5 * step, 900) for step in range(200)]
-    events = [operator._event(QEvent.Type.MouseMove, place, NONE, NONE) for place in places]
-    operator.tool.canvasMoveEvent(events[0])
-    assert max(calls_of(partial(operator.tool.canvasMoveEvent, event)) for event in events[1:]) < 1000
 
 
 # Windows that are there
@@ -409,17 +277,3 @@ def test_click_with_control_and_a_drag_make_another_window_on_top(with_windows: 
     with_windows.drag((2010, 1010), (2138, 1138))
     assert len(with_windows.session.added) == 2
     assert with_windows.session.chosen == []
-
-
-def test_it_is_said_what_a_click_does_there(with_windows: Operator) -> None:
-    with_windows.move((2010, 1064))
-    assert with_windows.text == "window 1: click selects it, drag draws another"
-    assert with_windows.outline.width() == pytest.approx(12.8)
-    with_windows.move((1800, 1064))
-    assert "3 sources" in with_windows.text
-
-
-def test_windows_are_found_on_a_map_in_another_system(with_windows: Operator) -> None:
-    with_windows.canvas.setDestinationCrs(WEB_MERCATOR)
-    with_windows.click((2010, 1064))
-    assert with_windows.session.chosen == [1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsRectangle
+from qgis.core import QgsCoordinateReferenceSystem
 from qgis.gui import QgsMapCanvas
 from seam_inspector.plugin.seams.desk.map.window_view import WindowView
 
@@ -35,7 +35,7 @@ def test_one_pixel_of_the_image_covers_two_of_the_screen_whatever_the_systems(
     for row in rows:
         view.show(row.fid)
         assert desk.session.selected() == [row.fid]
-        assert [view.is_seen(row.fid) for row in rows] == [one is row for one in rows]
+        assert [view.is_seen(row.fid) for row in rows] == [record is row for record in rows]
         stretch = canvas.mapUnitsPerPixel() / (PIXEL / 2)
         assert stretch == pytest.approx(1 if map_in == UTM33 else 1.6, abs=0.35)  # Mercator stretches
     assert layer.crs().authid() == f"EPSG:{windows_in}"
@@ -56,16 +56,3 @@ def test_the_map_goes_to_a_window_that_is_selected_elsewhere(desk: Desk, canvas:
     desk.session.select([second.fid])
     view.follow()
     assert view.is_seen(second.fid)
-
-
-def test_a_window_among_a_whole_mosaic_is_shown_and_not_seen(desk: Desk, canvas: QgsMapCanvas) -> None:
-    desk.use(windows(BLURRED, SHARP))
-    view = WindowView(canvas, desk.session)
-    row = desk.session.windows()[0]
-    whole = QgsRectangle(desk.mosaic.extent())
-    whole.scale(5)
-    canvas.setExtent(whole)
-    desk.session.select([row.fid])
-    view.follow()
-    assert canvas.extent().contains(desk.mosaic.extent())  # a click on the map does not move it
-    assert not view.is_seen(row.fid)

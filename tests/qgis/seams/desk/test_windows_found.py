@@ -7,7 +7,6 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from seam_inspector.plugin.toolkit.project_settings import load_settings
 
 from tests.qgis.scenes import Scene
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle
@@ -86,9 +85,3 @@ def test_a_view_that_never_ends_beside_a_project_is_not_read(desk: Desk, tmp_pat
     desk.project.clear()
     read_again(desk, tmp_path / "project.qgz")
     assert desk.session.windows() == []
-
-
-@pytest.mark.parametrize("text", ["[" * 100_000 + "]" * 100_000, "{", "9" * 10_000, "[]"])
-def test_settings_of_a_project_that_nobody_understands_are_none(desk: Desk, text: str) -> None:
-    desk.project.writeEntry("SeamInspector", "key", text)
-    assert load_settings(desk.project, "key") == {}

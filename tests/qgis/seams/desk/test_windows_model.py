@@ -32,21 +32,21 @@ CHANGES: dict[str, Callable[[WindowRecord], WindowRecord]] = {
 @pytest.mark.parametrize("change", CHANGES)
 def test_changed_windows_stand_where_a_new_table_has_them(qgis_app: QgsApplication, change: str) -> None:
     model, fresh = WindowsModel(), WindowsModel()
-    for one in (model, fresh):
-        one.sort([column.name for column in one.columns].index("kept"))
+    for item in (model, fresh):
+        item.sort([column.name for column in item.columns].index("kept"))
     model.set_windows(ROWS)
-    told: list[tuple[int, int]] = []
-    model.dataChanged.connect(lambda first, last, *_: told.append((first.row(), last.row())))
+    messages: list[tuple[int, int]] = []
+    model.dataChanged.connect(lambda first, last, *_: messages.append((first.row(), last.row())))
     rows: list[Any] = [CHANGES[change](row) if row.window_id in (3, 4, 11) else row for row in ROWS]
     model.set_windows(rows)
     fresh.set_windows(rows)
     assert model.windows() == fresh.windows()
     assert model.columns == fresh.columns
     for row in range(model.rowCount()):
-        shown = [[one.index(row, column).data() for column in range(one.columnCount())] for one in (model, fresh)]
+        shown = [[item.index(row, column).data() for column in range(item.columnCount())] for item in (model, fresh)]
         assert shown[0] == shown[1]
     if change in ("judged", "stale"):
         places = [place for place, row in enumerate(model.windows()) if row.window_id in (3, 4, 11)]
-        assert told == [(min(places), max(places))]
+        assert messages == [(min(places), max(places))]
     if change == "read again, the same":
-        assert told == []
+        assert messages == []

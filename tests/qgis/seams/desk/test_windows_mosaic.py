@@ -16,12 +16,12 @@ from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Des
 @pytest.fixture
 def asked(desk: Desk) -> list[Message]:
     """A desk with two inspected windows, one of them judged, and what it asks."""
-    found: list[Message] = []
+    items: list[Message] = []
     desk.set(desk.inputs())
     desk.add(SHARP_WINDOW)
     desk.session.judge([desk.add(BLURRED_WINDOW)], "visible")
-    desk.session.mosaicDoubted.connect(found.append)
-    return found
+    desk.session.mosaicDoubted.connect(items.append)
+    return items
 
 
 def other_mosaic(desk: Desk, scene: Scene, folder: Path) -> None:
@@ -66,16 +66,6 @@ def test_windows_that_lost_their_reference_system_have_the_mosaics(desk: Desk, w
     assert all(row.verdict for row in desk.session.windows())
 
 
-def test_mosaics_of_one_name_are_told_apart_by_their_folders(
-    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
-) -> None:
-    path = tmp_path / scene.mosaic.name
-    shutil.copyfile(scene.west, path)
-    desk.set(desk.inputs(mosaic=desk.raster(path).id()))
-    (message,) = asked
-    assert (message.values["older"], message.values["newer"]) == (str(scene.mosaic), str(path))
-
-
 def test_new_windows_lie_where_the_others_lie(desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]) -> None:
     older, before = desk.layer(), said(desk)
     places = [row.extent for row in desk.session.windows()]
@@ -91,37 +81,6 @@ def test_new_windows_lie_where_the_others_lie(desk: Desk, scene: Scene, tmp_path
     assert [verdict for verdict, _ in said(desk)] != ["", ""]
     desk.set(desk.inputs(windows=older.id()))
     assert said(desk) == before
-
-
-def test_windows_that_were_always_of_this_mosaic_keep_their_judgements(
-    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
-) -> None:
-    other_mosaic(desk, scene, tmp_path)
-    desk.session.take_windows()
-    assert desk.session.problem() is None
-    assert [observer for _, observer in said(desk)] == ["", "visible"]
-    desk.set(desk.inputs())
-    assert len(asked) == 2  # now the first one is the other
-
-
-def test_windows_that_are_left_stay_as_they_are(
-    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
-) -> None:
-    before, layer = said(desk), desk.layer()
-    other_mosaic(desk, scene, tmp_path)
-    desk.session.leave_windows()
-    assert desk.session.windows() == []
-    desk.set(desk.inputs(windows=layer.id()))
-    assert said(desk) == before
-
-
-def test_a_mosaic_that_was_moved_is_the_same(desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]) -> None:
-    moved = tmp_path / "elsewhere" / "renamed.tif"
-    moved.parent.mkdir()
-    shutil.copyfile(scene.mosaic, moved)
-    desk.set(desk.inputs(mosaic=desk.raster(moved).id()))
-    assert asked == []
-    assert desk.session.problem() is None
 
 
 def test_windows_know_their_mosaic_when_they_are_opened_again(

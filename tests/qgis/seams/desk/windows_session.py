@@ -1,4 +1,4 @@
-"""A session without layers and tasks: what the table of windows and the judge bar ask of it."""
+"""A session without layers and tasks: what the table of windows, the judge bar and the charts ask of it."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -10,6 +10,7 @@ from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.statistics import FIRST, Operator
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
+from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
@@ -17,15 +18,21 @@ from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 class WindowsSession(QObject):
     """Windows in a list. As in the real one a selection is told at once."""
 
+    inputsChanged = pyqtSignal()
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
+    liveChanged = pyqtSignal()
+    curvesArrived = pyqtSignal(int)
+    resultArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
+    messageRaised = pyqtSignal(str, int)
 
     def __init__(self, rows: list[WindowRecord] | None = None) -> None:
         super().__init__()
         self.rows = list(rows or [])
         self.chosen: list[int] = []
         self.inputs = Inputs()
+        self.live: LiveWindow | None = None
         self.pending: set[int] = set()
         self.results: dict[int, WindowResult] = {}
         self.calls: list[tuple[Any, ...]] = []

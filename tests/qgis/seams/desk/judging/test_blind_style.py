@@ -26,13 +26,13 @@ def looks(layer: QgsVectorLayer) -> list[tuple[object, ...]]:
     """Colours and widths of the outlines, window by window."""
     context, renderer = QgsRenderContext(), layer.renderer().clone()
     renderer.startRender(context, layer.fields())
-    found = []
+    items = []
     for feature in layer.getFeatures():
         context.expressionContext().setFeature(feature)
         symbols = renderer.symbolsForFeature(feature, context)
-        found.append(tuple((symbol.color().name(), symbol.symbolLayer(0).width()) for symbol in symbols))
+        items.append(tuple((symbol.color().name(), symbol.symbolLayer(0).width()) for symbol in symbols))
     renderer.stopRender(context)
-    return found
+    return items
 
 
 def _expressions(labels: QgsPalLayerSettings) -> list[str]:
@@ -45,7 +45,7 @@ def test_nothing_on_the_map_tells_what_was_found(judged: QgsVectorLayer) -> None
     hide_verdicts(judged, SECOND)
     renderer = judged.renderer().clone()
     symbol = renderer.rootRule().children()[1].symbol()
-    assert all(one.layerType() == "SimpleLine" for one in symbol.symbolLayers())  # a fill would hide the selected one
+    assert all(layer.layerType() == "SimpleLine" for layer in symbol.symbolLayers())  # a fill would hide the selected
     first, second = looks(judged)
     assert first == second  # the first operator's word is hidden, too
     assert "verdict" not in judged.renderer().dump()

@@ -16,7 +16,6 @@ from qgis.PyQt.QtWidgets import (
     QAction,
     QApplication,
     QComboBox,
-    QDialog,
     QDockWidget,
     QLineEdit,
     QListWidget,
@@ -25,7 +24,6 @@ from qgis.PyQt.QtWidgets import (
     QSpinBox,
     QTableWidget,
     QTextEdit,
-    QToolBar,
     QTreeWidget,
     QVBoxLayout,
     QWidget,
@@ -124,15 +122,6 @@ def test_letters_judge_on_the_map_and_in_the_desk_and_no_shortcut_is_ambiguous(d
         assert desk.press(widget, Qt.Key.Key_Backspace) == ["Backspace"]
 
 
-def test_letters_judge_nothing_while_the_desk_is_merely_open(desk: _Desk) -> None:
-    desk.is_judging = False
-    for widget in (desk.canvas, desk.table, desk.button, desk.chart):
-        for key in (Qt.Key.Key_N, Qt.Key.Key_Backspace):
-            assert desk.press(widget, key) == []
-        assert desk.press(widget) == ["QGIS"]  # whose shortcut it is
-        assert desk.press(widget, Qt.Key.Key_J) == ["J"]  # which begins it
-
-
 def test_space_works_on_the_map_and_in_the_table_and_presses_buttons(desk: _Desk) -> None:
     desk.is_judging = False
     pressed: list[bool] = []
@@ -177,15 +166,6 @@ def test_a_key_tapped_twice_while_the_interface_is_busy_is_tapped_twice(desk: _D
     assert desk.taken == ["V", "V"]
 
 
-def test_how_long_a_key_was_held_is_told(desk: _Desk) -> None:
-    desk.canvas.setFocus()
-    QTest.keyPress(desk.canvas, Qt.Key.Key_Space)
-    QTest.qWait(120)
-    QTest.keyRelease(desk.canvas, Qt.Key.Key_Space)
-    QTest.qWait(UP_MS)
-    assert 0.1 < desk.held_s < 0.12 + UP_MS / 1000  # and not until the timer ends
-
-
 def test_a_held_key_is_let_go_of_when_another_application_is_used(desk: _Desk) -> None:
     desk.canvas.setFocus()
     QTest.keyPress(desk.canvas, Qt.Key.Key_Space)
@@ -193,25 +173,10 @@ def test_a_held_key_is_let_go_of_when_another_application_is_used(desk: _Desk) -
     assert desk.taken == ["held", "let go"]
 
 
-def test_text_fields_keep_their_letters(desk: _Desk) -> None:
-    for widget in (desk.line, desk.text, desk.number, desk.choice):
-        assert "V" not in desk.press(widget)
-    assert (desk.line.text(), desk.text.toPlainText()) == ("v", "v")
-
-
 def test_a_tool_that_edits_the_map_keeps_its_keys(desk: _Desk) -> None:
     tool = _Editing(desk.canvas)
     desk.canvas.setMapTool(tool)
     assert "V" not in desk.press(desk.table)
-
-
-def test_another_window_keeps_its_keys(desk: _Desk, show: Show) -> None:
-    dialog = QDialog()
-    button = QPushButton("close", dialog)
-    show(dialog)
-    dialog.activateWindow()
-    QTest.qWaitForWindowActive(dialog)
-    assert desk.press(button) == []
 
 
 def test_with_nothing_to_judge_the_key_stays_with_the_desk_and_does_nothing(desk: _Desk) -> None:
@@ -242,11 +207,6 @@ def test_other_keys_are_left_alone(desk: _Desk) -> None:
     assert desk.taken == []
 
 
-def test_out_of_sight_it_takes_nothing(desk: _Desk) -> None:
-    desk.keys.listen(False)
-    assert "V" not in desk.press(desk.table)
-
-
 @pytest.mark.parametrize("kind", [QListWidget, QTableWidget, QTreeWidget, QgsLayerTreeView, QWidget])
 def test_other_docks_keep_the_letters_that_find_a_row(desk: _Desk, kind: type[QWidget]) -> None:
     dock, widget = QDockWidget("of another plugin, or of QGIS"), kind()
@@ -257,19 +217,3 @@ def test_other_docks_keep_the_letters_that_find_a_row(desk: _Desk, kind: type[QW
     desk.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
     for key in (Qt.Key.Key_V, Qt.Key.Key_J, Qt.Key.Key_X, Qt.Key.Key_Space, Qt.Key.Key_Backspace):
         assert not {"V", "J", "X", "held", "Backspace"} & {*desk.press(widget, key)}
-
-
-def test_trees_and_lists_of_the_desk_keep_their_letters(desk: _Desk) -> None:
-    for key in (Qt.Key.Key_V, Qt.Key.Key_J, Qt.Key.Key_X):
-        assert not {"V", "J", "X"} & {*desk.press(desk.tree, key)}
-
-
-def test_toolbars_keep_their_letters_and_the_main_window_has_none(desk: _Desk) -> None:
-    bar, button = QToolBar(), QPushButton("of a toolbar")
-    bar.addWidget(button)
-    desk.window.addToolBar(bar)
-    bar.show()
-    QApplication.processEvents()
-    desk.window.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-    assert "V" not in desk.press(button)
-    assert desk.press(desk.window) == ["V"]

@@ -7,7 +7,7 @@ import pytest
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings, load_judging, save_judging
+from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.judging.conftest import Asked
@@ -48,24 +48,6 @@ def test_a_key_goes_to_a_window_that_is_not_in_view_before_it_judges(session: Wi
     judging.close()
 
 
-def test_there_is_nothing_to_judge_without_a_selection(judging: Judging, session: WindowsSession) -> None:
-    assert not judging.judge("visible")
-    assert not judging.take_back()
-    assert not judging.note(confidence=50)
-    assert session.calls == []
-
-
-def test_where_all_are_judged_a_verdict_goes_on_to_the_one_below(judging: Judging, session: WindowsSession) -> None:
-    """So that a review of judged windows takes one key a window, too."""
-    session.put([replace(row, observer="visible") for row in five()])
-    session.select([2])
-    judging.judge("invisible")
-    assert session.selected() == [3]
-    session.select([5])
-    judging.judge("invisible")
-    assert session.selected() == [5]
-
-
 def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     judging: Judging, bar: JudgeBar, session: WindowsSession
 ) -> None:
@@ -77,39 +59,6 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
     assert bar.sentence() == "All windows are judged: 1 visible, 4 invisible, 0 not sure."
     judging.take_back()
-    assert session.selected() == [3]
-
-
-def test_a_window_that_cant_be_compared_leads_to_no_judged_one(judging: Judging, session: WindowsSession) -> None:
-    session.put([window(1), window(2), window(3, observer="visible")])
-    session.select([1])
-    judging.judge("visible")
-    assert session.selected() == [2]
-    judging.judge("visible")
-    assert session.selected() == []
-
-
-def test_it_goes_on_where_a_judged_window_left_the_filter(
-    judging: Judging, panel: WindowsPanel, session: WindowsSession
-) -> None:
-    session.put(five())
-    filter_to(panel, choice="not judged")
-    session.select([3])
-    judging.judge("visible")
-    assert panel.ordered_fids() == [1, 2, 4, 5]
-    assert session.selected() == [4]
-
-
-def test_it_goes_on_although_writing_gave_other_feature_ids(judging: Judging, session: WindowsSession) -> None:
-    session.put([replace(row, fid=-row.fid) for row in five()])
-
-    def judge_and_save(fids: list[int], word: str, operator: object) -> None:
-        session.chosen = [2]
-        session.put([replace(row, fid=row.window_id, observer=word * (row.window_id == 2)) for row in session.rows])
-
-    session.judge = judge_and_save  # type: ignore[assignment, method-assign]
-    session.select([-2])
-    judging.judge("visible")
     assert session.selected() == [3]
 
 
@@ -177,13 +126,6 @@ def test_how_sure_he_was_is_taken_back_too(judging: Judging, session: WindowsSes
         assert (session.rows[0].observer, session.rows[0].confidence) == ("invisible", 70)
         assert session.rows[1].confidence is None
         session.select([1])
-
-
-def test_a_judged_window_is_taken_back_where_it_is(judging: Judging, session: WindowsSession) -> None:
-    session.select([10])
-    judging.take_back()
-    assert session.row(10).observer == ""  # type: ignore[union-attr]
-    assert session.selected() == [10]
 
 
 def test_many_at_once_only_when_the_operator_says_so(judging: Judging, session: WindowsSession, asked: Asked) -> None:
@@ -257,56 +199,6 @@ def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: Windows
     assert "verdict" in [column.title() for column in panel.table.visible_columns()]
 
 
-@pytest.mark.parametrize(
-    ("text", "choice", "fids"),
-    [
-        ("verdict = 'significant'", "all", [2, 12]), ("kept < 0.95", "all", [1, 2]), ("significant", "all", [2, 12]),
-        ("observer_2 = 'visible'", "all", [1]), ("west_12", "all", [4]), ("", "significant", [2, 12]),
-        ("", "operators differ", []),
-    ],
-)
-def test_a_filter_by_what_is_hidden_is_lifted_while_blind(
-    panel: WindowsPanel, session: WindowsSession, text: str, choice: str, fids: list[int]
-) -> None:
-    session.change(1, observer_2="visible")
-    everything = [row.fid for row in session.rows]
-    assert filter_to(panel, text, choice) == fids
-    before = panel.filter()
-    panel.set_blind(OWN)
-    assert panel.ordered_fids() == everything
-    assert panel.filter() == before  # as the project keeps it
-    panel.set_filter(*before)
-    assert filter_to(panel, text) == everything
-    assert ("hidden while judging blind" in panel._problem.text()) == bool(text)
-    panel.set_blind(None)
-    panel.set_filter(*before)
-    assert panel.ordered_fids() == fids
-    assert panel._problem.text() == ""
-
-
-@pytest.mark.parametrize(
-    ("text", "fids"),
-    [
-        ("2", [2]), ("visible", [2]), ("observer = 'visible'", [2]), ("id > 3", [4, 10, 12]), ("sure > 50", [2]),
-        ("attribute('verdict') = 'significant'", []),
-    ],
-)
-def test_while_blind_windows_are_filtered_by_what_is_seen(
-    panel: WindowsPanel, session: WindowsSession, text: str, fids: list[int]
-) -> None:
-    session.change(2, confidence=60)
-    panel.set_blind(OWN)
-    assert filter_to(panel, text) == fids
-
-
-def test_while_blind_the_second_operator_filters_by_his_own_words(
-    panel: WindowsPanel, session: WindowsSession
-) -> None:
-    session.change(1, observer_2="visible")
-    panel.set_blind(frozenset(("window_id", "observer_2", "confidence_2", "remark_2")))
-    assert filter_to(panel, "visible") == [1]
-
-
 # The project
 
 
@@ -323,11 +215,3 @@ def test_the_project_keeps_how_windows_are_judged_and_where_one_was(
     assert project.read(path)
     assert judging.settings == JudgingSettings(2, False, "kept < 0.7", "not_judged", 12)
     assert session.selected() == [12]
-
-
-@pytest.mark.parametrize("text", ["", "nothing", "[]", '{"operator": "two", "search": 7, "is_blind": 1}'])
-def test_what_cant_be_understood_is_left_out(project: QgsProject, text: str) -> None:
-    project.writeEntry("SeamInspector", "judging", text)
-    assert load_judging(project) == JudgingSettings()
-    save_judging(project, JudgingSettings(shown="stale"))
-    assert load_judging(project).shown == "stale"

@@ -6,18 +6,16 @@ from typing import Any
 
 import numpy as np
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject, QgsRasterLayer
-from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.session_inputs import LossView
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 from seam_inspector.plugin.seams.measure.window.inspection import WindowResult
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL
+from tests.qgis.seams.desk.windows_session import WindowsSession
 
 INFINITE = float("inf")
 PROFILE = SeamProfile(
@@ -54,29 +52,20 @@ def loss_of_window() -> LossPicture:
 def result(explained: Any = None, verdict: Verdict = Verdict.SIGNIFICANT) -> WindowResult:
     """Result of the window."""
     judgement = Judgement(verdict, Ratios((0.5, 0.6, 0.7), 1.0))
-    found = WindowResult(7, WINDOW, judgement, verdict, explanation=explained, ground_sample_distance=PIXEL)
-    return replace(found, explanation=explained if explained is not None else Explained())
+    measured = WindowResult(7, WINDOW, judgement, verdict, explanation=explained, ground_sample_distance=PIXEL)
+    return replace(measured, explanation=explained if explained is not None else Explained())
 
 
-class ProfileSession(QObject):
-    """One window, selected."""
-
-    inputsChanged = pyqtSignal()
-    windowsChanged = pyqtSignal()
-    selectionChanged = pyqtSignal()
-    liveChanged = pyqtSignal()
-    resultArrived = pyqtSignal(int)
-    messageRaised = pyqtSignal(str, int)
+class ProfileSession(WindowsSession):
+    """One window, selected, and another that was not measured."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.live: LiveWindow | None = None
-        self.inputs = Inputs()
+        super().__init__([WindowRecord(7, None, "significant", fid=1), WindowRecord(8, None, fid=2)])
         self.loss_view = LossView(self)
         self.grid = Grid(*ORIGIN, PIXEL, PIXEL, 512, 512)
-        self.results: dict[int, WindowResult] = {1: result()}
-        self.rows = {1: WindowRecord(7, None, "significant", fid=1), 2: WindowRecord(8, None, fid=2)}
-        self.chosen, self.pending = [1], False
+        self.results = {1: result()}
+        self.chosen = [1]
+        self.is_measuring = False
         self._layer = QgsRasterLayer("", "mosaic")
         self._layer.setCrs(QgsCoordinateReferenceSystem("EPSG:32633"))
 
@@ -86,24 +75,12 @@ class ProfileSession(QObject):
     def mosaic_grid(self) -> Grid:
         return self.grid
 
-    def windows(self) -> list[WindowRecord]:
-        return list(self.rows.values())
-
-    def row(self, fid: int) -> WindowRecord | None:
-        return self.rows.get(fid)
-
-    def selected(self) -> list[int]:
-        return self.chosen
-
     def select(self, fids: list[int]) -> None:
-        self.chosen = fids
+        self.chosen = list(fids)
         self.selectionChanged.emit()
 
-    def result(self, fid: int) -> WindowResult | None:
-        return self.results.get(fid)
-
     def is_pending(self, fid: int) -> bool:
-        return self.pending
+        return self.is_measuring
 
 
 def on_map(column: float, row: float, crs: QgsCoordinateReferenceSystem) -> tuple[float, float]:

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,18 +9,14 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.desk.map import lost_detail as loss_overlay
-from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay, ProfileOnMap
+from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay
 from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 from tests.qgis.seams.desk.profile.profile_desk import (
-    PROFILE,
     SEAM_COLUMN,
     WINDOW,
-    Explained,
     ProfileSession,
     on_map,
-    result,
 )
 from tests.qgis.seams.desk.session_desk import settle, wait_until
 
@@ -109,67 +104,16 @@ def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: 
 
 def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis_app: QApplication) -> None:
     canvas, session = QgsMapCanvas(), ProfileSession()
-    found, session.results = session.results, {}
+    values, session.results = session.results, {}
     overlay = LossOverlay(canvas, session)
     session.loss_view.show(True)
     (legend,) = canvas.findChildren(LossLegend)
     assert "No picture yet" in legend.text()
-    session.results = found
+    session.results = values
     session.resultArrived.emit(1)
     wait_until(lambda: len(overlay.pictures) == 1)
     assert "50 % kept, or less" in legend.text()
-    session.rows[1] = replace(session.rows[1], stale=True)
+    session.change(1, stale=True)
     session.windowsChanged.emit()
     wait_until(lambda: not overlay.pictures)
     overlay.close()
-
-
-def test_thousands_of_windows_are_painted_in_turns_with_the_operator(
-    qgis_app: QApplication, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(loss_overlay, "_SLICE_S", 0.0)  # one window a turn
-    canvas, session, asked = QgsMapCanvas(), ProfileSession(), []
-    row, found = session.rows[1], session.results[1]
-    session.rows = {fid: replace(row, fid=fid, window_id=fid) for fid in range(1, 9)}
-    session.results = {fid: replace(found, window_id=fid) for fid in session.rows if fid != 4}  # one has none yet
-    monkeypatch.setattr(session, "result", lambda fid: asked.append(fid) or session.results.get(fid))
-    overlay = LossOverlay(canvas, session)
-    session.loss_view.show(True)
-    assert len(overlay.pictures) == 1
-    wait_until(lambda: len(overlay.pictures) == 7)
-    asked.clear()
-    session.results[4] = replace(found, window_id=4)
-    session.resultArrived.emit(4)
-    wait_until(lambda: len(overlay.pictures) == 8)
-    assert set(asked) == {4}  # what is painted is not read again
-    overlay.close()
-
-
-def test_the_ground_of_a_bin_is_marked_on_the_map(canvas: QgsMapCanvas) -> None:
-    session = ProfileSession()
-    before = len(canvas.scene().items())
-    on = ProfileOnMap(canvas, session)
-    on.follow(session.results[1])
-    on.highlight(PROFILE.bins[1])  # 8 to 16 px
-    settle()
-    for away, marked in ((0, False), (5, False), (11, True), (14, True), (19, False), (40, False)):
-        for column in (SEAM_COLUMN + 1 - away, SEAM_COLUMN + 1 + away):
-            assert is_on(colour_at(canvas, column, 50)) == marked, (away, column)
-    on.highlight(None)
-    settle()
-    assert not is_on(colour_at(canvas, SEAM_COLUMN + 12, 50))
-    on.follow(result(Explained()))
-    on.close()
-    assert len(canvas.scene().items()) == before
-
-
-def test_the_hard_cut_in_place_of_the_mosaic_has_none_of_its_lost_detail(qgis_app: QApplication) -> None:
-    canvas = QgsMapCanvas()
-    overlay = PictureOverlay(canvas)
-    overlay.show([PlacedPicture(rgba_image(np.full((2, 2, 4), 255, np.uint8)), (0, 0, 1, 1), (0, 0, 1, 1))], UTM33)
-    assert overlay._item is not None
-    overlay.set_visible(False)
-    assert not overlay._item.isVisible()
-    overlay.close()
-    canvas.close()
-    canvas.deleteLater()

@@ -3,22 +3,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
-from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtCore import QPoint
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog
-from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, bin_words, level_colour, summary_words
+from qgis.PyQt.QtWidgets import QApplication
+from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
 from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
-from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
-from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.scenes import PIXEL
@@ -72,16 +67,8 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     image, y = chart.grab().toImage(), round(chart.painter().y_of(0.7))
     row = [image.pixelColor(x, y) for x in range(300, 340)]
     # thinner where it lies on two rows of pixels
-    dashes = [one for one in row if abs(one.hue() - limit.hue()) < 5 and one.saturation() > 100]
+    dashes = [record for record in row if abs(record.hue() - limit.hue()) < 5 and record.saturation() > 100]
     assert 0 < len(dashes) < len(row)
-
-
-def test_what_the_ground_has_is_said_in_a_narrow_panel(panel: ProfilePanel) -> None:
-    """In a dock at the side of a low screen the line has room for some 25 characters."""
-    shown = ShownProfile(replace(PROFILE, measure=Measure.ENERGY), PIXEL, 0.7, ground_left=0.66)
-    shortest = summary_words(shown)[-1]
-    assert len(shortest) <= 25
-    assert shortest.endswith("66 %")
 
 
 def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -> None:
@@ -106,39 +93,21 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
     assert not panel.chart.painter().mixture
 
 
-def test_distance_and_place_are_each_others_inverse(panel: ProfilePanel) -> None:
-    placed = panel.chart.painter()
-    for distance in (0.0, 0.3, 1.0, 7.7, 25.0):
-        assert placed.distance_at(placed.x_of(distance)) == pytest.approx(distance, abs=1e-6)
-
-
 def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -> None:
-    told: list[object] = []
-    panel.chart.pointed.connect(told.append)
+    messages: list[object] = []
+    panel.chart.pointed.connect(messages.append)
     placed = panel.chart.painter()
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(12 * PIXEL)), 60))
     settle()
-    assert told == [PROFILE.bins[1]]
+    assert messages == [PROFILE.bins[1]]
     assert panel._status.text() == "0.80 to 1.60 m from the seam: 80 % kept (70 to 90 %)"
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(30 * PIXEL)), 60))  # nothing was measured there
     settle()
-    assert told[-1] is None
+    assert messages[-1] is None
     assert panel._status.text().startswith("Beside the seam 56 % kept (51 to 62 %)")
     panel.resize(180, 320)
     settle()
     assert panel._status.shown_text() == "56 % kept in 2.0 m"
-
-
-def test_levels_can_be_chosen(panel: ProfilePanel) -> None:
-    second = QColor(level_colour(2, chart_style(panel.chart)))
-    assert not is_drawn(panel.chart, 6 * PIXEL, 0.7, second)
-    panel._levels[1].click()
-    assert is_drawn(panel.chart, 6 * PIXEL, 0.7, second)
-    panel._levels[0].click()
-    assert panel.chart.shown.levels == {2}
-    assert panel.chart.shown.bin_at(12 * PIXEL) == PROFILE.bins[3]
-    panel._levels[1].click()  # one is always shown
-    assert panel.chart.shown.levels == {1}
 
 
 @pytest.mark.parametrize(
@@ -167,7 +136,7 @@ def test_words_where_there_is_no_profile(
         "reason": replace(result(), explanation=None, judgement=nothing), None: None,
     }  # fmt: skip
     session.results = {1: results[found]} if results[found] is not None else {}
-    session.pending = pending
+    session.is_measuring = pending
     session.select(selected)
     settle()
     assert panel._pages.currentWidget() is panel._text
@@ -178,7 +147,7 @@ def test_words_where_there_is_no_profile(
 
 def test_a_profile_that_comes_later_is_shown(panel: ProfilePanel, session: ProfileSession) -> None:
     session.results[1] = replace(result(), explanation=None)
-    session.pending = True
+    session.is_measuring = True
     session.resultArrived.emit(1)
     settle()
     assert panel._pages.currentWidget() is panel._text
@@ -187,37 +156,3 @@ def test_a_profile_that_comes_later_is_shown(panel: ProfilePanel, session: Profi
     settle()
     assert panel._pages.currentWidget() is panel.chart
     assert panel.chart.shown.profile == PROFILE
-
-
-def test_while_a_window_is_moved_its_own_profile_is_shown(panel: ProfilePanel, session: ProfileSession) -> None:
-    selected = panel.chart.shown
-    followed: list[object] = []
-    panel.followed.connect(followed.append)
-    moved = replace(PROFILE, band_width_px=2 * PROFILE.band_width_px)
-    clips = WindowClips(0, None, (), Judgement(Verdict.PRESERVED, Ratios((1.0,), None)), True)
-    for profile in (None, moved):
-        session.live = LiveWindow(PixelWindow(0, 0, 512, 512), clips, PIXEL, profile)
-        session.liveChanged.emit()
-        settle()
-        assert panel.chart.isEnabled() == (profile is not None)  # faint while it is still another window's
-    assert panel.chart.shown.profile == moved
-    assert panel._status.text().startswith("Live: ")
-    session.live = None
-    session.liveChanged.emit()
-    settle()
-    assert panel.chart.shown == selected
-    assert panel.chart.isEnabled()
-    assert not panel._status.text().startswith("Live: ")
-    assert followed == [None, session.results[1]]  # meanwhile the map marks no other window's distances
-
-
-def test_its_picture_is_saved(panel: ProfilePanel, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    chosen = tmp_path / "it.png"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(chosen), ""))
-    panel._save.click()
-    assert chosen.read_bytes().startswith(b"\x89PNG")
-
-
-def test_it_is_high_enough_on_a_small_screen(panel: ProfilePanel) -> None:
-    assert panel.chart.minimumHeight() >= 150
-    assert panel.focusPolicy() == Qt.FocusPolicy.NoFocus

@@ -1,6 +1,6 @@
-"""An operator's walk through the demonstration block: draw, place, inspect, judge, save, come back.
+"""An operator's walk: the guide's first inspection; then draw, place, inspect, judge, save, come back.
 
-Parameters: ``block`` (folder), ``side_m``, ``screenshots`` (folder).
+Parameters: ``project`` (of the block, as demo/project.py writes it), ``block`` (folder), ``side_m``, ``screenshots``.
 """
 from __future__ import annotations
 
@@ -9,24 +9,20 @@ from pathlib import Path
 from qgis.PyQt.QtCore import Qt
 
 from demo.desk import Desk
+from tests.desktop.scenarios import first_inspection
 
 
 def play(desk: Desk) -> None:
     """Everything is asserted here that can be seen here; the rest is in the report."""
+    first_inspection.play(desk)
+    desk.report["first_sentence"] = desk.report.pop("sentence")
     block, side_m = Path(desk.parameters["block"]), float(desk.parameters["side_m"])
-    shots = Path(desk.parameters["screenshots"])
     desk.set_up(block, side_m, 2 * side_m)
-    desk.window.resizeDocks([desk.dock], [570], Qt.Orientation.Horizontal)
     draw_windows(desk)
     place_and_inspect(desk)
     judge(desk)
-    desk.screenshot(shots / "desk.png")
-    show_images(desk, shots / "desk_images.png")
+    show_images(desk)
     desk.save_and_reopen()
-    desk.session.select([desk.session.windows()[0].fid])
-    desk.show_tab(0)
-    desk.wait_for_map()
-    desk.screenshot(shots / "desk_reopened.png")
 
 
 def draw_windows(desk: Desk) -> None:
@@ -39,15 +35,11 @@ def draw_windows(desk: Desk) -> None:
     near = session.seam_point_near(*place(desk, 0.46, 0.8), 1000)
     desk.click((near[0] + away, near[1]))
     desk.wait(lambda: has_curve(desk, 1), 30, "curve of the clicked window")
-    clicked = session.windows()[0]
-    desk.report["clicked_m"] = clicked.extent[2] - clicked.extent[0]
-    seam = session.seam_point_near(*centre(clicked.extent), 0.01 * desk.report["clicked_m"])
+    left, bottom, right, top = session.windows()[0].extent
+    desk.report["clicked_m"] = right - left
+    seam = session.seam_point_near((left + right) / 2, (bottom + top) / 2, 0.01 * (right - left))
     desk.report["clicked_on_seam"] = seam is not None
-
-    def look() -> None:
-        desk.report["label"] = desk.dock.tool._overlay._items.label.text()
-
-    desk.drag(place(desk, 0.6, 0.13), place(desk, 0.76, 0.38), look)
+    desk.drag(place(desk, 0.6, 0.13), place(desk, 0.76, 0.38))
     desk.wait(lambda: has_curve(desk, 2), 30, "curve of the drawn window")
     desk.wait_for_work()
 
@@ -82,18 +74,18 @@ def judge(desk: Desk) -> None:
     desk.wait_for_map()
 
 
-def show_images(desk: Desk, path: Path) -> None:
+def show_images(desk: Desk) -> None:
     """The clips of the first window, and the map at 2 x 2 screen pixels an image pixel."""
-    fid = desk.session.selected()[0]
-    desk.show_tab(1)
-    desk.dock.zoom_to(fid)
-    desk.rest_mouse()
     panel = desk.dock.images
+    desk.show_tab(1)
+    desk.dock.zoom_to(desk.session.selected()[0])
+    desk.rest_mouse()
     desk.wait(lambda: panel.compared.layer is not None, 30, "hard cut")
     desk.wait_for_map()
-    desk.report["pictures"] = [panel.choice.itemText(place) for place in range(panel.choice.count())]
+    desk.report["pictures"] = panel.choice.count()
     desk.report["map_units_per_pixel"] = desk.canvas.mapUnitsPerPixel()
-    desk.screenshot(path)
+    desk.screenshot(Path(desk.parameters["screenshots"]) / "walk_images.png")
+    desk.show_tab(0)
 
 
 def has_curve(desk: Desk, count: int) -> bool:
@@ -109,8 +101,3 @@ def place(desk: Desk, x: float, y: float) -> tuple[float, float]:
     """A point of the mosaic, by shares from its upper left corner."""
     extent = desk.session.mosaic_layer().extent()
     return extent.xMinimum() + x * extent.width(), extent.yMaximum() - y * extent.height()
-
-
-def centre(extent: tuple[float, float, float, float]) -> tuple[float, float]:
-    """Middle of a rectangle."""
-    return (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2
