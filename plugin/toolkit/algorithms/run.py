@@ -287,10 +287,10 @@ class Run:
     def save(self, name: str, write: Callable[[Path], object]) -> dict[str, Any]:
         """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.
 
-        There is none when ``write`` says False, having nothing to write, or when the file can't be written; that is
-        told, and does not cost what was measured.
+        There is none when ``write`` says False, having nothing to write, when the run was cancelled, or when the file
+        can't be written; that is told, and does not cost what was measured.
         """
-        path = self.file_path(name)
+        path = None if self.is_cancelled() else self.file_path(name)
         try:
             if path is not None and write(path) is not False:
                 return {name: str(path)}
