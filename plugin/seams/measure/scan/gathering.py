@@ -6,7 +6,6 @@ their chains are joined to seams and cut in pieces, which they then measure (``p
 from __future__ import annotations
 
 import json
-from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
@@ -38,7 +37,15 @@ from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
 from .block_runs import several
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
-from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
+from .piece_sums import (
+    REACH_PX,
+    MeasuredPieces,
+    PiecesRequest,
+    around_pieces,
+    by_blocks,
+    measure_pieces,
+    visibilities,
+)
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
@@ -194,7 +201,7 @@ class Gathering:
     def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], list[int]]:
         """Pieces with what lies beside them, and which of them have one source on both sides."""
         index = PieceIndex(pieces, self._blocks.grid)
-        groups = self._groups(pieces)
+        groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
         whole, brightest = list(pieces), 0.0
         unchanged: list[int] = []
         strips: list[StripProfile] = [NOTHING] * len(pieces)
@@ -213,15 +220,6 @@ class Gathering:
         white = white_grey(self._request.mosaic, brightest)
         grains = [None if np.isnan(one) else one / white for one in grain.tolist()]
         return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains, profiles)), unchanged
-
-    def _groups(self, pieces: Sequence[SeamPiece]) -> list[np.ndarray]:
-        """Numbers of the pieces that are measured together, by where their middles lie, row by row."""
-        of_block: defaultdict[BlockKey, list[int]] = defaultdict(list)
-        for number, piece in enumerate(pieces):
-            middle = piece.vertices[len(piece.vertices) // 2][np.newaxis]
-            column, row = self._blocks.grid.to_pixels(middle)[0] // BLOCK_PX
-            of_block[int(row), int(column) // _BLOCKS_OF_PIECES].append(number)
-        return [np.array(of_block[key]) for key in sorted(of_block)]
 
     def _pieces(self, pieces: Sequence[SeamPiece], index: PieceIndex, numbers: np.ndarray) -> PiecesRequest:
         own = [pieces[number] for number in numbers.tolist()]

@@ -1,6 +1,7 @@
 """What is kept along pieces of seam: the cells of all blocks beside them, added up to the piece that is nearest."""
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -82,7 +83,7 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
     )
     sums, along = PieceSums(request.numbers, request.index, request.levels), _cells_along(request.pieces, grid)
     grain = np.full(len(request.pieces), np.nan)
-    for key in _blocks_of(around, request.blocks):
+    for key in blocks_of(around, request.blocks):
         window = request.blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
@@ -141,8 +142,8 @@ def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> P
     return PixelWindow(left, top, right - left, bottom - top)
 
 
-def _blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
-    """Row by row."""
+def blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
+    """The blocks that a window meets, row by row."""
     rows, columns = (
         range(max(first // BLOCK_PX, 0), min(-(-(first + length) // BLOCK_PX), count))
         for first, length, count in (
@@ -150,6 +151,16 @@ def _blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
         )
     )
     return [(row, column) for row in rows for column in columns]
+
+
+def by_blocks(pieces: Sequence[SeamPiece], blocks: BlockGrid, together: int = 1) -> list[np.ndarray]:
+    """Numbers of pieces by the block that their middles lie in, or by so many that lie side by side, row by row."""
+    of_block: defaultdict[BlockKey, list[int]] = defaultdict(list)
+    for number, piece in enumerate(pieces):
+        middle = piece.vertices[len(piece.vertices) // 2][np.newaxis]
+        column, row = blocks.grid.to_pixels(middle)[0] // BLOCK_PX
+        of_block[int(row), int(column) // together].append(number)
+    return [np.array(of_block[key]) for key in sorted(of_block)]
 
 
 def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -215,6 +226,7 @@ class PieceSums:
         """Mean of the mosaic in the strip of every piece, NaN where it is not known, and its brightest cell."""
         total, area = self._grey
         return np.divide(total, area, out=np.full(len(area), np.nan), where=area > 0), self._brightest
+
 
 def _cells_along(pieces: Sequence[SeamPiece], grid: Grid) -> np.ndarray:
     """The cells that pieces run through, (3, n) int: place of the piece, row and column."""
