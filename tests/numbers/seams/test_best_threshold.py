@@ -78,7 +78,7 @@ def test_many_verdicts_that_are_normal_have_it_where_their_densities_cross() -> 
 def test_no_threshold_of_the_fitted_distributions_is_better(spreads: tuple[float, float]) -> None:
     shares = (np.arange(200) + 0.5) / 200
     visible, invisible = (ndtri(shares) * spread + middle for spread, middle in zip(spreads, (-0.4, 0.4)))
-    found = best_threshold(visible, invisible, alone(200, 200)).value
+    threshold = best_threshold(visible, invisible, alone(200, 200)).value
     tried = np.linspace(-2, 2, 4001)
     youden = ndtr((tried - visible.mean()) / visible.std()) - ndtr((tried - invisible.mean()) / invisible.std())
-    assert found == pytest.approx(tried[youden.argmax()], abs=2e-3)
+    assert threshold == pytest.approx(tried[youden.argmax()], abs=2e-3)

@@ -21,7 +21,7 @@ FEWEST_NEIGHBOURHOODS = 3.0  # of either kind: below it rows are cut shorter
 MIN_NEIGHBOURHOODS = 1.5  # of either kind: below it there is nothing to resample
 
 RESAMPLES = 2000
-"""Of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends."""
+"""Draws of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends."""
 _SEED = 20100705  # the same verdicts give the same interval
 
 

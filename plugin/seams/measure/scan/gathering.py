@@ -33,15 +33,16 @@ from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
 from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
 from ..workers import Workers, in_order
-from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
-from .block_runs import several
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .piece_sums import (
     REACH_PX,
+    BlockOutputs,
     MeasuredPieces,
+    OutputsRequest,
     PiecesRequest,
     around_pieces,
+    block_outputs,
     by_blocks,
     measure_pieces,
     visibilities,
@@ -275,27 +276,26 @@ class _Crew:
     ) -> Iterator[Any]:
         """What is found of each request, in their order; the share grows from ``first`` to ``last``. Raises what it
         raises."""
-        done = 0
-        tasks, stopped = several(requests, self._ahead), lambda: not self._goes_on(self._share)
-        for found in in_order(tasks, partial(_each, work), _raised, Workers(self._executor, self._ahead, stopped)):
+        done, crew = 0, Workers(self._executor, self._ahead, lambda: not self._goes_on(self._share))
+        for found in in_order(requests, partial(_result_of, work), _raised, crew, crew.together):
             if isinstance(found, Message):
                 raise SeamInspectorError(found)
-            yield from found
-            done += len(found)
+            yield found
+            done += 1
             self.tell(first + (last - first) * done / count)
         if done < count:
             raise CancelledError(imagery_messages.CANCELLED())
 
 
-def _each(work: Callable[[Any], Any], requests: Sequence[Any]) -> list[Any] | Message:
-    """What is found of each, or the sentence that ends all."""
+def _result_of(work: Callable[[Any], Any], request: Any) -> Any:
+    """What is found of a request, or the sentence that ends all."""
     try:
-        return [work(request) for request in requests]
+        return work(request)
     except SeamInspectorError as error:
         return error.message
 
 
-def _raised(_requests: Sequence[Any], reason: Message) -> Message:
+def _raised(_request: Any, reason: Message) -> Message:
     return reason
 
 

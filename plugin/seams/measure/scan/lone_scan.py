@@ -114,7 +114,7 @@ class LoneScanning:
                 continue
             columns = window.column + (np.arange(side) + 0.5) * cell_px
             rows = window.row + (np.arange(side) + 0.5) * cell_px
-            number, _ = near.nearest(columns, rows[:, np.newaxis], max(cell_px / 2, STRIP_PX))
+            number = near.beside(columns, rows[:, np.newaxis], max(cell_px / 2, STRIP_PX)).number
             cells = empty_cells(side)
             cells[0][number >= 0] = kept[number[number >= 0]]
             raster.write(*key, cells)

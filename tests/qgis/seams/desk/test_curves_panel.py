@@ -27,7 +27,7 @@ from seam_inspector.plugin.seams.charts.curves_painter import COMPOSITE_DASHES, 
 from seam_inspector.plugin.seams.desk.charts.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.window.explained_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowClips, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER

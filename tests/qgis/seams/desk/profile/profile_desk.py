@@ -13,8 +13,8 @@ from seam_inspector.plugin.seams.desk.session_inputs import LossView
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
+from seam_inspector.plugin.seams.measure.window.explained_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.inspection import WindowResult
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL

@@ -17,7 +17,7 @@ from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.window.explained_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
