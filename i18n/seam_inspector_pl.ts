@@ -489,7 +489,7 @@
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -664,7 +664,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="99"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="100"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -749,7 +749,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -2494,57 +2494,47 @@
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="146"/>
-        <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
-        <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="153"/>
-        <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
-        <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="179"/>
+        <location filename="../plugin/seams/measure/messages.py" line="172"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="195"/>
+        <location filename="../plugin/seams/measure/messages.py" line="188"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="183"/>
+        <location filename="../plugin/seams/measure/messages.py" line="176"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="199"/>
+        <location filename="../plugin/seams/measure/messages.py" line="192"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="203"/>
+        <location filename="../plugin/seams/measure/messages.py" line="196"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="166"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="176"/>
+        <location filename="../plugin/seams/measure/messages.py" line="169"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="208"/>
+        <location filename="../plugin/seams/measure/messages.py" line="201"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="207"/>
+        <location filename="../plugin/seams/measure/messages.py" line="200"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -3358,7 +3348,7 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="50"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="51"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
@@ -3722,7 +3712,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -3820,7 +3810,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="202"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -4278,7 +4268,7 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="235"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="234"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4648,7 +4638,7 @@
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="210"/>
+        <location filename="../plugin/seams/measure/messages.py" line="203"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -4883,207 +4873,207 @@
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="216"/>
+        <location filename="../plugin/seams/measure/messages.py" line="209"/>
         <source>A scan has no density &apos;{density}&apos;; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="217"/>
+        <location filename="../plugin/seams/measure/messages.py" line="210"/>
         <source>The picture of losses has no cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="257"/>
+        <location filename="../plugin/seams/measure/messages.py" line="250"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="330"/>
+        <location filename="../plugin/seams/measure/messages.py" line="323"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="331"/>
+        <location filename="../plugin/seams/measure/messages.py" line="324"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="336"/>
+        <location filename="../plugin/seams/measure/messages.py" line="329"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="338"/>
+        <location filename="../plugin/seams/measure/messages.py" line="331"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="340"/>
+        <location filename="../plugin/seams/measure/messages.py" line="333"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="342"/>
+        <location filename="../plugin/seams/measure/messages.py" line="335"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="346"/>
+        <location filename="../plugin/seams/measure/messages.py" line="339"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="349"/>
+        <location filename="../plugin/seams/measure/messages.py" line="342"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="350"/>
+        <location filename="../plugin/seams/measure/messages.py" line="343"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="351"/>
+        <location filename="../plugin/seams/measure/messages.py" line="344"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="353"/>
+        <location filename="../plugin/seams/measure/messages.py" line="346"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="354"/>
+        <location filename="../plugin/seams/measure/messages.py" line="347"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="348"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="371"/>
+        <location filename="../plugin/seams/measure/messages.py" line="364"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="356"/>
+        <location filename="../plugin/seams/measure/messages.py" line="349"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <location filename="../plugin/seams/measure/messages.py" line="268"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="277"/>
+        <location filename="../plugin/seams/measure/messages.py" line="270"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="280"/>
+        <location filename="../plugin/seams/measure/messages.py" line="273"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="289"/>
+        <location filename="../plugin/seams/measure/messages.py" line="282"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="293"/>
+        <location filename="../plugin/seams/measure/messages.py" line="286"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="296"/>
+        <location filename="../plugin/seams/measure/messages.py" line="289"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="299"/>
+        <location filename="../plugin/seams/measure/messages.py" line="292"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <location filename="../plugin/seams/measure/messages.py" line="295"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="306"/>
+        <location filename="../plugin/seams/measure/messages.py" line="299"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="310"/>
+        <location filename="../plugin/seams/measure/messages.py" line="303"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="314"/>
+        <location filename="../plugin/seams/measure/messages.py" line="307"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="326"/>
+        <location filename="../plugin/seams/measure/messages.py" line="319"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="406"/>
+        <location filename="../plugin/seams/measure/messages.py" line="399"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="414"/>
+        <location filename="../plugin/seams/measure/messages.py" line="407"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="235"/>
+        <location filename="../plugin/seams/measure/messages.py" line="228"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="418"/>
+        <location filename="../plugin/seams/measure/messages.py" line="411"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="426"/>
+        <location filename="../plugin/seams/measure/messages.py" line="419"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="238"/>
+        <location filename="../plugin/seams/measure/messages.py" line="231"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="241"/>
+        <location filename="../plugin/seams/measure/messages.py" line="234"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="253"/>
+        <location filename="../plugin/seams/measure/messages.py" line="246"/>
         <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="358"/>
+        <location filename="../plugin/seams/measure/messages.py" line="351"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="244"/>
+        <location filename="../plugin/seams/measure/messages.py" line="237"/>
         <source>None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="374"/>
+        <location filename="../plugin/seams/measure/messages.py" line="367"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5178,37 +5168,37 @@
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="215"/>
+        <location filename="../plugin/seams/measure/messages.py" line="208"/>
         <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
         <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="221"/>
+        <location filename="../plugin/seams/measure/messages.py" line="214"/>
         <source>{name} is {value:g}; give {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="382"/>
+        <location filename="../plugin/seams/measure/messages.py" line="375"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="385"/>
+        <location filename="../plugin/seams/measure/messages.py" line="378"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="231"/>
+        <location filename="../plugin/seams/measure/messages.py" line="224"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="228"/>
+        <location filename="../plugin/seams/measure/messages.py" line="221"/>
         <source>The corridor applies only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="222"/>
+        <location filename="../plugin/seams/measure/messages.py" line="215"/>
         <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
@@ -5378,17 +5368,17 @@
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="265"/>
+        <location filename="../plugin/seams/desk/judging.py" line="266"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="273"/>
+        <location filename="../plugin/seams/desk/judging.py" line="274"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="275"/>
+        <location filename="../plugin/seams/desk/judging.py" line="276"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -5428,47 +5418,47 @@
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="74"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="75"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="74"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="75"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="76"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="77"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="77"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="97"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="97"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="213"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="214"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="78"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="79"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="223"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="224"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -5578,127 +5568,127 @@
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="263"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="260"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="264"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="261"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="268"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="265"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="269"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="266"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="273"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="270"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="274"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="271"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="278"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="275"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="282"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="279"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="283"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="280"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="192"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="190"/>
         <source>kept from</source>
         <translation>zach. od</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="193"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="191"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
         <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="197"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
         <source>kept to</source>
         <translation>zach. do</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="198"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="196"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
         <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="203"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="201"/>
         <source>Width of the band along the seam in which detail was lost.</source>
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="231"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="229"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="232"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="230"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="236"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="234"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="237"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="235"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="241"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="243"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="240"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="181"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="179"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="290"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="287"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="291"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="288"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="294"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="291"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="295"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="292"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
@@ -5738,7 +5728,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="58"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="59"/>
         <source>As there is room</source>
         <translation>Według miejsca</translation>
     </message>
@@ -5803,12 +5793,12 @@
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="148"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
@@ -5910,22 +5900,22 @@
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/messages.py" line="153"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -6825,7 +6815,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -7060,11 +7050,6 @@
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
-        <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
-        <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/algorithms/report.py" line="35"/>
         <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it lost detail, its curves, its clips at 2x, cause and observer.</source>
         <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według ortofotomap, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) to, co zachowuje ono w zależności od odległości od linii mozaikowania, miejsce straty detali, krzywe, wycinki 2×, przyczynę i obserwatora.</translation>
@@ -7080,22 +7065,22 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="43"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="44"/>
         <source>least: {least:g}</source>
         <translation>najmniej: {least:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="46"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="47"/>
         <source>failed: {share:.2f} %</source>
         <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="48"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
         <source>share of detail kept (kept_1)</source>
         <translation>zachowana część detali (kept_1)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="50"/>
         <source>metres that kept less (%)</source>
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
@@ -7210,167 +7195,167 @@
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="292"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="290"/>
         <source>The seams were measured (scanmosaic): {settings}.</source>
         <translation>Linie mozaikowania zmierzono (scanmosaic): {settings}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="294"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="292"/>
         <source>The delivery was decided on (acceptmosaic) by the rules &apos;{rules}&apos;.</source>
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="181"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="189"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="296"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="298"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="298"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="303"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="413"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="414"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="414"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="415"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="415"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="415"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="417"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="417"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="418"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="419"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="418"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="419"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="419"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="421"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="422"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="423"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="426"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="427"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
@@ -7415,37 +7400,37 @@
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="195"/>
         <source>Drawn at random with the seed {seed}.</source>
         <translation>Wylosowano z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="198"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="201"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="204"/>
         <source>Pieces of seam in the sample that failed.</source>
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="208"/>
         <source>risks of the plan of sampling</source>
         <translation>ryzyka planu kontroli wyrywkowej</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="215"/>
         <source>producer&apos;s risk; limiting quality</source>
         <translation>ryzyko dostawcy; jakość graniczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="221"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -7455,7 +7440,7 @@
         <translation>Arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/sheet_index.py" line="40"/>
+        <location filename="../plugin/acceptance/sheet_index.py" line="34"/>
         <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
         <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
     </message>
@@ -7895,12 +7880,12 @@
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="219"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="217"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="219"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="217"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
@@ -8210,7 +8195,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="73"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="74"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -8248,7 +8233,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -8285,7 +8270,7 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="202"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="200"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -8496,7 +8481,7 @@
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="422"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="423"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
@@ -8913,7 +8898,7 @@
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="162"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="160"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
@@ -8933,22 +8918,22 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="176"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="174"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="241"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="268"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="265"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="273"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="270"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -8968,12 +8953,12 @@
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="168"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="172"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="170"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
@@ -9142,7 +9127,7 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="213"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="211"/>
         <source>visibility</source>
         <translation>widoczność</translation>
     </message>
@@ -9216,42 +9201,42 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="80"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="81"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="241"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="242"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="243"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="244"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="207"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="205"/>
         <source>feather width</source>
         <translation>szerokość wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="209"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="207"/>
         <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
         <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="222"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="220"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="223"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="221"/>
         <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
         <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="182"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="180"/>
         <source>All that happened to the contrast, what took most first.</source>
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
@@ -9281,7 +9266,7 @@
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="222"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="220"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
@@ -9320,7 +9305,7 @@
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="273"/>
+        <location filename="../plugin/seams/measure/messages.py" line="266"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -9335,17 +9320,17 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="333"/>
+        <location filename="../plugin/seams/measure/messages.py" line="326"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="352"/>
+        <location filename="../plugin/seams/measure/messages.py" line="345"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="367"/>
+        <location filename="../plugin/seams/measure/messages.py" line="360"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -9585,82 +9570,82 @@
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="275"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="276"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="407"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="408"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="258"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="259"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="385"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="386"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="385"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="386"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Te same ortoobrazy, cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="339"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -9670,12 +9655,12 @@
         <translation>Skróty kryptograficzne plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="105"/>
         <source>rows of {layer}</source>
         <translation>wiersze warstwy {layer}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="109"/>
         <source>list of orthoimages</source>
         <translation>lista ortoobrazów</translation>
     </message>
@@ -9730,7 +9715,7 @@
         <translation>Data dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="227"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="225"/>
         <source>Length of seam that could be measured, by the length of all seams on ground with detail.</source>
         <translation>Długość linii mozaikowania, którą dało się zmierzyć, do długości wszystkich linii mozaikowania w terenie z detalami.</translation>
     </message>
@@ -9815,32 +9800,32 @@
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="317"/>
+        <location filename="../plugin/seams/measure/messages.py" line="310"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="321"/>
+        <location filename="../plugin/seams/measure/messages.py" line="314"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="378"/>
+        <location filename="../plugin/seams/measure/messages.py" line="371"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="247"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
         <source>loss (m2)</source>
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="247"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="249"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="246"/>
         <source>The finest detail that is missing, along the seam or in the whole window, as so many square metres of the window hold; 0 where no loss is sure.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
@@ -10009,7 +9994,7 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
@@ -10069,27 +10054,27 @@
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>images rejected: {rejected}, undecided: {open} of {all}</source>
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="421"/>
         <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
         <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="195"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="193"/>
         <source>accepted up to {most} failed pieces.</source>
         <translation>przyjęcie do {most} niezgodnych odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="210"/>
         <source>Producer&apos;s risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer&apos;s risk).</source>
         <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy, w której udział niezgodnych odcinków wynosi {good}. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem {risk} (ryzyko odbiorcy).</translation>
     </message>
@@ -10560,7 +10545,7 @@
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="388"/>
+        <location filename="../plugin/seams/measure/messages.py" line="381"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -10609,12 +10594,12 @@
         <translation>obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="409"/>
+        <location filename="../plugin/seams/measure/messages.py" line="402"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="422"/>
+        <location filename="../plugin/seams/measure/messages.py" line="415"/>
         <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -10794,22 +10779,22 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="187"/>
+        <location filename="../plugin/seams/measure/messages.py" line="180"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="191"/>
+        <location filename="../plugin/seams/measure/messages.py" line="184"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="285"/>
+        <location filename="../plugin/seams/measure/messages.py" line="278"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="216"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
         <source>How many times more was lost along the seam than an eye just notices side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
@@ -11090,7 +11075,7 @@
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="360"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -11189,7 +11174,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="173"/>
+        <location filename="../plugin/seams/measure/messages.py" line="166"/>
         <source>{field} of {count} windows is a number that no measurement gives; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -11579,47 +11564,47 @@
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="243"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
         <source>given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>podane: {judged}, znalezione: {seen}; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="245"/>
         <source>found: {judged}; borders that no seam tells of: {unseen}</source>
         <translation>znalezione: {judged}; granice, o których nie mówi żadna linia mozaikowania: {unseen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>ground that follows no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="249"/>
         <source>; looked at: {share} of the mosaic</source>
         <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
         <source>{share} of what has texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="256"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>; around {places}</source>
         <translation>; przy {places}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
         <source>the layers of seams do not say it</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -11664,32 +11649,32 @@
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="224"/>
+        <location filename="../plugin/seams/measure/messages.py" line="217"/>
         <source>The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
         <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="247"/>
+        <location filename="../plugin/seams/measure/messages.py" line="240"/>
         <source>Nothing of the mosaic {name} could be read, so nothing was measured: {why}</source>
         <translation>Z ortofotomapy {name} nie udało się niczego odczytać, więc niczego nie zmierzono: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="249"/>
+        <location filename="../plugin/seams/measure/messages.py" line="242"/>
         <source>No orthoimage could be read, so nothing was measured; mend that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="392"/>
+        <location filename="../plugin/seams/measure/messages.py" line="385"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="396"/>
+        <location filename="../plugin/seams/measure/messages.py" line="389"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="401"/>
+        <location filename="../plugin/seams/measure/messages.py" line="394"/>
         <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -11766,7 +11751,7 @@
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
     </message>
@@ -11871,27 +11856,27 @@
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="169"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>Both operators judged {count} windows and agreed on {agreed}. Cohen&apos;s kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="255"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="252"/>
         <source>code of the reason</source>
         <translation>kod powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="101"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="102"/>
         <source>Beside the seam {kept} % ({low} to {high} %) of the ground&apos;s detail; the ground has {left} % of the orthoimages&apos;</source>
         <translation>Przy linii {kept} % (od {low} do {high} %) detali terenu; teren ma {left} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="103"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
         <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
         <source>Seam {kept} %, ground {left} %</source>
         <translation>Linia {kept} %, teren {left} %</translation>
     </message>
@@ -11991,47 +11976,47 @@
         <translation>Linie mozaikowania {name} są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
         <source>Judged in the bands: {bands}</source>
         <translation>Oceniono w kanałach: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
         <source>of these may keep enough (95 %)</source>
         <translation>z nich może zachować dość (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="395"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="396"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="395"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="396"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -12216,17 +12201,17 @@
         <translation>Nie można zapisać {path} ({error}); zadbaj, aby na dysku było miejsce i żaden inny program nie miał otwartego tego pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="162"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save what is edited in it, then try again.</source>
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="298"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="295"/>
         <source>origin</source>
         <translation>pochodzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="299"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="296"/>
         <source>Whether the window was drawn, placed along the seams, or is a worst place of a scan.</source>
         <translation>Czy okno narysowano, rozmieszczono wzdłuż linii, czy jest najgorszym miejscem ze skanowania.</translation>
     </message>
@@ -12261,7 +12246,7 @@
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="355"/>
         <source>{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change between them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać SEAMLINES albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
@@ -12296,22 +12281,22 @@
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="108"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="109"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), in {width} m</source>
         <translation>Przy linii mozaikowania zachowano {kept} % ({low} do {high} %), na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="109"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="109"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
         <source>{kept} % kept in {width} m</source>
         <translation>{kept} % na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="111"/>
         <source>{kept} % kept</source>
         <translation>zachowano {kept} %</translation>
     </message>
@@ -12446,22 +12431,22 @@
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="261"/>
+        <location filename="../plugin/seams/measure/messages.py" line="254"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
         <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="265"/>
+        <location filename="../plugin/seams/measure/messages.py" line="258"/>
         <source>Along {metres:.0f} m of the seamlines, which name nothing, the mosaic shows one orthoimage on both sides: no seam is there, so they are left out.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="269"/>
+        <location filename="../plugin/seams/measure/messages.py" line="262"/>
         <source>No seamline parts two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="283"/>
+        <location filename="../plugin/seams/measure/messages.py" line="276"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
@@ -12617,7 +12602,7 @@
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="59"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="60"/>
         <source>The usual columns, as many as there is room for.</source>
         <translation>Zwykłe kolumny, tyle, na ile jest miejsce.</translation>
     </message>
@@ -12660,6 +12645,11 @@
         <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;; known are {known}.</source>
         <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <source>The table {table} has no field &apos;{field}&apos;; choose the one that &apos;Inspect windows&apos; left with these windows.</source>
+        <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
 </context>
 </TS>

@@ -268,6 +268,6 @@ def test_bad_input_is_told(tmp_path: Path) -> None:
     for words, parameters in {
         "no field 'observer'": {"WINDOWS": bare},
         "PNG, SVG or PDF": {"WINDOWS": judged(), "CHART": str(tmp_path / "roc.bmp")},
-        "table of pairs has no field": {"WINDOWS": judged(), "PAIRS": bare},
+        "table PAIRS has no field": {"WINDOWS": judged(), "PAIRS": bare},
     }.items():
         assert_refused("calibratethreshold", words, **parameters)

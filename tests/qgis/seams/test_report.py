@@ -254,8 +254,8 @@ def test_bad_input_is_told(inspected: Run, tmp_path: Path) -> None:
     for words, parameters in {
         "window layer has no field 'ratio_1'": {**good, "WINDOWS": bare},
         "window layer is empty": {**good, "WINDOWS": QgsVectorLayer("Polygon?field=ratio_1:double", "x", "memory")},
-        "table of curves has no field": {**good, "CURVES": bare},
-        "table of pairs has no field": {**good, "PAIRS": bare},
+        "table CURVES has no field": {**good, "CURVES": bare},
+        "table PAIRS has no field": {**good, "PAIRS": bare},
         "does not exist": {**good, "MOSAIC": str(tmp_path / "gone.tif")},
         "can't be written": {**good, "OUTPUT": str(tmp_path / "none" / "report.html")},
     }.items():

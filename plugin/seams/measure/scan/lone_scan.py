@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from typing import Callable
 
@@ -15,17 +14,16 @@ from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import BlockRequest
 from ..blocks.seam_sides import SeamSides, SeamSquares
 from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_pieces import SeamPiece
 from ..workers import Workers
 from .block_runs import JournaledBlocks, ScanStep, held
 from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
-from .lone_kept import LoneJudgement, LoneSeams, judge_pieces, judge_stretches
+from .lone_kept import LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
 from .piece_sums import around_pieces, blocks_of, by_blocks
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .scan_result import JudgedPiece, ScanResult, state_by, without_verdict, worst_windows
+from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 
 _HELD = 64  # tables of blocks that are kept: some rows of neighbours
 _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
@@ -77,16 +75,8 @@ class LoneScanning:
         notices: list[Message] = []
         if parts:
             seams = LoneSeams(LoneStretches.joined(parts), [piece.seam_id for piece in self._pieces])
-            lengths = [piece.length_m / pixel_m for piece in self._pieces]
-            judged = judge_pieces(seams, pixel_m)
-            pieces = [_judged(*piece, pixel_m, settings.levels) for piece in zip(self._pieces, judged)]
-            for run, judgement in judge_stretches(seams, lengths, judged):
-                first, *others = (self._pieces[number] for number in run)
-                vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in others)])
-                length_m = sum(piece.length_m for piece in (first, *others))
-                whole_piece = replace(first, vertices=vertices, length_m=length_m)
-                stretch = _judged(whole_piece, judgement, pixel_m, settings.levels)
-                stretches.append(replace(stretch, is_stretch=True))
+            pieces = judge_pieces(seams, self._pieces, pixel_m, settings.levels)
+            stretches = judge_stretches(seams, pieces, pixel_m, settings.levels)
             if (whole := seams.kept()) is not None:
                 least = seams.judgeable_px
                 notices += (
@@ -123,14 +113,3 @@ class LoneScanning:
         """What the journal holds of one block."""
         scan = held(LONE_LOOK, self._journal.files, key)
         return None if scan is None else scan.table
-
-
-def _judged(piece: SeamPiece, judgement: LoneJudgement, pixel_m: float, levels: int) -> JudgedPiece:
-    left, right = (side if isinstance(side, str) else None for side in (piece.left, piece.right))
-    kept, verdict = judgement.kept, (judgement.verdict, judgement.reason)
-    if kept is None:
-        return JudgedPiece(piece, left, right, None, None, None, None, *verdict)
-    return JudgedPiece(
-        piece, left, right, (kept.kept, *[None] * (levels - 1)), kept.low, kept.high, kept.band_width_px * pixel_m,
-        *verdict, state=state_by(kept.kept, kept.low, kept.high, judgement.verdict),
-    )
