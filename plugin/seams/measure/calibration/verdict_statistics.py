@@ -101,25 +101,40 @@ def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: N
     values = np.concatenate([visible, invisible])
     if np.ptp(values) == 0:
         return Interval(*[float(values[0])] * 3)
-    unit = math.exp(np.log(values).mean()) if values.min() > 0 else 1.0
-    kinds = [visible / unit, invisible / unit]
-    power = max(_POWERS, key=lambda one: _likelihood(kinds, one)) if values.min() > 0 else 1.0
-    straight = [_powered(kind, power) for kind in kinds]
-    least = _LEAST_SPREAD * float(np.concatenate(straight).std())
-
-    ends = [(float(kind.mean()), _REACH * float(kind.std())) for kind in straight]
-    first, last = min(mean - reach for mean, reach in ends), max(mean + reach for mean, reach in ends)
-
-    def thresholds(*weights: np.ndarray) -> np.ndarray:
-        fitted = (_fitted(kind, weight, least) for kind, weight in zip(straight, weights))
-        return np.clip(_crossing(*fitted), first, last)
-
-    (middle,) = thresholds(*(np.ones((1, len(kind))) for kind in kinds)).tolist()
-    spread = float(thresholds(*neighbourhoods.resamples()).std(ddof=1))
+    is_positive = bool(values.min() > 0)
+    unit = math.exp(np.log(values).mean()) if is_positive else 1.0
+    kinds, powers = [visible / unit, invisible / unit], _POWERS if is_positive else _POWERS[-1:]
+    (middle,), (best,) = _thresholds(kinds, [np.ones((1, len(kind))) for kind in kinds], powers)
+    drawn, _ = _thresholds(kinds, neighbourhoods.resamples(), powers)
+    spread = float(_powered(drawn, powers[best]).std(ddof=1))
     count = max(neighbourhoods.fewest, 1.5)
     reach = spread * float(critical_t(0.95, max(DEGREES_OF_FREEDOM * (count - 1), 1)))
-    value, low, high = (unit * _unpowered(end, power) for end in (middle, middle - reach, middle + reach))
-    return Interval(value, max(low, min(0.0, float(values.min()))), high)
+    straight = float(_powered(middle, powers[best]))
+    low, high = (unit * float(_unpowered(straight + side * reach, powers[best])) for side in (-1, 1))
+    return Interval(unit * float(middle), max(low, min(0.0, float(values.min()))), high)
+
+
+def _thresholds(
+    kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray], powers: Sequence[float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Best thresholds (resamples,) of both kinds' values (n,), weighted, (resamples, n), and the places of the powers
+    at which they are likeliest to be normal, the same for both kinds (Box and Cox 1964)."""
+    scaled = [_powered(kind, powers[0]) for kind in kinds]
+    spans = [(kind.mean() - _REACH * kind.std(), kind.mean() + _REACH * kind.std()) for kind in scaled]
+    first, last = (_unpowered(end, powers[0]) for end in (min(spans)[0], max(high for _, high in spans)))
+    likelihoods, thresholds = [], []
+    for power in powers:
+        straight = [_powered(kind, power) for kind in kinds]
+        least = _LEAST_SPREAD * float(np.concatenate(straight).std())
+        fitted = [_fitted(kind, weight, least) for kind, weight in zip(straight, weights)]
+        within = np.clip(_crossing(*fitted), _powered(first, power), _powered(last, power))
+        thresholds.append(_unpowered(within, power))
+        likelihoods.append(sum(
+            (power - 1) * (weight @ np.log(kind) if power < 1 else 0.0) - weight.sum(axis=1) * np.log(spread)
+            for kind, weight, (_, spread) in zip(kinds, weights, fitted)
+        ))
+    best = np.argmax(likelihoods, axis=0)
+    return np.array(thresholds)[best, np.arange(len(best))], best
 
 
 def _fitted(values: np.ndarray, weights: np.ndarray, least: float) -> tuple[np.ndarray, np.ndarray]:
@@ -144,21 +159,14 @@ def _crossing(visible: tuple[np.ndarray, np.ndarray], invisible: tuple[np.ndarra
     return np.where(is_alike, (mean + other_mean) / 2, np.where(np.greater_equal(*youden), first, second))
 
 
-def _likelihood(kinds: Sequence[np.ndarray], power: float) -> float:
-    """The logarithm of the likelihood of values whose power is normal in each kind (Box and Cox 1964)."""
-    variances = [(len(kind), max(float(_powered(kind, power).var()), 1e-12)) for kind in kinds]
-    logs = sum(float(np.log(kind).sum()) for kind in kinds)
-    return (power - 1) * logs - sum(count / 2 * math.log(variance) for count, variance in variances)
-
-
 def _powered(values: np.ndarray, power: float) -> np.ndarray:
     """Box and Cox 1964: (x^power - 1) / power, the logarithm for 0."""
     return np.log(values) if power == 0 else (values**power - 1) / power
 
 
-def _unpowered(number: float, power: float) -> float:
-    """The value that ``_powered`` moved there, 0 where it reaches none."""
+def _unpowered(numbers: np.ndarray, power: float) -> np.ndarray:
+    """The values that ``_powered`` moved there, 0 where it reaches none."""
     if power == 0:
-        return math.exp(number)
-    inside = 1 + power * number
-    return inside if power == 1 else max(inside, 0.0) ** (1 / power)
+        return np.exp(numbers)
+    inside = 1 + power * numbers
+    return np.asarray(inside if power == 1 else np.maximum(inside, 0.0) ** (1 / power))
