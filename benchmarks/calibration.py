@@ -2,7 +2,7 @@
 
 Verdicts are drawn from known distributions whose best Youden threshold is known, alone or in neighbourhoods that share
 an effect. Printed per case: how often the range of the product covers it, and its median width; beside it the range
-that a percentile bootstrap of the judged windows' best step has; and how far the smoothed threshold and that step err.
+that a percentile bootstrap of the judged windows' best step has; and how far the threshold and that step err.
 Nothing of it is asserted: docs/appendix/calibration.md says the figures.
 """
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy import stats
 from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods, find_neighbourhoods
-from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import smoothed_threshold
+from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import best_threshold
 
 from .timing import print_table
 
@@ -135,7 +135,7 @@ class Coverage:
     covered_by_step: float
     """How often a percentile bootstrap of the best step covers, each window for itself."""
     error: float
-    """Root mean square, of the smoothed threshold."""
+    """Root mean square, of the threshold."""
     error_of_step: float
 
 
@@ -151,7 +151,7 @@ def coverage(
         if not are_known:
             places = np.arange(len(values))
         visible, invisible = values[kinds], values[~kinds]
-        found = smoothed_threshold(visible, invisible, Neighbourhoods(places[kinds], places[~kinds]))
+        found = best_threshold(visible, invisible, Neighbourhoods(places[kinds], places[~kinds]))
         step, step_low, step_high = _best_step(random, visible, invisible)
         rows.append((
             found.low <= high and found.high >= low, found.high - found.low,

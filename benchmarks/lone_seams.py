@@ -151,7 +151,7 @@ def measured(bands: np.ndarray, valid: np.ndarray, pieces: Sequence[SeamPiece], 
 
 
 def _energy(table: LoneTable, index: PieceIndex, count: int) -> np.ndarray:
-    number, _ = index.nearest((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
+    number = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX).number
     strip = table.zone < ZONES_PX.index(STRIP_PX)
     return np.bincount(number[table.cell[strip]], table.energy[strip], count)
 

@@ -13,8 +13,8 @@ from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.translation import sentence
 from ..jobs import ScanOrder
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
+from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
-from ..measure.window.live_window import LiveWindow
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
 from .map.live_windows import LiveWindows

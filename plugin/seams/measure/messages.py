@@ -145,15 +145,8 @@ SEAM_ASSUMED = Message(
 WINDOWS_WITHOUT_FIELD = Message(
     "The window layer has no field '{field}'; choose a layer of inspected windows, as 'Inspect windows' leaves it."
 )
-PAIRS_WITHOUT_FIELD = Message(
-    "The table of pairs has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
-)
-PROFILES_WITHOUT_FIELD = Message(
-    "The table of seam profiles has no field '{field}'; choose the table that 'Inspect windows' left with these "
-    "windows."
-)
-CURVES_WITHOUT_FIELD = Message(
-    "The table of curves has no field '{field}'; choose the table that 'Inspect windows' left with these windows."
+TABLE_WITHOUT_FIELD = Message(
+    "The table {table} has no field '{field}'; choose the one that 'Inspect windows' left with these windows."
 )
 FILTER_NOT_UNDERSTOOD = Message("The filter is not understood: {error}. Example: kept < 0.7 and cause = 'feathering'.")
 FILTER_GEOMETRY = Message(

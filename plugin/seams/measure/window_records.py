@@ -23,69 +23,46 @@ _NOT_COMPARED = ("", "not_comparable")  # words of Verdict, which is not loaded 
 
 @dataclass(frozen=True)
 class WindowRecord(NumberedWindow):
-    """One window of a layer, inspected or not. Its number is for good."""
+    """One window of a layer, inspected or not. Its number is for good.
+
+    Fields are those of the layer (docs/reference/tables.md); ``ratios``, ``composite_ratios``, ``expected_ratios`` and
+    ``kept`` have an entry for each level, and ``contrast``, ``sharpness`` and ``added`` are of level 1. Words are empty
+    and numbers None where nothing is known.
+    """
 
     verdict: str = ""
-    """A verdict's word, or empty while it is not inspected."""
     reason: str = ""
-    """Why it is not comparable."""
+    reason_code: str = ""
     sources: int | None = None
-    """How many sources took part."""
     ratios: tuple[float | None, ...] = ()
-    """ratio_1..ratio_R."""
     background_ratio: float | None = None
     observer: str = ""
-    """``visible``, ``invisible``, ``unsure`` or empty."""
-    confidence: int | None = None
-    """How sure the observer is, 0 to 100."""
-    remark: str = ""
     observer_2: str = ""
-    """A second operator's word."""
+    confidence: int | None = None
     confidence_2: int | None = None
+    remark: str = ""
     remark_2: str = ""
     seam_id: int | None = None
-    """The seam that it was placed on."""
     station: float | None = None
-    """How far along that seam, m."""
     composite_ratios: tuple[float | None, ...] = ()
-    """composite_ratio_1..composite_ratio_R."""
     expected_ratios: tuple[float | None, ...] = ()
-    """expected_ratio_1..expected_ratio_R."""
     unclear_share: float | None = None
-    """Share of the pixels where no source wins clearly."""
     cause: str = ""
-    """Word of what explains the loss."""
     causes: str = ""
-    """Words of all that were found, what took most first, joined by ``; ``."""
     reference: str = ""
-    """What the verdict was taken by, one of ``REFERENCES``."""
     paper_verdict: str = ""
-    """Verdict by the paper's rule."""
     loss: float | None = None
-    """The finest detail that is missing, as so many m2 of the window hold; 0 where no loss is sure."""
     kept: tuple[float | None, ...] = ()
-    """kept_1..kept_R, of the seam profile."""
     kept_low: float | None = None
-    """95 % interval of kept_1."""
     kept_high: float | None = None
     band_width: float | None = None
-    """Full width of the band along the seam in which detail was lost, m."""
     feather_width: float | None = None
-    """Full width of the feather, m; 0 for a cut."""
     visibility: float | None = None
-    """The loss beside the seam in just noticeable differences of contrast at 2x."""
     misfit: float | None = None
-    """How far the two images that meet lie from each other as they are placed in the mosaic, px."""
     contrast: float | None = None
-    """contrast_1: absolute, against the composite."""
     sharpness: float | None = None
-    """sharpness_1: of the whole window against the composite in the mosaic's tones."""
     added: float | None = None
-    """added_1: share of the mosaic's finest detail that its sources don't have."""
     explained: float | None = None
-    """Share of the pixels whose fine detail the given sources explain."""
-    reason_code: str = ""
-    """The reason as logic reads it, in whatever language it is told; empty for others."""
     fid: int = 0
     """Feature id; changes when a new feature is saved."""
     stale: bool = False

@@ -3,9 +3,10 @@ from __future__ import annotations
 
 import logging
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Executor, Future, wait
 from dataclasses import dataclass
+from itertools import islice
 from typing import Callable, TypeVar
 
 from ...imagery.errors import Message, WorkersLostError
@@ -16,6 +17,8 @@ Request = TypeVar("Request")
 Result = TypeVar("Result")
 
 _PATIENCE_SECONDS = 0.2  # between two looks at whether the run was cancelled
+_MANY = 16  # tasks under way: each then has several requests
+_AT_A_TIME = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,25 +30,32 @@ class Workers:
     """Most requests under way or waiting to be taken, so that memory does not grow with their number."""
     cancelled: Callable[[], bool] = lambda: False
 
+    @property
+    def together(self) -> int:
+        """Requests that are handed out at once: several where many take them, as one takes as long as all."""
+        return _AT_A_TIME if self.ahead > _MANY else 1
+
 
 def in_order(
     requests: Iterable[Request],
     measure: Callable[[Request], Result],
     failed: Callable[[Request, Message], Result],
     workers: Workers,
+    together: int = 1,
 ) -> Iterator[Result]:
     """Results in the order of the requests, each as soon as it and those before it are ready.
 
-    ``failed`` makes the result of a request whose measurement raised an error that nobody foresaw. Stops when the run
-    is cancelled, with the results that are ready by then, within a fraction of a second even while a window is under
-    way. Raises WorkersLostError when nobody is left to measure.
+    ``together``: how many requests are handed out at once. ``failed`` makes the result of a request whose measurement
+    raised an error that nobody foresaw. Stops when the run is cancelled, with the results that are ready by then, in a
+    fraction of a second even while a window is under way. Raises WorkersLostError when nobody is left to measure.
     """
-    waiting: deque[tuple[Request, Future[Result]]] = deque()
+    waiting: deque[tuple[list[Request], Future[list[Result]]]] = deque()
+    requests = iter(requests)
     try:
-        for request in requests:
+        while some := list(islice(requests, together)):
             if workers.cancelled():
                 break
-            waiting.append((request, workers.executor.submit(measure, request)))
+            waiting.append((some, workers.executor.submit(_each, measure, some)))
             if len(waiting) >= workers.ahead:
                 yield from _ready(*waiting.popleft(), failed, workers.cancelled)
         while waiting:
@@ -55,13 +65,17 @@ def in_order(
             future.cancel()
 
 
+def _each(measure: Callable[[Request], Result], requests: Sequence[Request]) -> list[Result]:
+    return [measure(request) for request in requests]
+
+
 def _ready(
-    request: Request,
-    future: Future[Result],
+    requests: Sequence[Request],
+    future: Future[list[Result]],
     failed: Callable[[Request, Message], Result],
     cancelled: Callable[[], bool],
 ) -> Iterator[Result]:
-    """The result as soon as it is there; nothing when ``cancelled`` says so before."""
+    """The results as soon as they are there; none when ``cancelled`` says so before."""
     while not future.done():
         if cancelled():
             future.cancel()
@@ -69,9 +83,10 @@ def _ready(
         wait([future], timeout=_PATIENCE_SECONDS)
     error = future.exception()
     if error is None:
-        yield future.result()
+        yield from future.result()
     elif isinstance(error, Exception) and not isinstance(error, (WorkersLostError, BrokenExecutor)):
-        yield failed(request, unforeseen(error))
+        reason = unforeseen(error)
+        yield from (failed(request, reason) for request in requests)
     else:
         raise error
 

@@ -84,7 +84,7 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
     """The rows of PAIRS by window. Raises SettingsError for a table that is none of pairs."""
     for name in ("window_id", "source", "band"):
         if name not in names:
-            raise SettingsError(messages.PAIRS_WITHOUT_FIELD(field=name))
+            raise SettingsError(messages.TABLE_WITHOUT_FIELD(table="PAIRS", field=name))
     found: dict[int, list[PairRecord]] = {}
     for row in attributes(rows, names):
         window_id = whole_number(row["window_id"])
@@ -100,7 +100,7 @@ def read_profiles(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int,
     """The rows of PROFILES by window. Raises SettingsError for a table that is none of profiles."""
     for name in ("window_id", "level", "distance", "kept"):
         if name not in names:
-            raise SettingsError(messages.PROFILES_WITHOUT_FIELD(field=name))
+            raise SettingsError(messages.TABLE_WITHOUT_FIELD(table="PROFILES", field=name))
     found: dict[int, list[ProfileRecord]] = {}
     for row in attributes(rows, names):
         window_id, level = whole_number(row["window_id"]), whole_number(row["level"])
@@ -121,7 +121,7 @@ def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, l
     """
     for name in ("window_id", "raster", "role", "band", "component", "level", "relative_variance"):
         if name not in names:
-            raise SettingsError(messages.CURVES_WITHOUT_FIELD(field=name))
+            raise SettingsError(messages.TABLE_WITHOUT_FIELD(table="CURVES", field=name))
     windows: dict[int, dict[str, list[_Components]]] = {}
     for row in attributes(rows, names):
         window_id, level = whole_number(row["window_id"]), whole_number(row["level"])

@@ -16,13 +16,13 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.raster_pool import ReadingLanes, close_rasters, one_by_one
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.window.explained_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.inspection import (
     Block,
     inspect_in_stages,
     inspect_window,
     window_request,
 )
-from seam_inspector.plugin.seams.measure.window.live_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.measured_window import KEPT, MeasuredAhead
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 

@@ -61,11 +61,11 @@ class Failing(Inline):
     """One window of which raises what nobody foresaw."""
 
     def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
-        def task(request: WindowRequest) -> WindowResult:
-            if request.window_id == 2:
+        def task(measure: Any, requests: list[WindowRequest]) -> list[WindowResult]:
+            if requests[0].window_id == 2:
                 raise MemoryError("no room")
-            result: WindowResult = fn(request)
-            return result
+            results: list[WindowResult] = fn(measure, requests)
+            return results
 
         return super().submit(task, *args, **kwargs)
 

@@ -12,8 +12,8 @@ from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.raster_pool import one_by_one
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.explained_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
-from seam_inspector.plugin.seams.measure.window.live_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.window_request import (
     ENOUGH_PX,
     MARGIN_PX,

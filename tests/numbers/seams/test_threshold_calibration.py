@@ -11,7 +11,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
-from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     STANDARD_LIMITS,
     Verdicts,
@@ -77,7 +76,7 @@ def test_a_measure_of_loss_is_calibrated_as_what_is_left_is(visible: list[float]
         assert found.best_range[0] <= found.best.threshold <= found.best_range[1]
 
 
-def test_where_the_smoothed_threshold_cant_be_set_the_best_step_that_can_is_given() -> None:
+def test_where_the_best_threshold_cant_be_set_the_best_step_that_can_is_given() -> None:
     visible, invisible = (0.2, 0.4, 0.9, 1.2, 1.4), (0.6, 1.3, 1.6, 1.8, 2.0)
     verdicts = Verdicts("ratio_1", visible, invisible)
     assert [round(5 * step_at(verdicts, at).youden) for at in (0.5, 0.95)] == [2, 2]
@@ -203,13 +202,6 @@ def test_wanted_verdicts_are_just_enough(area: float, visible: int, invisible: i
         low, high = area_interval(area, *fewer)
         assert high - low > 0.1
         assert wanted[0] / sum(wanted) == pytest.approx(visible / (visible + invisible), abs=0.07)
-
-
-def test_thousands_of_verdicts_are_resampled_in_parts() -> None:
-    parts = Neighbourhoods.of_single_windows(1000, 3000).resamples(2000)
-    sizes = [(len(seen), seen.nbytes + unseen.nbytes) for seen, unseen in parts]
-    assert sum(rows for rows, _ in sizes) == 2000
-    assert max(taken for _, taken in sizes) <= 10e6  # bytes
 
 
 def test_verdicts_of_one_place_are_told() -> None:

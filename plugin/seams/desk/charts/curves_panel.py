@@ -27,7 +27,7 @@ from .curves_legend import CurvesLegend
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ...measure.window.live_window import LiveWindow
+    from ...measure.window.explained_window import LiveWindow
     from ...measure.window.window_result import WindowCurves
     from ..session import Session
 

@@ -23,7 +23,7 @@ from ...measure.inputs.raster_facts import (
     likely_mosaic,
     suitable_by_header,
 )
-from ...measure.seamlines.seam_fields import seam_fields
+from ...measure.seamlines.seam_features import seam_fields
 from ...tables.input_layers import LOCATION_FIELD
 from ...tables.scan_layers import is_picture
 from .project_inputs import Inputs, load_inputs

@@ -11,8 +11,8 @@ from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import ReadingLanes
 from ....toolkit.background_tasks import LatestOnly
 from ....toolkit.desk.widgets import single_shot
+from ...measure.window.explained_window import LiveWindow, live_profile, read_live
 from ...measure.window.inspection import window_request
-from ...measure.window.live_window import LiveWindow, live_profile, read_live
 from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow
 from ...measure.window.window_request import WindowRequest
 

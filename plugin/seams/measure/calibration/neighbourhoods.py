@@ -4,7 +4,7 @@ So judged windows are put into neighbourhoods, and resampled neighbourhood by ne
 Davison and Hinkley 1997, section 3.8; blocks of a long row: Kuensch 1989, Annals of Statistics 17, 1217-1241)."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -20,8 +20,9 @@ SHORTEST_SIDES = 3.0  # what is no longer is never cut
 FEWEST_NEIGHBOURHOODS = 3.0  # of either kind: below it rows are cut shorter
 MIN_NEIGHBOURHOODS = 1.5  # of either kind: below it there is nothing to resample
 
+RESAMPLES = 2000
+"""Draws of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends."""
 _SEED = 20100705  # the same verdicts give the same interval
-_CELLS_AT_ONCE = 1 << 20  # of a table of resamples by windows, 8 MB a table
 
 
 def find_neighbourhoods(extents: Sequence[Extent | None], visible: Sequence[bool]) -> list[int]:
@@ -60,8 +61,8 @@ class Neighbourhoods:
         """Neighbourhoods as if no window had anything to do with another."""
         return cls(range(visible), range(visible, visible + invisible))
 
-    def resamples(self, count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """How often each visible and each invisible verdict is drawn, (resamples, verdicts), in parts.
+    def resamples(self) -> tuple[np.ndarray, np.ndarray]:
+        """How often each visible and each invisible verdict is drawn, (resamples, verdicts).
 
         Neighbourhoods with visible verdicts alone, with invisible ones alone and with both are drawn among themselves,
         so that both kinds remain, and one fewer than there are, so that resamples spread as much as samples do (Rao and
@@ -69,19 +70,13 @@ class Neighbourhoods:
         kind is left out.
         """
         random = np.random.default_rng(_SEED)
-        rows = max(1, _CELLS_AT_ONCE // len(self._places))
-        for done in range(0, count, rows):
-            drawn = self._draw(random, min(rows, count - done))[:, self._places]
-            seen, unseen = drawn[:, : self._visible], drawn[:, self._visible :]
-            usable = (seen.sum(axis=1) >= 2) & (unseen.sum(axis=1) >= 2)
-            yield seen[usable], unseen[usable]
-
-    def _draw(self, random: np.random.Generator, rows: int) -> np.ndarray:
-        """How often each neighbourhood is drawn, (rows, neighbourhoods)."""
-        drawn = np.empty((rows, self.count), np.int64)
+        drawn = np.empty((RESAMPLES, self.count), np.int64)
         for stratum in self._strata():
-            drawn[:, stratum] = random.multinomial(len(stratum) - 1, np.full(len(stratum), 1 / len(stratum)), rows)
-        return drawn
+            shares = np.full(len(stratum), 1 / len(stratum))
+            drawn[:, stratum] = random.multinomial(len(stratum) - 1, shares, RESAMPLES)
+        seen, unseen = np.split(drawn[:, self._places], [self._visible], axis=1)
+        usable = (seen.sum(axis=1) >= 2) & (unseen.sum(axis=1) >= 2)
+        return seen[usable], unseen[usable]
 
     def _strata(self) -> list[np.ndarray]:
         """Neighbourhoods that are drawn among each other; all together where one would be alone."""

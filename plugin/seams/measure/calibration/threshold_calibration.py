@@ -20,7 +20,7 @@ from ....imagery.grids import Extent
 from ....imagery.statistics import Interval
 from .. import limits, messages
 from .neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods, find_neighbourhoods
-from .verdict_statistics import MIN_VERDICTS, roc_area, smoothed_threshold, wanted_verdicts
+from .verdict_statistics import MIN_VERDICTS, best_threshold, roc_area, wanted_verdicts
 
 STANDARD_LIMITS = {
     "kept_1": limits.MAX_SIGNIFICANT_KEPT, "ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO,
@@ -105,7 +105,7 @@ class ThresholdCalibration:
     area: Interval | None = None
     """Under the ROC curve; 0.5 is a guess, 1 is without fault. None with too few verdicts."""
     best: Step | None = None
-    """The threshold with the largest Youden index of the smoothed verdicts; None where none is better than a guess."""
+    """The threshold with the largest Youden index of fitted distributions; None where none is better than a guess."""
     best_range: tuple[float, float] | None = None
     """The interval of the best threshold of all windows like these, 95 %."""
     wanted: tuple[int, int] | None = None
@@ -138,19 +138,19 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     is_one_place = places.fewest < MIN_NEIGHBOURHOODS
     if is_one_place:
         places = Neighbourhoods.of_single_windows(len(visible), len(invisible))
-    area, smoothed = roc_area(visible, invisible, places), smoothed_threshold(visible, invisible, places)
+    area, fitted = (statistic(visible, invisible, places) for statistic in (roc_area, best_threshold))
     values = np.unique(np.concatenate([visible, invisible]))
     hits, vain = (np.searchsorted(np.sort(kind), values, side="right").tolist() for kind in (visible, invisible))
     steps = tuple(_step(*one, len(visible), len(invisible)) for one in zip(values.tolist(), hits, vain))
-    best, name = _best(verdicts, steps, smoothed, most), verdicts.measure
+    best, name = _best(verdicts, steps, fitted, most), verdicts.measure
     # The range of thresholds that can be set, the given one among them.
-    ends = (min(smoothed.low, best.threshold), max(min(smoothed.high, most), best.threshold)) if best else None
+    ends = (min(fitted.low, best.threshold), max(min(fitted.high, most), best.threshold)) if best else None
     notices = (
         (area.low <= 0.5, messages.NO_BETTER_THAN_CHANCE(measure=name, low=area.low, high=area.high)),
         (area.value == 1, messages.VERDICTS_FULLY_APART(measure=name)),
         (best is None, messages.NO_THRESHOLD(measure=name)),
-        (best is not None and smoothed.value >= most,
-         messages.THRESHOLD_TOO_HIGH(measure=name, threshold=smoothed.value, most=most)),
+        (best is not None and fitted.value >= most,
+         messages.THRESHOLD_TOO_HIGH(measure=name, threshold=fitted.value, most=most)),
         (is_one_place, messages.VERDICTS_IN_ONE_PLACE(measure=name)),
     )  # fmt: skip
     return ThresholdCalibration(
@@ -180,11 +180,11 @@ def _step(threshold: float, hits: int, vain: int, seen: int, unseen: int) -> Ste
     return Step(threshold, hits, vain, hits / seen, (unseen - vain) / unseen)
 
 
-def _best(verdicts: Verdicts, steps: tuple[Step, ...], smoothed: Interval, most: float) -> Step | None:
-    """At the smoothed threshold; where that can't be set or is but a guess, the best step of the judged windows."""
-    if smoothed.value < most:
-        reach = min((smoothed.high - smoothed.low) * _ROUNDING, most - smoothed.value)
-        step = step_at(verdicts, min(_round_within(smoothed.value, reach), most - _FINEST_STEP))
+def _best(verdicts: Verdicts, steps: tuple[Step, ...], fitted: Interval, most: float) -> Step | None:
+    """At the fitted threshold; where that can't be set or is but a guess, the best step of the judged windows."""
+    if fitted.value < most:
+        reach = min((fitted.high - fitted.low) * _ROUNDING, most - fitted.value)
+        step = step_at(verdicts, min(_round_within(fitted.value, reach), most - _FINEST_STEP))
         if step.youden > 0:
             return step
     settable = [step for step in steps if step.threshold < most and step.youden > 0]

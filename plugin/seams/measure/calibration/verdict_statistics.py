@@ -1,15 +1,15 @@
 """What judged windows say of a measure: area under its ROC curve and best threshold, both with their intervals.
 
-The threshold is that with the largest Youden index of smoothed distributions. The best step of the judged windows
+The threshold is that with the largest Youden index of two normal distributions. The best step of the judged windows
 themselves jumps from one window's value to another's: it errs like the cube root of their number, and a bootstrap of it
 does not hold (Kim and Pollard 1990, Annals of Statistics 18, 191-219; Abrevaya and Huang 2005, Econometrica 73,
-1175-1204). Of smoothed distributions (Fluss, Faraggi and Reiser 2005, Biometrical Journal 47, 458-472) it moves evenly
-with every verdict, errs half to two thirds as much, and can be resampled.
+1175-1204). That of fitted distributions (Fluss, Faraggi and Reiser 2005, Biometrical Journal 47, 458-472) moves evenly
+with every verdict, errs half as much, and can be resampled.
 """
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 import numpy as np
 from scipy.special import ndtr
@@ -18,7 +18,6 @@ from ....imagery.statistics import NORMAL_95, Interval, critical_t
 from .neighbourhoods import Neighbourhoods
 
 MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %
-AREA_RESAMPLES = 2000  # of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends
 PERCENTILES_95 = (2.5, 97.5)  # the ends of a 95 % interval
 WANTED_AREA_ERROR = 0.05  # half of the 95 % interval of an area under the ROC curve that is known well enough
 
@@ -29,11 +28,9 @@ def roc_area(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbo
     value = float(pairs.mean())
     if value in (0, 1):  # every resample has the same area, which says nothing of its error
         return Interval(value, *area_interval(value, len(visible), len(invisible)))
-    areas = [
-        (seen @ pairs * unseen).sum(axis=1) / (seen.sum(axis=1) * unseen.sum(axis=1))
-        for seen, unseen in neighbourhoods.resamples(AREA_RESAMPLES)
-    ]
-    return Interval(value, *map(float, np.percentile(np.concatenate(areas), PERCENTILES_95)))
+    seen, unseen = neighbourhoods.resamples()
+    areas = (seen @ pairs * unseen).sum(axis=1) / (seen.sum(axis=1) * unseen.sum(axis=1))
+    return Interval(value, *map(float, np.percentile(areas, PERCENTILES_95)))
 
 
 def area_interval(area: float, visible: int, invisible: int) -> tuple[float, float]:
@@ -87,19 +84,15 @@ def _standard_error(area: float, visible: int, invisible: int) -> float:
     return math.sqrt(max(area * (1 - area) * spread, 0) / (visible * invisible))
 
 
-THRESHOLD_RESAMPLES = 400  # Efron and Tibshirani 1993, section 6.4: 200 and more for a standard error
-BANDWIDTH = 1.3  # of the kernel in standard deviations, times count^-1/5: near to a fitted normal with ten verdicts
-POWERS = np.linspace(0, 1, 6)  # from the logarithm to the values as they are
 DEGREES_OF_FREEDOM = 1.5  # a neighbourhood less one: Welch 1947 has 1 to 2, by how alike both kinds' errors are
 
-_GRID = 61  # thresholds tried; the parabola through the best three places it between them
-_REACH = 1.5  # standard deviations beyond both means that the grid spans
+_POWERS = 0.0, 0.2, 0.4, 0.6, 0.8, 1.0  # from the logarithm to the values as they are
 _LEAST_SPREAD = 0.02  # of all values' standard deviation: a kind whose values are all the same has some
-_MOST_VALUES = 64  # of a kind: more are counted in as many classes, much narrower than the kernel
-_CELLS_AT_ONCE = 1 << 21  # of a table of resamples by values by thresholds, 16 MB a table
+_REACH = 1.5  # standard deviations beyond both means that a threshold may lie
+_ALIKE = 1e-9  # share by which variances differ that are as good as equal
 
 
-def smoothed_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbourhoods) -> Interval:
+def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbourhoods) -> Interval:
     """The best threshold and its 95 % interval, from the spread of the thresholds of resampled neighbourhoods.
 
     Few neighbourhoods tell their spread badly: therefore Student's distribution. Measures are not negative, and so no
@@ -108,125 +101,72 @@ def smoothed_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhood
     values = np.concatenate([visible, invisible])
     if np.ptp(values) == 0:
         return Interval(*[float(values[0])] * 3)
-    scale = _Scale(visible, invisible)
-    value, power = (one[0] for one in scale.best(np.ones((1, len(visible))), np.ones((1, len(invisible)))))
-    drawn = [scale.best(*weights)[0] for weights in neighbourhoods.resamples(THRESHOLD_RESAMPLES)]
-    spread = _powered(np.concatenate(drawn), power).std(ddof=1)
+    is_positive = bool(values.min() > 0)
+    unit = math.exp(np.log(values).mean()) if is_positive else 1.0
+    kinds, powers = [visible / unit, invisible / unit], _POWERS if is_positive else _POWERS[-1:]
+    (middle,), (best,) = _thresholds(kinds, [np.ones((1, len(kind))) for kind in kinds], powers)
+    drawn, _ = _thresholds(kinds, neighbourhoods.resamples(), powers)
+    spread = float(_powered(drawn, powers[best]).std(ddof=1))
     count = max(neighbourhoods.fewest, 1.5)
     reach = spread * float(critical_t(0.95, max(DEGREES_OF_FREEDOM * (count - 1), 1)))
-    middle = _powered(value, power)
-    low, high = (scale.back(_unpowered(end, power)) for end in (middle - reach, middle + reach))
-    return Interval(scale.back(value), max(low, min(0.0, float(values.min()))), high)
+    straight = float(_powered(middle, powers[best]))
+    low, high = (unit * float(_unpowered(straight + side * reach, powers[best])) for side in (-1, 1))
+    return Interval(unit * float(middle), max(low, min(0.0, float(values.min()))), high)
 
 
-class _Scale:
-    """The judged values of both kinds, as logarithms about their mean where all are positive, and thresholds to try."""
-
-    def __init__(self, visible: np.ndarray, invisible: np.ndarray) -> None:
-        self._is_log = min(visible.min(), invisible.min()) > 0
-        groups = [np.log(kind) if self._is_log else kind for kind in (visible, invisible)]
-        self._mean = float(np.concatenate(groups).mean()) if self._is_log else 0.0  # so that no unit matters
-        self._kinds = [_Kind(group - self._mean) for group in groups]
-        ends = [(kind.mean - _REACH * kind.spread, kind.mean + _REACH * kind.spread) for kind in self._kinds]
-        self._grid = np.linspace(min(low for low, _ in ends), max(high for _, high in ends), _GRID)
-        self._least = _LEAST_SPREAD * float(np.concatenate([kind.values for kind in self._kinds]).std())
-
-    def back(self, threshold: float) -> float:
-        """The measure's own value of a threshold on this scale."""
-        return math.exp(threshold + self._mean) if self._is_log else float(threshold)
-
-    def best(self, visible: np.ndarray, invisible: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The best thresholds of weighted verdicts (resamples, verdicts), and the powers they were found at."""
-        weights = [kind.gather(one) for kind, one in zip(self._kinds, (visible, invisible))]
-        powers = self._powers(weights) if self._is_log else np.full(len(visible), np.nan)
-        rows = max(1, _CELLS_AT_ONCE // (_GRID * max(len(kind.values) for kind in self._kinds)))
-        parts = [slice(start, start + rows) for start in range(0, len(powers), rows)]
-        youden = (self._youden([weight[part] for weight in weights], powers[part]) for part in parts)
-        return self._grid[0] + np.concatenate(list(map(_parabola, youden))) * (self._grid[1] - self._grid[0]), powers
-
-    def _powers(self, weights: list[np.ndarray]) -> np.ndarray:
-        """The Box-Cox power, the same for both kinds, at which the values are likeliest to be normal."""
-        likelihoods = np.zeros((len(weights[0]), len(POWERS)))
-        for place, power in enumerate(POWERS):
-            for kind, weight in zip(self._kinds, weights):
-                moved, count = _powered(kind.values, power), weight.sum(axis=1)
-                mean = weight @ moved / count
-                variance = np.maximum(weight @ moved**2 / count - mean**2, self._least**2)
-                likelihoods[:, place] += (power - 1) * (weight @ kind.values) - count / 2 * np.log(variance)
-        return POWERS[0] + _parabola(likelihoods) * (POWERS[1] - POWERS[0])
-
-    def _youden(self, weights: list[np.ndarray], powers: np.ndarray) -> np.ndarray:
-        """Smoothed Youden index at every threshold, (resamples, thresholds)."""
-        moved = _powered(self._grid, powers[:, np.newaxis])
-        flagged = [
-            _smoothed_shares(_powered(kind.values, powers[:, np.newaxis]), weight, moved, kind.bandwidth, self._least)
-            for kind, weight in zip(self._kinds, weights)
-        ]
-        return flagged[0] - flagged[1]
+def _thresholds(
+    kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray], powers: Sequence[float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Best thresholds (resamples,) of both kinds' values (n,), weighted, (resamples, n), and the places of the powers
+    at which they are likeliest to be normal, the same for both kinds (Box and Cox 1964)."""
+    scaled = [_powered(kind, powers[0]) for kind in kinds]
+    spans = [(kind.mean() - _REACH * kind.std(), kind.mean() + _REACH * kind.std()) for kind in scaled]
+    first, last = (_unpowered(end, powers[0]) for end in (min(spans)[0], max(high for _, high in spans)))
+    likelihoods, thresholds = [], []
+    for power in powers:
+        straight = [_powered(kind, power) for kind in kinds]
+        least = _LEAST_SPREAD * float(np.concatenate(straight).std())
+        fitted = [_fitted(kind, weight, least) for kind, weight in zip(straight, weights)]
+        within = np.clip(_crossing(*fitted), _powered(first, power), _powered(last, power))
+        thresholds.append(_unpowered(within, power))
+        likelihoods.append(sum(
+            (power - 1) * (weight @ np.log(kind) if power < 1 else 0.0) - weight.sum(axis=1) * np.log(spread)
+            for kind, weight, (_, spread) in zip(kinds, weights, fitted)
+        ))
+    best = np.argmax(likelihoods, axis=0)
+    return np.array(thresholds)[best, np.arange(len(best))], best
 
 
-class _Kind:
-    """The values of one kind, ascending; many are gathered in classes."""
-
-    def __init__(self, values: np.ndarray) -> None:
-        self._order = np.argsort(values, kind="stable")
-        ordered = values[self._order]
-        classes = ordered
-        if len(values) > _MOST_VALUES:
-            classes = np.floor((ordered - ordered[0]) / max(float(np.ptp(ordered)), 1e-300) * _MOST_VALUES)
-        self._starts = np.unique(classes, return_index=True)[1]
-        counts = np.diff(np.append(self._starts, len(values)))
-        self.values = np.add.reduceat(ordered, self._starts) / counts
-        self.mean, self.spread = float(values.mean()), float(values.std())
-        self.bandwidth = BANDWIDTH * len(values) ** -0.2
-
-    def gather(self, weights: np.ndarray) -> np.ndarray:
-        """Weights of verdicts -> of classes."""
-        return np.add.reduceat(weights[:, self._order].astype(np.float64), self._starts, axis=1)
+def _fitted(values: np.ndarray, weights: np.ndarray, least: float) -> tuple[np.ndarray, np.ndarray]:
+    """Means and standard deviations, at least ``least``, of the normal distributions of values (n,), weighted,
+    (resamples, n)."""
+    count = weights.sum(axis=1)
+    mean = weights @ values / count
+    variance = (weights @ values**2 / count - mean**2) * count / (count - 1)
+    return mean, np.maximum(np.sqrt(np.maximum(variance, 0)), least)
 
 
-def _smoothed_shares(
-    values: np.ndarray, weights: np.ndarray, thresholds: np.ndarray, bandwidth: float, least: float
-) -> np.ndarray:
-    """Share of the verdicts at or below each threshold, each verdict spread by a normal kernel.
-
-    The verdicts are drawn in towards their mean by as much as the kernel spreads them, so that the standard deviation
-    stays theirs (Silverman and Young 1987, Biometrika 74, 469-479): values that are normal stay so at any bandwidth.
-    """
-    count = weights.sum(axis=1, keepdims=True)
-    mean = (weights * values).sum(axis=1, keepdims=True) / count
-    unbiased = np.sqrt(count / (count - 1))
-    spread = np.sqrt((weights * (values - mean) ** 2).sum(axis=1, keepdims=True) / count) * unbiased
-    spread = np.maximum(spread, least)
-    places = (values - mean) / spread * unbiased
-    tried = (thresholds - mean) / spread * math.sqrt(1 + bandwidth**2)
-    shares = ndtr((tried[:, np.newaxis, :] - places[:, :, np.newaxis]) / bandwidth)
-    found: np.ndarray = np.einsum("rv,rvt->rt", weights, shares) / count
-    return found
+def _crossing(visible: tuple[np.ndarray, np.ndarray], invisible: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
+    """Thresholds with the largest Youden index of normal distributions by means and standard deviations: where both
+    densities are equal, which is in two places, or in one where they spread alike."""
+    (mean, spread), (other_mean, other_spread) = visible, invisible
+    wider = other_spread**2 - spread**2
+    is_alike = np.abs(wider) <= _ALIKE * (other_spread**2 + spread**2)
+    middle = mean * other_spread**2 - other_mean * spread**2
+    aside = spread * other_spread * np.sqrt((mean - other_mean) ** 2 + 2 * wider * np.log(other_spread / spread))
+    first, second = ((middle + sign * aside) / np.where(is_alike, 1, wider) for sign in (1, -1))
+    youden = (ndtr((place - mean) / spread) - ndtr((place - other_mean) / other_spread) for place in (first, second))
+    return np.where(is_alike, (mean + other_mean) / 2, np.where(np.greater_equal(*youden), first, second))
 
 
-def _parabola(heights: np.ndarray) -> np.ndarray:
-    """Places where rows of evenly spaced heights are largest, in steps from their start; of a plateau the middle."""
-    rows, last = np.arange(len(heights)), heights.shape[1] - 1
-    peaks = (heights.argmax(axis=1) + last - heights[:, ::-1].argmax(axis=1)) // 2
-    left, top, right = (heights[rows, np.clip(peaks + step, 0, last)] for step in (-1, 0, 1))
-    bend = left - 2 * top + right
-    inner = (peaks > 0) & (peaks < last) & (bend < 0)
-    found: np.ndarray = peaks + np.where(inner, (left - right) / 2 / np.where(inner, bend, 1), 0)
-    return found
+def _powered(values: np.ndarray, power: float) -> np.ndarray:
+    """Box and Cox 1964: (x^power - 1) / power, the logarithm for 0."""
+    return np.log(values) if power == 0 else (values**power - 1) / power
 
 
-def _powered(logs: Iterable[float] | np.ndarray, powers: np.ndarray) -> np.ndarray:
-    """Box and Cox 1964: (x^power - 1) / power of logarithms of x; a power of NaN leaves numbers as they are."""
-    numbers, powers = np.broadcast_arrays(np.asarray(logs, np.float64), powers)
-    small = np.abs(powers) < 1e-6
-    moved = np.where(small, numbers, np.expm1(powers * numbers) / np.where(small, 1, powers))
-    return np.where(np.isnan(powers), numbers, moved)
-
-
-def _unpowered(number: float, power: float) -> float:
-    """The logarithm that ``_powered`` moved there, that of 0 where it reaches no number."""
-    if math.isnan(power) or abs(power) < 1e-6:
-        return number
-    inside = 1 + power * number
-    return math.log(inside) / power if inside > 0 else -math.inf
+def _unpowered(numbers: np.ndarray, power: float) -> np.ndarray:
+    """The values that ``_powered`` moved there, 0 where it reaches none."""
+    if power == 0:
+        return np.exp(numbers)
+    inside = 1 + power * numbers
+    return np.asarray(inside if power == 1 else np.maximum(inside, 0.0) ** (1 / power))

@@ -174,7 +174,7 @@ class _Comparison:
     def __init__(self, mosaic: Raster, sources: Sequence[Source], pool: RasterPool) -> None:
         self._mosaic, self._sources, self._pool = mosaic, sources, pool
         self._known: dict[tuple[int, int], tuple[float, float]] = {}
-        self._patches: dict[tuple[int, int], tuple[_Patch, _Patch] | None] = {}
+        self._patches: dict[tuple[int, int], _Patch | None] = {}
         patches = []
         for window in _windows(mosaic):
             with suppress(RasterError):
@@ -215,22 +215,24 @@ class _Comparison:
         places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
         detail, missed, likest_pairs = [], 0, []
         for k in places:
-            own = self._seen(number, k)
-            seen = {n: one for n in sorted(self._over[k] & {*others}) if (one := self._seen(n, k)) is not None}
-            if own is None:
+            patch = self._patch(number, k)
+            if patch is None:
                 continue
-            lacking = {n: _lacking(own[1], coarse) for n, (_, coarse) in seen.items()}
+            coarse = patch.averaged(AVERAGED_PX)
+            seen = {n: other for n in sorted(self._over[k] & {*others}) if (other := self._patch(n, k)) is not None}
+            averaged = {n: other.averaged(AVERAGED_PX) for n, other in seen.items()}
+            lacking = {n: _lacking(coarse, other) for n, other in averaged.items()}
             likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])
-            near = [seen[n] for n in likest]
-            if not near:
+            if not likest:
                 continue
-            explained = _explained(own[1], [coarse for _, coarse in near[:MOST_OTHERS]])
-            likest_pairs.append((likest[0], own[1], near[0][1]))
+            first = likest[0]
+            explained = _explained(coarse, [averaged[n] for n in likest[:MOST_OTHERS]])
+            likest_pairs.append((first, coarse, averaged[first]))
             missed += explained < LEAST_EXPLAINED
             if missed > MOST_ELSEWHERE * len(places):
                 return None
             if not np.isnan(explained):
-                detail.append([_energy(one) for one in (*own, *near[0])])
+                detail.append([_energy(one) for one in (patch, coarse, seen[first], averaged[first])])
         if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
             return None
         alone = Counter(n for n, patch, other in likest_pairs if _explained(patch, [other]) >= LEAST_EXPLAINED)
@@ -239,13 +241,12 @@ class _Comparison:
         fine, coarse, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
         return fine * their_coarse / (coarse * their_fine) if coarse * their_fine else None
 
-    def _seen(self, number: int, k: int) -> tuple[_Patch, _Patch] | None:
-        """A source at a place and its averages there; None where it can't be read."""
+    def _patch(self, number: int, k: int) -> _Patch | None:
+        """A source at a place; None where it can't be read."""
         if (number, k) not in self._patches:
             self._patches[number, k] = None
             with suppress(RasterError):  # the scan says so where it needs it
-                patch = self._read(self._sources[number].ref, self._places[k][0])
-                self._patches[number, k] = patch, patch.averaged(AVERAGED_PX)
+                self._patches[number, k] = self._read(self._sources[number].ref, self._places[k][0])
         return self._patches[number, k]
 
     def _is_another(self, number: int) -> bool:
@@ -261,16 +262,13 @@ class _Comparison:
         the mosaic has pixels and it has none."""
         if number not in self._over[k]:
             return np.nan, 1.0
-        if (number, k) not in self._known:
-            self._known[number, k] = np.nan, 1.0
-            with suppress(RasterError):  # the scan says so where it needs it
-                window, patch = self._places[k]
-                source = self._read(self._sources[number].ref, window)
-                size = self._pool.open(self._sources[number].ref).raster.ground_sample_distance
-                side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
-                lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
-                self._known[number, k] = lacking, float((patch.valid & ~source.valid).mean())
-        return self._known[number, k]
+        source, patch = self._patch(number, k), self._places[k][1]
+        if source is not None and (number, k) not in self._known:
+            size = self._pool.open(self._sources[number].ref).raster.ground_sample_distance
+            side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
+            lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
+            self._known[number, k] = lacking, float((patch.valid & ~source.valid).mean())
+        return self._known.get((number, k), (np.nan, 1.0))
 
     def _read(self, ref: RasterRef, window: PixelWindow) -> _Patch:
         clip = read_clip(self._pool.open(ref), self._mosaic, window, partly=True)

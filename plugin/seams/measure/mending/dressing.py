@@ -8,11 +8,12 @@ from functools import lru_cache
 import numpy as np
 from scipy import ndimage
 
-from ....imagery.lines import points_at, vertex_stations
+from ....imagery.lines import vertex_stations
 from ....imagery.shifts import shifted
 from ..following.levelling import SQUARE_PX, gain_field, square_means, to_pixels
 from ..following.source_filters import UNTOUCHED, filtered
 from ..judgement.hard_cut import JudgedGround
+from ..seamlines.seam_pieces import points_beside
 
 FEWEST_SQUARES = 48
 """Fewest squares of 8 px on which a source is alone: with less nobody can tell its tones."""
@@ -144,13 +145,8 @@ def tone_step(plane: np.ndarray, points: np.ndarray, valid: np.ndarray) -> float
     """
     along = vertex_stations(points)
     places = np.arange(0.5, along[-1] // _STATION_PX * _STATION_PX)
-    middles, after, before = (points_at(points, along, places + by) for by in (0, 4, -4))
-    ahead = (after - before) / np.maximum(np.hypot(*(after - before).T), 1e-9)[:, np.newaxis]
-    normals = np.column_stack([ahead[:, 1], -ahead[:, 0]])
-    offsets = np.arange(_NEAR_PX, _FAR_PX) + 0.5
-    across = np.stack([middles[:, np.newaxis] + side * offsets[:, np.newaxis] * normals[:, np.newaxis]
-                       for side in (1, -1)])  # fmt: skip
-    rows_columns = across[..., ::-1].transpose(3, 0, 1, 2) - 0.5
+    offsets = tuple((np.arange(_NEAR_PX, _FAR_PX) + 0.5).tolist())
+    rows_columns = points_beside(points, along, places, offsets)[..., ::-1].transpose(3, 0, 1, 2) - 0.5
     found = ndimage.map_coordinates(np.where(valid, plane, np.nan), rows_columns, order=0, cval=np.nan)
     sides = found.reshape(2, -1, _STATION_PX * len(offsets))
     known = np.isfinite(sides)

@@ -20,7 +20,6 @@ from ..blocks.block_pixels import JUDGED, BlockPixels
 from ..blocks.mosaic_reading import ALL_READ
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
-from ..following.followed_source import high_pass
 from ..following.levelling import SQUARE_PX, to_pixels
 from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M, MOST_BLEND_PX
@@ -34,14 +33,11 @@ from .failed_runs import SeamRun
 from .mended_mosaic import patch_file
 from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
 
-GROUNDS_PX = 192, 512
-"""Around the old seam and the new cut: what tones and filters are learned of, and where that is too little."""
-_MOST_BESIDE_PX = 128  # from a seam, as far as its mixture is looked for
-_BESIDE_PX = 16  # more than is mixed, on either side
-_BIN_CELLS = 4  # by distance from the seam
-_AS_ELSEWHERE = 1.5  # times what sources leave over far from the seam
+GROUND_PX = 192
+"""Around the old seam and the new cut: what tones and filters are learned of."""
+_MOST_BESIDE_PX = 128  # from a seam, as far as it is mixed
+_BESIDE_PX = 16  # more than the scan says, on either side
 _MOST_UNKNOWN = 0.5  # of the pixels beside a seam, that follow no source for sure
-_LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
 _MOST_OTHERWISE = 0.005  # of the squares that only one image shows: of images that the mosaic was made from, none
 _LEAST_DETAIL = 0.8  # of the mosaic's, that an image shows: levelled and filtered as it should be it has 0.93 to 1
@@ -145,17 +141,12 @@ def _mended(request: RunRequest) -> MendedRun:
     grid, names = request.mosaic.grid, request.mosaic.band_names
     line = grid.to_pixels(request.run.piece.vertices)
     way, misfit = _new_way(request, line)
-    known_reach = min(request.run.width_m / grid.ground_sample_distance / 2, _MOST_BESIDE_PX) + _BESIDE_PX
-    for margin in GROUNDS_PX:
-        read = _Pixels(request, _around(np.concatenate([line, way]), margin), len(request.sources))
-        part = _part(request, read.window, line, way)
-        ground = _ground(read, part)
-        reach = max(_mixed_reach(ground, part), known_reach)
-        alone = enlarged(part.from_any > reach, CELL_PX)
-        own = [alone & read.valid(side) & (ground.expected.labels == side) for side in _SIDES]
-        if all(map(tells_tones, own)):
-            break
-    else:
+    reach = min(request.run.width_m / grid.ground_sample_distance / 2, _MOST_BESIDE_PX) + _BESIDE_PX
+    read = _Pixels(request, _around(np.concatenate([line, way]), GROUND_PX), len(request.sources))
+    part = _part(request, read.window, line, way)
+    ground, alone = _ground(read, part), enlarged(part.from_any > reach, CELL_PX)
+    own = [alone & read.valid(side) & (ground.expected.labels == side) for side in _SIDES]
+    if not all(map(tells_tones, own)):
         raise RasterError(messages.TONES_NOT_TOLD())
     inside, weight, valid = part.patch(reach), part.weight(request.blend_px), [read.valid(side) for side in _SIDES]
     # Of each image only what is shown has to be there.
@@ -355,21 +346,6 @@ def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.nd
     return _Part(
         _belongs(any_near, request.run), any_near.distance_px, flipped, own.on_left ^ flipped
     )
-
-
-def _mixed_reach(ground: JudgedGround, part: _Part) -> float:
-    """How far from the old seam the mosaic is not what its sources make it, px: there they leave over more of its fine
-    detail than farther off."""
-    own, expected = high_pass(ground.followed.mosaic.plane), high_pass(ground.expected.plane)
-    known = (ground.expected.labels != UNKNOWN).astype(np.float32)
-    left, energy = (in_squares(known * np.square(one), CELL_PX).sum(axis=(1, 3)) for one in (own - expected, expected))
-    step = _BIN_CELLS * CELL_PX
-    count = _MOST_BESIDE_PX // step
-    bins = np.minimum(part.from_any // step, count + 2).astype(int)[part.territory]
-    sums = [np.bincount(bins, one[part.territory], count + 3) for one in (left, energy)]
-    share = sums[0] / np.maximum(sums[1], _LEAST_LEFT)
-    mixed = share[:count] > np.maximum(_AS_ELSEWHERE * share[count:].max(), _LEAST_LEFT)
-    return float(step * (len(mixed) if mixed.all() else mixed.argmin()) + _BESIDE_PX)
 
 
 def _around(points: np.ndarray, margin: float) -> PixelWindow:

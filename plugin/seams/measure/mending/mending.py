@@ -41,7 +41,7 @@ from ..source_images import Source
 from ..workers import Workers
 from . import messages
 from .failed_runs import SeamRun, part_of, seam_runs
-from .mend_run import GROUNDS_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
+from .mend_run import GROUND_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
 from .mended_mosaic import PlacedPatch, joined_patches, write_mended
 
 MENDED_KEPT = 0.9
@@ -95,7 +95,7 @@ class MendRequest:
 
     def run(self, key: BlockKey, run: SeamRun) -> RunRequest:
         """To cut one of the runs, or a part of it."""
-        beside = [self.pieces[number].piece for number in self.near(run, GROUNDS_PX[0]).numbers.tolist()]
+        beside = [self.pieces[number].piece for number in self.near(run, GROUND_PX).numbers.tolist()]
         named = [self.numbers.get(str(side)) for piece in beside for side in (piece.left, piece.right)]
         order = dict.fromkeys([*run.sides, *(number for number in named if number is not None)])
         return RunRequest(

@@ -6,12 +6,11 @@ know; a block that an earlier run has kept is only looked at.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import islice
 from operator import attrgetter
-from typing import Any, Callable, TypeVar
+from typing import Any, Callable
 
 import numpy as np
 
@@ -32,9 +31,6 @@ from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest
 
 _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
-_MANY = 16  # requests under way: each then has several blocks, as to hand one out takes as long as to hand out all
-_AT_A_TIME = 8
-
 
 # No type parameters: typing keeps classes that have some for as long as Python runs, and with them the whole plugin.
 Request = Any
@@ -101,10 +97,9 @@ class JournaledBlocks:
         files, held = self._journal.files, self._journal.files.names
         self._total += len(keys)
         self._missing += sum(_name(look, key) not in held for key in keys)
-        tasks = several(map(request, keys), self._workers.ahead)
-        for blocks in in_order(tasks, partial(_looked_at, look, files), partial(_failed, look, files), self._workers):
-            for block in blocks:
-                yield self._step(look, block)
+        measure, failed = partial(_looked_at, look, files), partial(_failed, look, files)
+        for block in in_order(map(request, keys), measure, failed, self._workers, self._workers.together):
+            yield self._step(look, block)
 
     def _step(self, look: BlockLook, block: ScanStep) -> ScanStep:
         if block.trouble:
@@ -123,29 +118,15 @@ class JournaledBlocks:
         return replace(block, record=None, share=self._done / self._total, seconds_left=left)
 
 
-_One = TypeVar("_One")
-
-
-def several(requests: Iterable[_One], ahead: int) -> Iterator[list[_One]]:
-    """Requests as they are handed out: several together where many take them."""
-    requests = iter(requests)
-    while some := list(islice(requests, _AT_A_TIME if ahead > _MANY else 1)):
-        yield some
-
-
-def _looked_at(look: BlockLook, files: RecordFiles, requests: Sequence[Request]) -> list[ScanStep]:
-    steps = []
-    for request in requests:
-        scan = _kept_before(look, files, request)
-        if scan is not None:
-            steps.append(ScanStep(scan.key, look.brief(scan), was_held=True))
-            continue
-        try:
-            scan = look.measure(request)
-        except Exception as error:  # which costs this block only
-            scan = look.nothing(request, (unforeseen(error).as_warning(),))
-        steps.append(_kept(look, files, scan))
-    return steps
+def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanStep:
+    scan = _kept_before(look, files, request)
+    if scan is not None:
+        return ScanStep(scan.key, look.brief(scan), was_held=True)
+    try:
+        scan = look.measure(request)
+    except Exception as error:  # which costs this block only
+        scan = look.nothing(request, (unforeseen(error).as_warning(),))
+    return _kept(look, files, scan)
 
 
 def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan | None:
@@ -176,9 +157,9 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
     return step
 
 
-def _failed(look: BlockLook, files: RecordFiles, requests: Sequence[Request], reason: Message) -> list[ScanStep]:
-    """Steps of blocks of which the measuring failed in a way that nobody foresaw."""
-    return [_kept(look, files, look.nothing(request, (reason.as_warning(),))) for request in requests]
+def _failed(look: BlockLook, files: RecordFiles, request: Request, reason: Message) -> ScanStep:
+    """A step of a block of which the measuring failed in a way that nobody foresaw."""
+    return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
 
 
 def held(

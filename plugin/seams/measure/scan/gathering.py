@@ -6,7 +6,6 @@ their chains are joined to seams and cut in pieces, which they then measure (``p
 from __future__ import annotations
 
 import json
-from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
@@ -34,11 +33,20 @@ from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
 from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
 from ..workers import Workers, in_order
-from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
-from .block_runs import several
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
-from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
+from .piece_sums import (
+    REACH_PX,
+    BlockOutputs,
+    MeasuredPieces,
+    OutputsRequest,
+    PiecesRequest,
+    around_pieces,
+    block_outputs,
+    by_blocks,
+    measure_pieces,
+    visibilities,
+)
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
@@ -194,7 +202,7 @@ class Gathering:
     def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], list[int]]:
         """Pieces with what lies beside them, and which of them have one source on both sides."""
         index = PieceIndex(pieces, self._blocks.grid)
-        groups = self._groups(pieces)
+        groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
         whole, brightest = list(pieces), 0.0
         unchanged: list[int] = []
         strips: list[StripProfile] = [NOTHING] * len(pieces)
@@ -213,15 +221,6 @@ class Gathering:
         white = white_grey(self._request.mosaic, brightest)
         grains = [None if np.isnan(one) else one / white for one in grain.tolist()]
         return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains, profiles)), unchanged
-
-    def _groups(self, pieces: Sequence[SeamPiece]) -> list[np.ndarray]:
-        """Numbers of the pieces that are measured together, by where their middles lie, row by row."""
-        of_block: defaultdict[BlockKey, list[int]] = defaultdict(list)
-        for number, piece in enumerate(pieces):
-            middle = piece.vertices[len(piece.vertices) // 2][np.newaxis]
-            column, row = self._blocks.grid.to_pixels(middle)[0] // BLOCK_PX
-            of_block[int(row), int(column) // _BLOCKS_OF_PIECES].append(number)
-        return [np.array(of_block[key]) for key in sorted(of_block)]
 
     def _pieces(self, pieces: Sequence[SeamPiece], index: PieceIndex, numbers: np.ndarray) -> PiecesRequest:
         own = [pieces[number] for number in numbers.tolist()]
@@ -277,27 +276,26 @@ class _Crew:
     ) -> Iterator[Any]:
         """What is found of each request, in their order; the share grows from ``first`` to ``last``. Raises what it
         raises."""
-        done = 0
-        tasks, stopped = several(requests, self._ahead), lambda: not self._goes_on(self._share)
-        for found in in_order(tasks, partial(_each, work), _raised, Workers(self._executor, self._ahead, stopped)):
+        done, crew = 0, Workers(self._executor, self._ahead, lambda: not self._goes_on(self._share))
+        for found in in_order(requests, partial(_result_of, work), _raised, crew, crew.together):
             if isinstance(found, Message):
                 raise SeamInspectorError(found)
-            yield from found
-            done += len(found)
+            yield found
+            done += 1
             self.tell(first + (last - first) * done / count)
         if done < count:
             raise CancelledError(imagery_messages.CANCELLED())
 
 
-def _each(work: Callable[[Any], Any], requests: Sequence[Any]) -> list[Any] | Message:
-    """What is found of each, or the sentence that ends all."""
+def _result_of(work: Callable[[Any], Any], request: Any) -> Any:
+    """What is found of a request, or the sentence that ends all."""
     try:
-        return [work(request) for request in requests]
+        return work(request)
     except SeamInspectorError as error:
         return error.message
 
 
-def _raised(_requests: Sequence[Any], reason: Message) -> Message:
+def _raised(_request: Any, reason: Message) -> Message:
     return reason
 
 

@@ -103,7 +103,7 @@ def lone_cells(pixels: MosaicPixels, window: PixelWindow, pieces: PieceIndex, wa
     first_row, first_column = window.row // CELL_PX, window.column // CELL_PX
     rows, columns = window.height // CELL_PX, window.width // CELL_PX
     down, across = np.mgrid[first_row : first_row + rows, first_column : first_column + columns]
-    _, distance = pieces.nearest((across + 0.5) * CELL_PX, (down + 0.5) * CELL_PX, REACH_PX)
+    distance = pieces.beside((across + 0.5) * CELL_PX, (down + 0.5) * CELL_PX, REACH_PX).distance_px
     top, left = (window.row - around.row) // CELL_PX, (window.column - around.column) // CELL_PX
     place = np.s_[top : top + rows, left : left + columns]
     near = np.isfinite(distance)
@@ -136,7 +136,7 @@ def _parts(
     shape = (np.count_nonzero(split), per_cell, per_cell)
     x = np.broadcast_to(column[split, np.newaxis, np.newaxis] * CELL_PX + at, shape)
     y = np.broadcast_to(row[split, np.newaxis, np.newaxis] * CELL_PX + at[:, np.newaxis], shape)
-    _, exact = pieces.nearest(x, y, REACH_PX)
+    exact = pieces.beside(x, y, REACH_PX).distance_px
     zones = np.empty((count, per_cell, per_cell), np.intp)
     zones[split] = np.digitize(exact, ZONES_PX) - 1
     zones[~split] = (np.digitize(distance[~split], ZONES_PX) - 1)[:, np.newaxis, np.newaxis]

@@ -8,7 +8,7 @@ stretch of pieces of the same seam that it belongs to may still tell: stretches 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -19,8 +19,10 @@ from .. import messages
 from ..judgement.verdicts import Verdict
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
+from ..seamlines.seam_pieces import SeamPiece
 from .lone_blocks import ZONES_PX
 from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, LoneStretches, ground_of
+from .scan_result import JudgedPiece, state_by
 
 EXCESS, DECAY = 1.5, 0.75
 """The variance of the mean of n stretches is that of one of them, times the first, over n to the power of the second:
@@ -226,42 +228,42 @@ RUNS_LENGTHS = (1.0, 2.0, 4.0)
 """Runs are tried that are so many times as long as what can be judged on this mosaic."""
 
 
-@dataclass(frozen=True)
-class LoneJudgement:
-    """What is said of one piece, or of one stretch."""
-
-    kept: LoneKept | None
-    """None where there is too little to be measured."""
-    verdict: Verdict
-    reason: Message | None = None
-    """Why there is none."""
-
-
-def judge_pieces(seams: LoneSeams, pixel_m: float) -> list[LoneJudgement]:
-    """Every piece by itself, in their order. ``pixel_m``: side of a pixel on the ground."""
-    return [_judged(kept, seams.judgeable_px, pixel_m) for kept in seams.by_piece()]
+def judge_pieces(
+    seams: LoneSeams, pieces: Sequence[SeamPiece], pixel_m: float, levels: int = 1
+) -> list[JudgedPiece]:
+    """Every piece by itself, in their order; levels beyond the first are not told. ``pixel_m``: side of a pixel on the
+    ground."""
+    return [_judged(piece, kept, seams.judgeable_px, pixel_m, levels) for piece, kept in zip(pieces, seams.by_piece())]
 
 
 def judge_stretches(
-    seams: LoneSeams, lengths_px: Sequence[float], judged: Sequence[LoneJudgement]
-) -> list[tuple[tuple[int, ...], LoneJudgement]]:
-    """Pieces, by number, that tell together what one of them at least does not by itself, the shortest that do."""
+    seams: LoneSeams, judged: Sequence[JudgedPiece], pixel_m: float, levels: int = 1
+) -> list[JudgedPiece]:
+    """Pieces together that tell what one of them at least does not by itself, the shortest that do."""
     least = seams.judgeable_px
+    open_verdicts = Verdict.NOT_COMPARABLE, Verdict.REDUCED
     wanted = {
-        number for number, piece in enumerate(judged)
-        if piece.kept is not None and verdict_of(piece.kept) in (None, Verdict.REDUCED)
+        number for number, piece in enumerate(judged) if piece.kept is not None and piece.verdict in open_verdicts
     }
-    stretches: list[tuple[tuple[int, ...], LoneJudgement]] = []
+    lengths = [piece.piece.length_m / pixel_m for piece in judged]
+    stretches: list[JudgedPiece] = []
     for length in [] if least is None else [factor * least for factor in RUNS_LENGTHS]:
-        for run in runs_of(seams.seam_ids, lengths_px, length) if wanted else ():
+        for run in runs_of(seams.seam_ids, lengths, length) if wanted else ():
             if len(run) < 2 or wanted.isdisjoint(run):
                 continue
             kept = seams.kept(run)
-            verdict = None if kept is None else verdict_of(kept)
-            if verdict is not None:
-                stretches.append((tuple(run), LoneJudgement(kept, verdict)))
+            if kept is not None and verdict_of(kept) is not None:
+                whole = _joined([judged[number].piece for number in run])
+                stretches.append(replace(_judged(whole, kept, least, pixel_m, levels), is_stretch=True))
                 wanted.difference_update(run)
     return stretches
+
+
+def _joined(pieces: Sequence[SeamPiece]) -> SeamPiece:
+    """Pieces that follow one another as one."""
+    first, *others = pieces
+    vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in others)])
+    return replace(first, vertices=vertices, length_m=sum(piece.length_m for piece in pieces))
 
 
 def verdict_of(kept: LoneKept) -> Verdict | None:
@@ -290,14 +292,21 @@ def runs_of(
     return runs
 
 
-def _judged(kept: LoneKept | None, least_px: float | None, pixel_m: float) -> LoneJudgement:
+def _judged(
+    piece: SeamPiece, kept: LoneKept | None, least_px: float | None, pixel_m: float, levels: int
+) -> JudgedPiece:
+    left, right = (side if isinstance(side, str) else None for side in (piece.left, piece.right))
     if kept is None:
-        return LoneJudgement(None, Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_BESIDE_SEAM())
-    verdict = verdict_of(kept)
-    if verdict is not None:
-        return LoneJudgement(kept, verdict)
-    low, high = 100 * kept.low, 100 * kept.high
-    if least_px is None or kept.length_px >= least_px:
-        return LoneJudgement(kept, Verdict.NOT_COMPARABLE, messages.LONE_INTERVAL_TOO_WIDE(low=low, high=high))
-    reason = messages.LONE_PIECE_TOO_SHORT(needed=least_px * pixel_m, low=low, high=high)
-    return LoneJudgement(kept, Verdict.NOT_COMPARABLE, reason)
+        why: Message | None = messages.TOO_LITTLE_BESIDE_SEAM()
+        return JudgedPiece(piece, left, right, None, None, None, None, Verdict.NOT_COMPARABLE, why)
+    verdict, why = verdict_of(kept), None
+    if verdict is None:
+        verdict, low, high = Verdict.NOT_COMPARABLE, 100 * kept.low, 100 * kept.high
+        if least_px is None or kept.length_px >= least_px:
+            why = messages.LONE_INTERVAL_TOO_WIDE(low=low, high=high)
+        else:
+            why = messages.LONE_PIECE_TOO_SHORT(needed=least_px * pixel_m, low=low, high=high)
+    return JudgedPiece(
+        piece, left, right, (kept.kept, *[None] * (levels - 1)), kept.low, kept.high, kept.band_width_px * pixel_m,
+        verdict, why, state=state_by(kept.kept, kept.low, kept.high, verdict),
+    )

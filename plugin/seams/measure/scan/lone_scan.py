@@ -1,32 +1,29 @@
 """A whole scan without orthoimages: along given seams, by what lies on either side."""
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from functools import lru_cache
 from typing import Callable
 
 import numpy as np
 
 from ....imagery.errors import Message
-from ....imagery.lines import points_at, vertex_stations
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, BlockKey
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import BlockRequest
 from ..blocks.seam_sides import SeamSides, SeamSquares
 from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_pieces import SeamPiece
 from ..workers import Workers
 from .block_runs import JournaledBlocks, ScanStep, held
 from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
-from .lone_kept import LoneJudgement, LoneSeams, judge_pieces, judge_stretches
+from .lone_kept import LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
+from .piece_sums import around_pieces, blocks_of, by_blocks
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .scan_result import JudgedPiece, ScanResult, state_by, without_verdict, worst_windows
+from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 
 _HELD = 64  # tables of blocks that are kept: some rows of neighbours
 _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
@@ -40,21 +37,20 @@ class LoneScanning:
         self._request, self._mosaic, self._pieces = request, request.mosaic, request.pieces
         self._index = PieceIndex(request.pieces, request.mosaic.grid)
         self._journal, self._blocks = journal, request.blocks
+        self._along = SeamSquares(request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
         self._table = lru_cache(_HELD)(self._table_of)
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """Every block that a seam meets."""
-        along = SeamSquares(self._request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
-
         def block(key: BlockKey) -> BlockRequest:
             window = self._blocks.window(key)
             near = SeamSides(self._index.near(window, REACH_PX + MARGIN_PX), {})
             return BlockRequest(
-                self._mosaic, (), key, window, self._request.settings, along.dense_in(key),
+                self._mosaic, (), key, window, self._request.settings, self._along.dense_in(key),
                 grey_factor=self._request.grey_factor, sides=near,
             )
 
-        yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, along.met, block)
+        yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, self._along.met, block)
 
     def result(self, loss_path: str, goes_on: Callable[[float], bool]) -> ScanResult | None:
         """Pieces, worst windows and, where a path is given, the picture of losses; None where ``goes_on`` says no.
@@ -63,10 +59,12 @@ class LoneScanning:
         """
         mosaic, settings = self._mosaic, self._request.settings
         pixel_m = mosaic.ground_sample_distance
-        groups = self._groups()
+        groups = by_blocks(self._pieces, self._blocks)
         parts = []
-        for done, (key, numbers) in enumerate(sorted(groups.items())):
-            tables = [table for near in self._touched(key, numbers) if (table := self._table(near)) is not None]
+        for done, numbers in enumerate(groups):
+            pieces_here = [self._pieces[number] for number in numbers.tolist()]
+            near = blocks_of(around_pieces(pieces_here, mosaic.grid, BLOCK_PX), self._blocks)
+            tables = [table for key in near if (table := self._table(key)) is not None]
             if tables:
                 table = LoneTable.joined(tables)
                 parts.append(lone_stretches(table, self._pieces, numbers, self._index, pixel_m))
@@ -77,16 +75,8 @@ class LoneScanning:
         notices: list[Message] = []
         if parts:
             seams = LoneSeams(LoneStretches.joined(parts), [piece.seam_id for piece in self._pieces])
-            lengths = [piece.length_m / pixel_m for piece in self._pieces]
-            judged = judge_pieces(seams, pixel_m)
-            pieces = [_judged(*piece, pixel_m, settings.levels) for piece in zip(self._pieces, judged)]
-            for run, judgement in judge_stretches(seams, lengths, judged):
-                first, *others = (self._pieces[number] for number in run)
-                vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in others)])
-                length_m = sum(piece.length_m for piece in (first, *others))
-                whole_piece = replace(first, vertices=vertices, length_m=length_m)
-                stretch = _judged(whole_piece, judgement, pixel_m, settings.levels)
-                stretches.append(replace(stretch, is_stretch=True))
+            pieces = judge_pieces(seams, self._pieces, pixel_m, settings.levels)
+            stretches = judge_stretches(seams, pieces, pixel_m, settings.levels)
             if (whole := seams.kept()) is not None:
                 least = seams.judgeable_px
                 notices += (
@@ -107,54 +97,19 @@ class LoneScanning:
         """What each piece kept, in the cells of its strip."""
         kept = np.array([NODATA if piece.least_kept is None else piece.least_kept for piece in judged], np.float32)
         side = BLOCK_PX // cell_px
-        met = {near for key, numbers in self._groups().items() for near in self._touched(key, numbers)}
-        for key in sorted(met):
+        for key in self._along.met if len(kept) else ():
             window = self._blocks.window(key)
             near = self._index.near(window, BLOCK_PX // side)
             if not len(near):
                 continue
             columns = window.column + (np.arange(side) + 0.5) * cell_px
             rows = window.row + (np.arange(side) + 0.5) * cell_px
-            number, _ = near.nearest(columns, rows[:, np.newaxis], max(cell_px / 2, STRIP_PX))
+            number = near.beside(columns, rows[:, np.newaxis], max(cell_px / 2, STRIP_PX)).number
             cells = empty_cells(side)
             cells[0][number >= 0] = kept[number[number >= 0]]
             raster.write(*key, cells)
-
-    def _groups(self) -> dict[BlockKey, list[int]]:
-        """Pieces by the block that their middle lies in."""
-        groups = defaultdict(list)
-        for number, piece in enumerate(self._pieces):
-            (key,) = self._keys(piece.vertices[len(piece.vertices) // 2][np.newaxis])
-            groups[key].append(number)
-        return groups
-
-    def _touched(self, key: BlockKey, numbers: Sequence[int]) -> list[BlockKey]:
-        """The blocks of some pieces and their neighbours."""
-        step = self._mosaic.grid.pixel_width * BLOCK_PX / 4  # map units that are surely less than a block
-        lines = [self._pieces[number].vertices for number in numbers]
-        stations = [(line, vertex_stations(line)) for line in lines]
-        between = [points_at(line, at, np.union1d(at, np.arange(0, at[-1], step))) for line, at in stations]
-        met = {key, *self._keys(np.concatenate(between))}
-        around = {(row + down, column + to) for row, column in met for down in (-1, 0, 1) for to in (-1, 0, 1)}
-        return sorted(key for key in around if 0 <= key[0] < self._blocks.rows and 0 <= key[1] < self._blocks.columns)
-
-    def _keys(self, vertices: np.ndarray) -> set[BlockKey]:
-        places = self._mosaic.grid.to_pixels(vertices)[:, ::-1] // BLOCK_PX
-        last = self._blocks.rows - 1, self._blocks.columns - 1
-        return {(row, column) for row, column in places.clip(0, last).astype(int).tolist()}
 
     def _table_of(self, key: BlockKey) -> LoneTable | None:
         """What the journal holds of one block."""
         scan = held(LONE_LOOK, self._journal.files, key)
         return None if scan is None else scan.table
-
-
-def _judged(piece: SeamPiece, judgement: LoneJudgement, pixel_m: float, levels: int) -> JudgedPiece:
-    left, right = (side if isinstance(side, str) else None for side in (piece.left, piece.right))
-    kept, verdict = judgement.kept, (judgement.verdict, judgement.reason)
-    if kept is None:
-        return JudgedPiece(piece, left, right, None, None, None, None, *verdict)
-    return JudgedPiece(
-        piece, left, right, (kept.kept, *[None] * (levels - 1)), kept.low, kept.high, kept.band_width_px * pixel_m,
-        *verdict, state=state_by(kept.kept, kept.low, kept.high, judgement.verdict),
-    )

@@ -1,35 +1,150 @@
-"""What is kept along pieces of seam: the cells of all blocks beside them, added up to the piece that is nearest."""
+"""What blocks tell once they and their neighbours are measured.
+
+Of one block: the borders of what it follows, what its ground makes one expect, its part of the picture of losses. And
+what is kept along pieces of seam: the cells of all blocks beside them, added up to the piece that is nearest.
+"""
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
+from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
+from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
+from ....imagery.records import record_of, value_of
 from ....imagery.seam_totals import KeptBeside, profile_text
-from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockGrid, BlockKey
-from ..blocks.scan_block import CELLS
+from .. import messages
+from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey
+from ..blocks.scan_block import CELLS, NOT_LOOKED
 from ..judgement.visibility import visibility
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
-from ..profile.ground import FAR_PX, LevelGround
+from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
-from ..seamlines.label_borders import NONE
+from ..seamlines.label_borders import MARGIN, NONE, LabelTile, cleaned_edges
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, sources_beside
 from ..while_measuring import measuring
-from .block_outputs import held_ground
-from .block_runs import block_labels, global_numbers, whole_block
+from .block_runs import NOTHING, block_labels, global_numbers, whole_block
+from .loss_raster import NODATA, loss_cells
+from .scan_journal import not_saved
 
 REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""
 MOST_ASIDE_PX = 40.0
 """How far a line may lie from the seam that the mosaic shows, for that to be its seam."""
+
+
+@dataclass(frozen=True, eq=False)
+class OutputsRequest:
+    """All that is needed for it, in plain data that can cross threads and processes."""
+
+    files: RecordFiles
+    key: BlockKey
+    tile: LabelTile
+    """Its samples of the labels."""
+    numbers: Mapping[str, int]
+    """Numbers of the sources of it and its neighbours, by their paths."""
+    cell_px: int
+    """Side of the picture's cells; 0: none is wanted."""
+    traces: bool
+    """Whether borders are wanted."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockOutputs:
+    """What comes back."""
+
+    key: BlockKey
+    edges: np.ndarray
+    """(4, n) of its borders, as ``tile_edges`` has them."""
+    cells: np.ndarray | None
+    """``loss_cells``, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
+    sources: Sequence[int]
+    """That are followed anywhere, ascending."""
+    ground: np.ndarray
+    """(UNITS, UNITS) int32: as ``BlockScan`` has it, with the numbers of the whole scan."""
+
+
+@dataclass(frozen=True)
+class _BlockGround:
+    levels: tuple[LevelGround | None, ...]
+
+
+@measuring()
+def block_outputs(request: OutputsRequest) -> BlockOutputs:
+    """Outputs of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was
+    measured can't be read any more, or nothing can be kept."""
+    files, key = request.files, request.key
+    scan = whole_block(files, key)
+    numbers = None if scan is None else global_numbers(scan.sources, request.numbers)
+    labels = None if scan is None or numbers is None else numbers[scan.labels]
+    edges = np.zeros((4, 0), np.int64)
+    if request.traces:
+        edges = cleaned_edges(_labels_around(request, labels), request.tile, LABEL_PX)
+    if scan is None or numbers is None or labels is None:
+        return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
+    ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
+    try:
+        files.save(_ground_name(key), record_of(_BlockGround(tuple(ground))))
+    except OSError as error:
+        raise not_saved(files, system_reason(error)) from None
+    cells = loss_cells(scan, labels + 1, ground, request.cell_px) if request.cell_px else None
+    if cells is not None and (cells == NODATA).all():
+        cells = None
+    used = np.flatnonzero(np.bincount(labels.ravel() - NOTHING)[1:]).tolist()
+    ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
+    return BlockOutputs(key, edges, cells, used, ground)
+
+
+def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, ...]:
+    """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
+    SettingsError where it can't be read any more."""
+    try:
+        record = files.load(_ground_name(key))
+    except OSError as error:
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=system_reason(error))) from None
+    return () if record is None else value_of(_BlockGround, record, {}).levels
+
+
+def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarray:
+    """Labels of the block, ``own``, and of as much of its neighbours as cleaning has to know."""
+    place = request.tile.around(MARGIN)
+    found = np.full([one.stop - one.start for one in place], NOTHING, np.int32)
+    first, last = ([edge // LABELS for edge in edges] for edges in zip(*((one.start, one.stop - 1) for one in place)))
+    for row in range(first[0], last[0] + 1):
+        for column in range(first[1], last[1] + 1):
+            ours, theirs = zip(*(
+                (slice(max(start, one.start) - one.start, min(start + LABELS, one.stop) - one.start),
+                 slice(max(start, one.start) - start, min(start + LABELS, one.stop) - start))
+                for start, one in zip((row * LABELS, column * LABELS), place)
+            ))
+            if (row, column) == request.key:
+                labels = None if own is None else own[theirs]
+            else:
+                labels = block_labels(request.files, (row, column), request.numbers, theirs)
+            if labels is not None:
+                found[ours] = labels
+    return found
+
+
+def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
+    """Cells of the neighbours that were measured."""
+    row, column = key
+    near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
+    scans = [whole_block(files, one) for one in near]
+    return [scan.cells for scan in scans if scan is not None]
+
+
+def _ground_name(key: BlockKey) -> str:
+    return f"ground {key[0]} {key[1]}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +197,7 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
     )
     sums, along = PieceSums(request.numbers, request.index, request.levels), _cells_along(request.pieces, grid)
     grain = np.full(len(request.pieces), np.nan)
-    for key in _blocks_of(around, request.blocks):
+    for key in blocks_of(around, request.blocks):
         window = request.blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
@@ -141,8 +256,8 @@ def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> P
     return PixelWindow(left, top, right - left, bottom - top)
 
 
-def _blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
-    """Row by row."""
+def blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
+    """The blocks that a window meets, row by row."""
     rows, columns = (
         range(max(first // BLOCK_PX, 0), min(-(-(first + length) // BLOCK_PX), count))
         for first, length, count in (
@@ -150,6 +265,16 @@ def _blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
         )
     )
     return [(row, column) for row in rows for column in columns]
+
+
+def by_blocks(pieces: Sequence[SeamPiece], blocks: BlockGrid, together: int = 1) -> list[np.ndarray]:
+    """Numbers of pieces by the block that their middles lie in, or by so many that lie side by side, row by row."""
+    of_block: defaultdict[BlockKey, list[int]] = defaultdict(list)
+    for number, piece in enumerate(pieces):
+        middle = piece.vertices[len(piece.vertices) // 2][np.newaxis]
+        column, row = blocks.grid.to_pixels(middle)[0] // BLOCK_PX
+        of_block[int(row), int(column) // together].append(number)
+    return [np.array(of_block[key]) for key in sorted(of_block)]
 
 
 def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -190,14 +315,12 @@ class PieceSums:
         beside = np.flatnonzero(whole.bin < MIXED_BINS)
         if not len(beside) or not len(index):
             return
-        number, distance = index.nearest(
-            (whole.column[beside] + 0.5) * CELL_PX, (whole.row[beside] + 0.5) * CELL_PX, REACH_PX
-        )
+        near = index.beside((whole.column[beside] + 0.5) * CELL_PX, (whole.row[beside] + 0.5) * CELL_PX, REACH_PX)
         nearest = np.array(EDGES_PX)[whole.bin[beside]]
-        is_its_own = (distance <= nearest + MOST_ASIDE_PX) | (nearest >= FAR_PX)
-        place = np.searchsorted(self._numbers, number).clip(0, len(self._numbers) - 1)
+        is_its_own = (near.distance_px <= nearest + MOST_ASIDE_PX) | (nearest >= FAR_PX)
+        place = np.searchsorted(self._numbers, near.number).clip(0, len(self._numbers) - 1)
         piece_of = np.full(len(whole), -1)
-        piece_of[beside] = np.where(is_its_own & (self._numbers[place] == number), place, -1)
+        piece_of[beside] = np.where(is_its_own & (self._numbers[place] == near.number), place, -1)
         piece = np.where(table.bin < MIXED_BINS, piece_of[table.cell], -1)
         if grey is not None:
             strip = (table.bin < strip_bins(0).stop) & (piece >= 0)
@@ -215,6 +338,7 @@ class PieceSums:
         """Mean of the mosaic in the strip of every piece, NaN where it is not known, and its brightest cell."""
         total, area = self._grey
         return np.divide(total, area, out=np.full(len(area), np.nan), where=area > 0), self._brightest
+
 
 def _cells_along(pieces: Sequence[SeamPiece], grid: Grid) -> np.ndarray:
     """The cells that pieces run through, (3, n) int: place of the piece, row and column."""

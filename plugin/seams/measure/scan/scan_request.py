@@ -1,16 +1,18 @@
 """What is to be scanned: a mosaic, its orthoimages, its seams."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import Message, RasterError, SettingsError
+from ....imagery.errors import Message, RasterError, SeamlineError, SettingsError
 from ....imagery.grids import PixelWindow
-from ....imagery.open_raster import check_readable
+from ....imagery.lines import vertex_stations
+from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
@@ -19,15 +21,15 @@ from ..blocks.scan_block import BlockRequest
 from ..blocks.scan_settings import ScanSettings
 from ..blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
 from ..inputs.grey_values import grey_factor
+from ..inputs.valid_cells import is_whole
 from ..inputs.whole_images import whole_images
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..seamlines.given_seams import GivenSeams
 from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_fields import source_numbers
-from ..seamlines.seam_pieces import SeamPiece, Side, SidedSeam, cut_in_pieces, cut_off
+from ..seamlines.seam_features import source_numbers
+from ..seamlines.seam_pieces import SeamPiece, Side, SidedSeam, cut_at, cut_in_pieces, cut_off, points_beside
 from ..source_images import Footprints, Source
-from .parting_seams import parting_seams
 
 LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough to be measured."""
@@ -35,6 +37,10 @@ SHORTEST_PIECE_PX = 1.25 * LEAST_SEAM_PX
 """Shortest piece that can be asked for, as pieces may be shorter than that."""
 LEAST_BETWEEN = 0.5
 """Least share of the given seams on two sources or more; with less the mosaic is scanned as one without orthoimages."""
+_STEP_PX = 4  # between the places of a seam that are looked at, and the pixels that are read
+_ASIDE_PX = 8.0  # to either side: farther than an outline lies off the pixels that it was drawn around
+_SHORTEST_PX = 64.0  # beside holes that are shorter a seam goes on
+_BLOCK_CELLS = 128  # along a side, each of such a step, that are read at once: a tile or some
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,6 +204,64 @@ def _why_unreadable(refs: Iterable[RasterRef]) -> Message | None:
             else:
                 return None
     return why
+
+
+def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRaster) -> tuple[SidedSeam, ...]:
+    """The given seams that part two orthoimages, ``numbers`` by their names, as far as the mosaic has pixels on both
+    sides or on none: what runs along the border of its pixels is an outline. Raises SeamlineError where none is left.
+    """
+    found = tuple(
+        part for seam in given.seams if not _is_in_one(seam, given, numbers) for part in _off_border(seam, mosaic)
+    )
+    if not found:
+        raise SeamlineError(messages.SEAMS_PART_NOTHING())
+    return found
+
+
+def _is_in_one(seam: SidedSeam, given: GivenSeams, numbers: Mapping[str, int]) -> bool:
+    """Whether the same orthoimage lies on both sides, by whichever names. Two of one day are two."""
+    left, right = (numbers.get(side, side) if isinstance(side, str) else side for side in (seam.left, seam.right))
+    is_date = isinstance(left, str) and given.dates.get(left) == left
+    return left is not None and left == right and not is_date
+
+
+def _off_border(seam: SidedSeam, mosaic: OpenRaster) -> Iterator[SidedSeam]:
+    if seam.left is not None and seam.right is not None:
+        yield seam
+        return
+    path = mosaic.raster.grid.to_pixels(seam.vertices)
+    along = vertex_stations(path)
+    stations = np.linspace(0, along[-1], int(along[-1] / _STEP_PX) + 2)
+    left, right = (_has_pixels(mosaic, side[:, 0]) for side in points_beside(path, along, stations, (_ASIDE_PX,)))
+    on_border = np.flatnonzero(np.diff(np.concatenate([[False], left != right, [False]])))
+    first, last = stations[on_border[::2]], stations[on_border[1::2] - 1]
+    long = last - first >= min(_SHORTEST_PX, along[-1] / 2)
+    if not long.any():
+        yield seam
+        return
+    cuts = np.concatenate([[0.0], np.column_stack([first, last])[long].ravel(), along[-1:]])
+    for number, vertices in enumerate(cut_at(seam.vertices, along, cuts)):
+        if number % 2 == 0 and cuts[number + 1] - cuts[number] > 2 * _ASIDE_PX:
+            yield replace(seam, vertices=vertices)
+
+
+def _has_pixels(mosaic: OpenRaster, places: np.ndarray) -> np.ndarray:
+    """Whether the mosaic has pixels at columns and rows, (n, 2); what can't be read counts as some."""
+    size = np.array([mosaic.columns, mosaic.rows])
+    found = ((places >= 0) & (places < size)).all(axis=1)
+    if is_whole(mosaic):
+        return np.asarray(found)
+    cell = np.floor(places / _STEP_PX).astype(np.int64)
+    block = np.where(found[:, np.newaxis], cell // _BLOCK_CELLS, -1)
+    for key in np.unique(block[found], axis=0):
+        here = (block == key).all(axis=1)
+        left, top = (key * _BLOCK_CELLS * _STEP_PX).tolist()
+        wide, high = (min(_BLOCK_CELLS * _STEP_PX, end) for end in (mosaic.columns - left, mosaic.rows - top))
+        with suppress(RasterError):
+            valid = mosaic.thinned(PixelWindow(left, top, wide, high), _STEP_PX).valid
+            column, row = (cell[here] - key * _BLOCK_CELLS).T
+            found[here] = valid[row.clip(max=len(valid) - 1), column.clip(max=valid.shape[1] - 1)]
+    return np.asarray(found)
 
 
 def scan_request(

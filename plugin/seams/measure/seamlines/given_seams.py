@@ -15,8 +15,7 @@ from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.grids import Grid
 from .. import messages
 from ..seam_cells import Cell, meant_sources
-from .seam_features import SeamFeature, gathered, owner_name
-from .seam_fields import said, seam_fields
+from .seam_features import SeamFeature, gathered, owner_name, said, seam_fields
 from .seam_pieces import SidedSeam
 from .seam_tracing import parts_with_area
 

@@ -86,17 +86,12 @@ class PieceIndex:
         part._stretches = self._stretches[met]
         return part
 
-    def nearest(self, columns: np.ndarray, rows: np.ndarray, reach_px: float) -> tuple[np.ndarray, np.ndarray]:
-        """The nearest piece of each place (number, -1 where none is within ``reach_px``) and its distance in pixels.
-
-        ``columns``, ``rows``: real numbers, of one shape, which both results have. The distance is infinite where
-        there is no piece; it is true to 0.1 px.
-        """
-        found = self.beside(columns, rows, reach_px)
-        return found.number, found.distance_px
-
     def beside(self, columns: np.ndarray, rows: np.ndarray, reach_px: float) -> NearestPieces:
-        """Nearest pieces as of ``nearest``, the side of the piece that each place is on, and where along the seam."""
+        """The nearest piece of each place within ``reach_px``, how far off it is, the side of it that the place is on,
+        and where along the seam.
+
+        ``columns``, ``rows``: real numbers, broadcast to one shape. The distance is true to 0.1 px.
+        """
         columns, rows = np.broadcast_arrays(np.asarray(columns, dtype=float), np.asarray(rows, dtype=float))
         places = columns.ravel() + 1j * rows.ravel()
         number, distance = np.full(len(places), -1), np.full(len(places), np.inf)

@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.grids import Grid
-from ....imagery.lines import as_xy, straightened
+from ....imagery.lines import as_xy, is_polygon, simple_parts, straightened
 from .label_borders import NONE, LabelBorder, joined_borders
 from .seam_pieces import SidedSeam
 
@@ -136,8 +136,4 @@ def _multipolygon(rings: Sequence[np.ndarray]) -> bytes:
 
 def parts_with_area(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
     """The polygons in a geometry."""
-    if geometry.GetGeometryType() == ogr.wkbPolygon:
-        yield geometry
-    else:
-        for index in range(geometry.GetGeometryCount()):
-            yield from parts_with_area(geometry.GetGeometryRef(index))
+    return filter(is_polygon, simple_parts(geometry))

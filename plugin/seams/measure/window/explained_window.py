@@ -1,4 +1,7 @@
-"""The second half of an inspection: why contrast was lost, what is kept along the seam, and the verdict that counts."""
+"""The second half of an inspection: why contrast was lost, what is kept along the seam, and the verdict that counts.
+
+And what can be known many times a second of a window that is being moved, from the judged band alone.
+"""
 from __future__ import annotations
 
 import math
@@ -9,12 +12,14 @@ import numpy as np
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message
+from ....imagery.grids import PixelWindow
+from ....imagery.raster_pool import ReadEach
 from ....imagery.wavelets import Curve, correlation
 from .. import messages
-from ..compared_image import Change, MeasuredClip
+from ..compared_image import Change, MeasuredClip, judged_planes
 from ..judgement.causes import Cause
 from ..judgement.explanation import Explanation, explain
-from ..judgement.hard_cut import cut_hard, window_loss
+from ..judgement.hard_cut import cut_hard, judged_ground, window_loss
 from ..judgement.verdicts import (
     MIN_EXPLAINED,
     Judgement,
@@ -26,13 +31,14 @@ from ..judgement.verdicts import (
     judge_without_profile,
 )
 from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
+from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture
 from ..seam_cells import UNKNOWN, cell_labels
 from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
 from .measured_window import MeasuredWindow, in_file_values, measure_window
 from .window_request import WindowRequest
-from .window_result import PairResult, WindowResult
+from .window_result import PairResult, WindowClips, WindowResult
 
 
 @measuring()
@@ -201,3 +207,34 @@ def window_composite(request: WindowRequest) -> WindowComposite | Message:
         ends = np.iinfo(kind)
         levelled = np.clip(np.rint(levelled), ends.min, ends.max)
     return WindowComposite(cut.mosaic.names, levelled.astype(kind))
+
+
+@dataclass(frozen=True)
+class LiveWindow:
+    """What is known of the window that is being moved."""
+
+    window: PixelWindow
+    clips: WindowClips
+    """With the curves of the judged band alone."""
+    ground_sample_distance: float
+    """The mosaic's pixel size, m."""
+    profile: SeamProfile | None = None
+    """What is kept along the seam, a moment ago: it takes longer than the curves."""
+
+
+def read_live(request: WindowRequest, read_each: ReadEach) -> MeasuredWindow | None:
+    """Read and measure the judged band of a window; None where the mosaic has no pixels there."""
+    plain = replace(request, settings=replace(request.settings, directions=False))
+    measured = measure_window(plain, read_each, judged_only=True)
+    return measured if isinstance(measured, MeasuredWindow) else None
+
+
+@measuring()
+def live_profile(measured: MeasuredWindow) -> SeamProfile | None:
+    """What is kept along the seam, as a whole inspection has it; None without a seam or where it can't be told."""
+    if not measured.judged:
+        return None
+    image, *images = judged_planes((measured.mosaic, *measured.judged))
+    settings, labels = measured.request.settings, known_labels(measured.request, measured.judged)
+    ground = judged_ground(image, images, labels, measured.mosaic.inside)
+    return None if ground.is_unclear else ground.detail(settings.wavelet, settings.levels).profile

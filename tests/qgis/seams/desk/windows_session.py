@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.statistics import FIRST, Operator
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
-from seam_inspector.plugin.seams.measure.window.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.window.explained_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 

@@ -12,13 +12,14 @@ from seam_inspector.plugin.imagery.errors import SeamlineError, SettingsError
 from seam_inspector.plugin.imagery.gdal_calls import gdal_silenced
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, SidedSeam, given_seams
-from seam_inspector.plugin.seams.measure.seamlines.seam_features import SeamFeature, read_seam_features
-from seam_inspector.plugin.seams.measure.seamlines.seam_fields import (
+from seam_inspector.plugin.seams.measure.seamlines.seam_features import (
     DATE_FIELDS,
     DATE_SIDE_FIELDS,
     SIDE_FIELDS,
     SOURCE_FIELDS,
+    SeamFeature,
     SeamFields,
+    read_seam_features,
     seam_fields,
 )
 

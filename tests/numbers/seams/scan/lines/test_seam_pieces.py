@@ -39,8 +39,8 @@ def metres(line: np.ndarray) -> float:
 
 
 def test_a_stretch_that_leads_out_of_all_mosaics_takes_no_memory() -> None:
-    number, distance = PieceIndex([seam((0, 0), (10, 10), (10, 1e15))], GRID).nearest([30.0], [4000.0], 30.0)
-    assert (number, distance) == ([0], pytest.approx([10.0], abs=0.1))
+    near = PieceIndex([seam((0, 0), (10, 10), (10, 1e15))], GRID).beside([30.0], [4000.0], 30.0)
+    assert (near.number, near.distance_px) == ([0], pytest.approx([10.0], abs=0.1))
 
 
 def brute_force(pieces: list[SeamPiece], columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
@@ -152,7 +152,8 @@ def test_the_nearest_piece_is_that_of_a_search_through_all(reach_px: float) -> N
     about = about[rng.integers(0, len(about), 2000)] + rng.normal(0, 3, (2000, 2))
     columns = np.concatenate([rng.uniform(-50, 8050, 1000), (about[:, 0] - GRID.left) / GRID.pixel_width])
     rows = np.concatenate([rng.uniform(-50, 6050, 1000), (GRID.top - about[:, 1]) / GRID.pixel_height])
-    number, distance = PieceIndex(pieces, GRID).nearest(columns, rows, reach_px)
+    near = PieceIndex(pieces, GRID).beside(columns, rows, reach_px)
+    number, distance = near.number, near.distance_px
     true = brute_force(pieces, columns, rows)
     nearest = true.min(axis=0)
     sure = abs(nearest - reach_px) > 0.1
@@ -171,10 +172,10 @@ def test_a_part_of_the_index_answers_for_its_block_as_the_whole_does() -> None:
     part = pickle.loads(pickle.dumps(whole.near(block, 300)))
     assert 0 < len(part) < len(whole)
     row, column = np.mgrid[block.row : block.row + 2048 : 16, block.column : block.column + 2048 : 16] + 8.0
-    of_part, of_whole = part.nearest(column, row, 300), whole.nearest(column, row, 300)
-    np.testing.assert_array_equal(of_part[0], of_whole[0])
-    np.testing.assert_allclose(of_part[1], of_whole[1], atol=1e-9)
-    assert set(np.unique(of_part[0])) - {-1} <= set(part.numbers.tolist())
+    of_part, of_whole = part.beside(column, row, 300), whole.beside(column, row, 300)
+    np.testing.assert_array_equal(of_part.number, of_whole.number)
+    np.testing.assert_allclose(of_part.distance_px, of_whole.distance_px, atol=1e-9)
+    assert set(np.unique(of_part.number)) - {-1} <= set(part.numbers.tolist())
 
 
 def test_the_side_and_the_station_of_places_are_told() -> None:
@@ -190,26 +191,26 @@ def test_the_side_and_the_station_of_places_are_told() -> None:
 
 def test_stretches_much_longer_than_a_block_are_found() -> None:
     pieces = cut_in_pieces([seam((0, 0), (2000, 1500))], 10_000, GRID)
-    number, distance = PieceIndex(pieces, GRID).nearest(np.array([3000.0, 3000]), np.array([2250.0, 2350]), 500)
-    assert number.tolist() == [0, 0]
-    np.testing.assert_allclose(distance, [0, 80], atol=0.1)
+    near = PieceIndex(pieces, GRID).beside(np.array([3000.0, 3000]), np.array([2250.0, 2350]), 500)
+    assert near.number.tolist() == [0, 0]
+    np.testing.assert_allclose(near.distance_px, [0, 80], atol=0.1)
 
 
 def test_a_stretch_that_runs_far_beyond_costs_what_is_near_alone() -> None:
     """A stretch on a mosaic whose file says that its pixels are millionths of a metre."""
     index = PieceIndex([seam((0, 100), (5e6, 200))], GRID)
     tracemalloc.start()
-    number, distance = index.nearest(np.array([3000.0, 3000, 3000]), np.array([400.0, 480, 1000]), 500)
+    near = index.beside(np.array([3000.0, 3000, 3000]), np.array([400.0, 480, 1000]), 500)
     assert tracemalloc.get_traced_memory()[1] < 10e6
     tracemalloc.stop()
-    assert number.tolist() == [0, 0, -1]
-    np.testing.assert_allclose(distance[:2], [0.06, 79.94], atol=0.01)
+    assert near.number.tolist() == [0, 0, -1]
+    np.testing.assert_allclose(near.distance_px[:2], [0.06, 79.94], atol=0.01)
 
 
 def test_an_index_without_pieces_finds_none() -> None:
-    number, distance = PieceIndex([], GRID).nearest(np.zeros((2, 3)), np.zeros((2, 3)), 100)
-    assert number.tolist() == [[-1] * 3] * 2
-    assert np.isinf(distance).all()
+    near = PieceIndex([], GRID).beside(np.zeros((2, 3)), np.zeros((2, 3)), 100)
+    assert near.number.tolist() == [[-1] * 3] * 2
+    assert np.isinf(near.distance_px).all()
     assert len(PieceIndex([], GRID).near(PixelWindow(0, 0, 2048, 2048), 100)) == 0
 
 

@@ -1,16 +1,13 @@
-"""The smoothed threshold: how far it errs, and how often its range covers the true one."""
+"""The best threshold: how far it errs, and how often its range covers the true one."""
 from __future__ import annotations
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.special import ndtr, ndtri
 from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import (
-    _parabola,
-    _smoothed_shares,
-    smoothed_threshold,
-)
+from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import best_threshold
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
 from tests.examples import at_most
@@ -46,8 +43,8 @@ def test_the_range_covers_where_neighbours_are_alike() -> None:
 @given(VALUES, VALUES, st.floats(0.01, 100))
 def test_the_unit_of_a_measure_does_not_matter(visible: list[float], invisible: list[float], factor: float) -> None:
     places = alone(len(visible), len(invisible))
-    one = smoothed_threshold(np.array(visible), np.array(invisible), places)
-    other = smoothed_threshold(factor * np.array(visible), factor * np.array(invisible), places)
+    one = best_threshold(np.array(visible), np.array(invisible), places)
+    other = best_threshold(factor * np.array(visible), factor * np.array(invisible), places)
     assert [other.value, other.low, other.high] == pytest.approx(
         [factor * one.value, factor * one.low, factor * one.high], rel=1e-5
     )
@@ -56,41 +53,32 @@ def test_the_unit_of_a_measure_does_not_matter(visible: list[float], invisible: 
 
 def test_the_threshold_of_mirrored_kinds_lies_in_their_middle() -> None:
     values = np.array([-0.4, -0.1, 0.0, 0.1, 0.4])
-    found = smoothed_threshold(values - 0.5, values + 0.5, alone(5, 5))  # not all positive, so taken as they are
+    found = best_threshold(values - 0.5, values + 0.5, alone(5, 5))  # not all positive, so taken as they are
     assert found.value == pytest.approx(0, abs=0.01)
     assert found.low < 0 < found.high
 
 
 def test_values_without_spread_have_a_threshold_between_them() -> None:
-    found = smoothed_threshold(np.full(5, 0.5), np.full(6, 0.8), alone(5, 6))
+    found = best_threshold(np.full(5, 0.5), np.full(6, 0.8), alone(5, 6))
     assert 0.5 < found.value < 0.8
-    same = smoothed_threshold(np.full(5, 0.5), np.full(6, 0.5), alone(5, 6))
+    same = best_threshold(np.full(5, 0.5), np.full(6, 0.5), alone(5, 6))
     assert (same.value, same.low, same.high) == (0.5, 0.5, 0.5)
 
 
-def test_classes_of_many_values_change_nothing_to_speak_of() -> None:
+def test_many_verdicts_that_are_normal_have_it_where_their_densities_cross() -> None:
     random = np.random.default_rng(1)
     visible, invisible = random.normal(0.5, 0.15, 400), random.normal(0.8, 0.15, 64)
-    many = smoothed_threshold(visible, invisible, alone(400, 64))
+    many = best_threshold(visible, invisible, alone(400, 64))
     fitted = (visible.mean() + invisible.mean()) / 2  # the best threshold of two normals that spread alike
     assert many.value == pytest.approx(fitted, abs=0.015)
     assert many.low < 0.65 < many.high
 
 
-@given(VALUES, st.floats(0.1, 1.5))
-def test_smoothing_keeps_mean_and_standard_deviation(values: list[float], bandwidth: float) -> None:
-    """Silverman and Young 1987 ask this of it; by the moments of the shares themselves."""
-    verdicts = np.array([values])
-    mean, deviation = float(verdicts.mean()), float(verdicts.std(ddof=1))
-    thresholds = np.linspace(mean - 12 * deviation, mean + 12 * deviation, 4001)[np.newaxis]
-    shares = _smoothed_shares(verdicts, np.ones_like(verdicts), thresholds, bandwidth, least=1e-9)[0]
-    middles, mass = (thresholds[0, 1:] + thresholds[0, :-1]) / 2, np.diff(shares)
-    assert mass.sum() == pytest.approx(1, abs=1e-6)
-    assert (mass * middles).sum() == pytest.approx(mean, abs=1e-3 * deviation)
-    assert np.sqrt((mass * (middles - mean) ** 2).sum()) == pytest.approx(deviation, rel=2e-3)
-
-
-def test_the_top_of_a_parabola_a_plateau_and_an_end() -> None:
-    steps = np.arange(7.0)
-    rows = [-((steps - 2.3) ** 2), np.array([0, 1, 3, 3, 3, 1, 0.0]), steps, -steps]
-    np.testing.assert_allclose(_parabola(np.array(rows)), (2.3, 3, 6, 0))
+@pytest.mark.parametrize("spreads", [(0.1, 0.3), (0.3, 0.1), (0.2, 0.2)])
+def test_no_threshold_of_the_fitted_distributions_is_better(spreads: tuple[float, float]) -> None:
+    shares = (np.arange(200) + 0.5) / 200
+    visible, invisible = (ndtri(shares) * spread + middle for spread, middle in zip(spreads, (-0.4, 0.4)))
+    threshold = best_threshold(visible, invisible, alone(200, 200)).value
+    tried = np.linspace(-2, 2, 4001)
+    youden = ndtr((tried - visible.mean()) / visible.std()) - ndtr((tried - invisible.mean()) / invisible.std())
+    assert threshold == pytest.approx(tried[youden.argmax()], abs=2e-3)
