@@ -203,25 +203,6 @@ def test_a_planted_violation_is_found(tmp_path: Path, file: str, line: str) -> N
     assert len(faults(tmp_path)) == 1
 
 
-@pytest.mark.parametrize(
-    ("file", "line"),
-    [
-        ("imagery/a.py", "import numpy\nfrom osgeo import gdal\nfrom . import errors\nfrom .errors import RasterError"),
-        ("toolkit/a.py", "from qgis.core import QgsTask\nfrom qgis.PyQt.QtCore import Qt\nfrom ..imagery import grids"),
-        ("toolkit/desk/a.py", "from qgis.PyQt.QtWidgets import QWidget\nfrom ..layers import features"),
-        ("sensors/measure/models/a.py", "from ....imagery.rasters import Raster\nfrom ..points import Points"),
-        ("noise/a.py", "from ..toolkit.layers import paths\nfrom .measure.band_noise import BandNoise"),
-        ("seams/desk/map/a.py", "from qgis.gui import QgsMapTool\nfrom matplotlib import figure\nfrom .. import dock"),
-        ("plugin.py", "from qgis.PyQt.QtWidgets import QAction\nfrom .seams.desk.dock import Dock"),
-    ],
-)
-def test_what_the_rule_allows_passes(tmp_path: Path, file: str, line: str) -> None:
-    path = tmp_path / file
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(line, encoding="utf-8")
-    assert faults(tmp_path) == []
-
-
 def test_no_class_name_stands_twice(repository: Path) -> None:
     names: dict[str, list[str]] = {}
     for path in sorted((repository / "plugin").rglob("*.py")):

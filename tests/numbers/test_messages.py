@@ -197,24 +197,6 @@ def test_a_wrong_use_is_found(code: str, why: str) -> None:
     assert bool(fault(use)) == bool(why)
 
 
-def test_messages_are_found_however_they_are_imported() -> None:
-    for line in (
-        "from ...imagery import messages as imagery_messages\nimagery_messages.NOT_FOUND",
-        "from ...imagery.messages import NOT_FOUND\nNOT_FOUND",
-        "from seam_inspector.plugin.imagery.messages import NOT_FOUND as GONE\nGONE",
-    ):
-        (use,) = uses(line, Path("plugin/seams/measure/some.py"))
-        assert (use.module, use.name) == (Path("plugin/imagery/messages"), "NOT_FOUND"), line
-
-
-def test_wrong_values_are_refused_at_once() -> None:
-    told = Message("{name} has {count:d} bands.")
-    assert str(told(name="a.tif", count=3)) == "a.tif has 3 bands."
-    for values in ({"name": "a.tif"}, {"name": "a.tif", "count": 3, "band": 1}, {}):
-        with pytest.raises(TypeError, match=r"takes \['count', 'name'\] and was given"):
-            told(**values)
-
-
 def test_a_message_is_told_as_a_warning_where_the_work_goes_on() -> None:
     told = Message("{name} is gone.")(name="a.tif")
     assert (told.level, told.as_warning().level) == (Level.ERROR, Level.WARNING)

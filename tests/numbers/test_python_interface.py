@@ -29,7 +29,6 @@ from seam_inspector import (
     ScanSettings,
     SeamInspectorError,
     SeamInspectorWarning,
-    SeamlineError,
     SettingsError,
     TableRows,
     curve_rows,
@@ -171,11 +170,6 @@ def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
     assert {row["level"] for row in profile_rows(single)} == {1, 2, 3}
 
 
-def test_a_setting_out_of_its_range_is_told_at_once(block: Block) -> None:
-    with pytest.raises(SeamInspectorError, match="9 levels"):
-        block.window(block.mosaic.extent, seam_inspector.InspectionSettings(levels=9))
-
-
 LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
 
 
@@ -227,11 +221,6 @@ def test_one_path_of_a_mosaic_is_no_list_of_letters(block: Block, folder: Path) 
     assert len(outcomes) == 1
 
 
-def test_what_is_no_block_is_refused() -> None:
-    with pytest.raises(SettingsError, match=r"block is 'mosaic\.tif'"):
-        seam_inspector.scan("mosaic.tif")  # type: ignore[arg-type]
-
-
 def test_what_is_no_request_and_what_are_no_results_is_refused(block: Block) -> None:
     with pytest.raises(SettingsError, match="request is"):
         inspect_window((0, 0, 1, 1))  # type: ignore[arg-type]
@@ -265,11 +254,6 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
     assert "are invalid in the window" in inspected(77)
     with pytest.raises(SettingsError, match="nodata"):
         open_block(path, sources, nodata="white")
-
-
-def test_cells_without_polygons_are_told(folder: Path) -> None:
-    with pytest.raises(SeamlineError, match="no polygon on the mosaic that names its source"):
-        open_block(folder / "mosaic.tif", cells=f"{folder}/seamlines.gpkg|layername=seamlines")
 
 
 @pytest.mark.parametrize(
@@ -458,22 +442,6 @@ def test_seamlines_may_lie_in_another_system_and_have_dates(folder: Path, tmp_pa
 def piece(kept: object, number: int, **others: object) -> dict[str, object]:
     line = f"LINESTRING ({25 * number} 0, {25 * number + 25} 0)"
     return {"seam_id": 1.0, "station": 25.0 * number, "length": 25.0, "kept_1": kept, "geometry": line, **others}
-
-
-def test_a_delivery_is_decided_by_rows() -> None:
-    nothing = float("nan")
-    rows = [piece(0.9, 0), piece(0.5, 1), piece(nothing, 2), piece(0.8, 3, length=None)]
-    delivery = make_delivery({"one": rows}, METRES)
-    with_heights = [{**row, "geometry": str(row["geometry"]).replace(",", " 7,").replace(")", " 7)")} for row in rows]
-    for one, plain in zip(make_delivery({"one": with_heights}, METRES).pieces, delivery.pieces):
-        np.testing.assert_array_equal(one.vertices, plain.vertices)
-    assert [piece.kept_1 for piece in delivery.pieces] == [0.9, 0.5, None, 0.8]
-    assert {piece.seam_id for piece in delivery.pieces} == {"1"}
-    assert delivery.pieces[3].length_m == 25
-    decision = decide(delivery, limit_rules(max_share=0.7, min_measured=0.7))
-    assert decision.accepted
-    assert decision.whole.measured_m == 75
-    assert not decide(delivery, limit_rules(max_share=0.1, min_measured=0.7)).accepted
 
 
 def test_rows_in_memory_need_no_seal_but_say_nothing_of_other_seams() -> None:

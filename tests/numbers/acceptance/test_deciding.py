@@ -205,12 +205,6 @@ def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, lim
         assert "figures of the rows" not in told(found)
 
 
-def test_what_the_interval_can_not_tell_is_said() -> None:
-    found = decide(delivery(seam([0.68, 0.72, 0.4, 0.9, 0.75])), rules())
-    assert [piece.is_unclear for piece in found.pieces] == [True, True, False, False, False]
-    assert found.whole.unclear_m == 20
-
-
 @pytest.mark.parametrize(
     ("kept", "low", "high", "with_verdict", "without"),
     [
@@ -314,15 +308,6 @@ def test_an_observer_decides_where_he_is_asked_to() -> None:
     assert str(found.sentences[0]).startswith("Rejected by the observers' verdicts and 'contract'")
 
 
-def test_windows_over_a_piece() -> None:
-    windows = tuple(
-        SeenWindow(str(number), (10.0 * number - 8, -10, 10.0 * number + 18, 10), remark=f"seen {number}")
-        for number in range(4)
-    )
-    found = decide(replace(delivery(seam([0.4] * 4)), windows=windows), rules())
-    assert [window.window_id for window in found.pieces[1].windows] == ["1", "0", "2"]
-
-
 @pytest.mark.parametrize(
     ("row", "longest", "outcome"),
     [
@@ -342,12 +327,6 @@ def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
         assert (rule.passed, rule.high) == (None, longest)
         assert found.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
         assert "figures of the rows of pieces longer than 50 m" in told(found)
-
-
-def test_ground_without_detail_is_no_row_that_was_not_measured() -> None:
-    smooth = [replace(piece, has_detail=False) for piece in seam([None] * 20, start=(0, 50), seam_id="2", number=40)]
-    found = decide(delivery(seam([0.95] * 40), smooth), rules())
-    assert (found.outcome, found.whole.longest_unknown_m) == (ACCEPTED, 0)
 
 
 def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:
@@ -402,10 +381,6 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
         assert "What would decide it: a scan of all sheets" in str(found.sentences[1])
     for state in (SheetState.SHOWN, SheetState.NOT_ORDERED):
         assert decide(with_sheet(sound, state), rules()).outcome is ACCEPTED
-
-
-def test_what_fails_is_rejected_whatever_else_is_unknown() -> None:
-    assert decide(with_sheet(delivery(seam([0.4] * 100)), SheetState.LEFT_OUT), rules()).outcome is REJECTED
 
 
 def with_sheet(made: Delivery, state: SheetState) -> Delivery:

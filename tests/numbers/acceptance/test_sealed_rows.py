@@ -58,12 +58,6 @@ def test_rows_of_which_none_is_a_piece_are_refused() -> None:
         make_delivery({"a": held}, "")
 
 
-def test_a_piece_that_was_moved_is_noticed() -> None:
-    held = rows()
-    held[1] = held[1][0], held[1][1] + 5000
-    assert read(held, sealed()).seal is Seal.BROKEN
-
-
 def bent(held: Rows) -> None:
     """A vertex between the ends, so that the line leads elsewhere."""
     row, line = held[1]

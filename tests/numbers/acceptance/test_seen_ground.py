@@ -28,11 +28,6 @@ def said(**figures: str) -> dict[str, str]:
     return {"seams": "found", "unexplained": "0.0000", **figures}
 
 
-def test_nothing_beside_the_seams_changes_nothing() -> None:
-    found = decided(said(), said(seams="given", unchanged_metres="0.0", nodata_inside="0.2"))
-    assert found.outcome is AcceptanceOutcome.ACCEPTED
-
-
 @pytest.mark.parametrize(("unseen", "outcome"), [(40, AcceptanceOutcome.ACCEPTED), (60, AcceptanceOutcome.UNDECIDED)])
 def test_borders_that_no_seam_tells_of_leave_it_open(unseen: int, outcome: AcceptanceOutcome) -> None:
     found = decided(said(unseen_metres=f"{unseen}.0", unseen_longest="20.0", unseen_at=PLACE))
@@ -85,12 +80,6 @@ def test_sheets_that_were_scanned_apart_are_told() -> None:
 
     assert "2 mosaics were scanned one by one" in sentences('[["a.tif", 1, 2, "3"]]', '[["b.tif", 1, 2, "3"]]')
     assert "one by one" not in sentences('[["a.tif", 1, 2, "3"]]', '[["a.tif", 1, 2, "3"]]')
-
-
-def test_what_is_broken_stays_broken() -> None:
-    layer = DeliveredLayer("a", True, 0.0, said(unseen_metres="500.0", unseen_longest="500.0"))
-    found = decide(replace(delivery(seam([0.3] * 100)), layers=(layer,)), rules())
-    assert found.outcome is AcceptanceOutcome.REJECTED
 
 
 def test_all_scans_together() -> None:

@@ -29,13 +29,6 @@ def test_a_file_appears_when_all_is_written(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["page.html"]
 
 
-def test_what_is_written_beside_it_comes_along(tmp_path: Path) -> None:
-    with whole_file(tmp_path / "image.tif") as unfinished:
-        unfinished.write_text("pixels")
-        Path(f"{unfinished}.msk").write_text("mask")
-    assert sorted(os.listdir(tmp_path)) == ["image.tif", "image.tif.msk"]
-
-
 @pytest.mark.parametrize("older", [None, "older"])
 def test_an_exception_leaves_things_as_they_were(tmp_path: Path, older: str | None) -> None:
     path = tmp_path / "page.html"
@@ -54,13 +47,6 @@ def test_a_folder_that_is_not_there_gets_a_sentence(tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match=r"page\.html can't be written \(No such file or directory\)"):
         save_text("page", path)
     assert os.listdir(tmp_path) == []
-
-
-def test_a_folder_of_that_name_stays(tmp_path: Path) -> None:
-    (tmp_path / "page.html").mkdir()
-    with pytest.raises(SettingsError, match="can't be written"):
-        save_text("page", tmp_path / "page.html")
-    assert (tmp_path / "page.html").is_dir()
 
 
 def test_a_full_disk_gets_a_sentence_and_keeps_the_older_file(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from xml.sax.saxutils import escape
 
 import numpy as np
 import pytest
-from osgeo import gdal, ogr
+from osgeo import gdal
 from seam_inspector.plugin.imagery import gdal_paths, limits
 from seam_inspector.plugin.imagery.documents import document_bytes, json_document
 from seam_inspector.plugin.imagery.errors import RasterError
@@ -144,14 +144,6 @@ def test_databases_that_never_end_are_not_read(tmp_path: Path, statement: str) -
     assert holds_only_tables(sound)
     assert not holds_only_tables(holding(sound, statement))
     assert not holds_only_tables(tmp_path)
-
-
-def test_a_geopackage_of_gdal_holds_only_tables(tmp_path: Path) -> None:
-    made = gdal.GetDriverByName("GPKG").Create(str(tmp_path / "a.gpkg"), 0, 0, 0, gdal.GDT_Unknown)
-    made.CreateLayer("a", geom_type=ogr.wkbPolygon)
-    made = None
-    assert holds_only_tables(tmp_path / "a.gpkg")
-    assert is_layer_file(tmp_path / "a.gpkg")
 
 
 def test_files_of_marks_are_tables_and_lead_nowhere(tmp_path: Path) -> None:

@@ -71,23 +71,6 @@ def test_pixels_on_one_line_or_nowhere_have_no_place(tmp_path: Path, numbers: st
     assert not describe(RasterRef(str(path))).has_place
 
 
-@pytest.mark.parametrize("array", [np.zeros((8, 8), np.complex64)])
-def test_what_has_no_real_values_is_refused(make_raster: MakeRaster, array: np.ndarray) -> None:
-    with pytest.raises(RasterError, match="complex"):
-        OpenRaster(RasterRef(make_raster("c.tif", array)))
-
-
-def test_palettes_and_masks_come_as_they_are_measured(make_raster: MakeRaster) -> None:
-    indices = np.array([[0, 1], [2, 1]], np.uint8).repeat(8, 0).repeat(8, 1)
-    entries = [(10, 20, 30, 255), (40, 50, 60, 255), (0, 0, 0, 255)]
-    pixels = OpenRaster(RasterRef(make_raster("p.tif", indices, palette=entries, nodata=2, options=[])))
-    bands, invalid = pixels.read(PixelWindow(4, 4, 8, 8))
-    assert bands[:, 0, 0].tolist() == [10, 20, 30]
-    assert invalid is not None
-    assert invalid.tolist() == (indices[4:12, 4:12] == 2).tolist()
-    assert pixels.raster.data_type == "uint8"
-
-
 @pytest.fixture(scope="module")
 def rasters(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """One picture in tiles, in strips, and in one strip per row."""
@@ -128,13 +111,6 @@ def test_a_huge_tile_is_worked_on_row_by_row(make_raster: MakeRaster, monkeypatc
     assert {(block.column, block.width) for block in blocks} == {(5, 200)}
 
 
-def test_a_thinned_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> None:
-    bands, _ = OpenRaster(RasterRef(rasters["tiles"])).thinned(PixelWindow(10, 20, 160, 80), 8)
-    assert bands.shape == (2, 10, 20)
-    values = set(read_pixels(rasters["tiles"], 10, 20, 160, 80)[0].ravel().tolist())
-    assert set(bands[0].ravel().tolist()) <= values
-
-
 @pytest.mark.parametrize(
     ("data_type", "bits", "largest", "expected"),
     [
@@ -155,14 +131,6 @@ def test_the_range_of_values(
     image = Raster(RasterRef("x"), 9, 9, None, "", ("band_1",), data_type, bits)
     assert value_range(image, largest) == expected
     assert is_range_known(image) == (data_type == "uint8" or bits is not None)
-
-
-@pytest.mark.parametrize(("nodata", "all_valid"), [(None, True), (0, False)])
-def test_a_file_that_says_nothing_of_missing_pixels_is_all_valid(
-    make_raster: MakeRaster, nodata: float | None, all_valid: bool
-) -> None:
-    pixels = np.ones((1, 8, 8), np.uint8)
-    assert OpenRaster(RasterRef(make_raster("a.tif", pixels, nodata=nodata))).is_all_valid is all_valid
 
 
 def test_a_file_that_may_not_be_read_is_not_called_damaged(

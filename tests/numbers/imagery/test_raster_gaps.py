@@ -110,13 +110,6 @@ def test_a_raster_with_more_invalid_pixels_takes_no_part(make_raster: MakeRaster
     assert clip_of(path, mosaic, PixelWindow(0, 0, 64, 64)).invalid_share == 0
 
 
-@pytest.mark.parametrize("kind", GAPS)
-def test_a_raster_without_any_valid_pixel_takes_no_part(make_raster: MakeRaster, mosaic: Raster, kind: str) -> None:
-    path = GAPS[kind](make_raster, orthoimage(SIZE), np.ones(SIZE, bool))
-    with pytest.raises(NotCoveredError, match=r"100\.00% of the pixels of gaps\.tif are invalid"):
-        clip_of(path, mosaic)
-
-
 def test_a_pixel_with_nodata_in_one_band_only_is_valid(make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage(SIZE)
     image[2] = 0  # no blue at all
@@ -215,16 +208,6 @@ def test_the_name_of_a_band_goes_before_its_colour(make_raster: MakeRaster, mosa
     clip = clip_of(path, mosaic)
     assert clip.raster.band_names == ("red", "green", "nir")
     np.testing.assert_array_equal(clip.bands, before[[1, 2, 0]])
-
-
-def test_bands_keep_their_roles_when_warped(make_raster: MakeRaster, mosaic: Raster) -> None:
-    image = orthoimage((512, 512), 5)
-    image[4] = 255
-    path = make_raster("source.tif", image, gsd=0.05, colours=[BLUE, GREEN, RED, UNDEFINED, ALPHA])
-    clip = clip_of(path, mosaic)
-    assert clip.raster.band_names == ("red", "green", "blue", "nir")
-    averaged = image.reshape(5, 256, 2, 256, 2).mean(axis=(2, 4))
-    np.testing.assert_allclose(clip.bands, inside(averaged)[[2, 1, 0, 3]], atol=0.51)
 
 
 PALETTE = [(10, 200, 30, 255), (255, 0, 0, 255), (0, 0, 128, 255), (90, 90, 90, 255), (7, 8, 9, 255)]

@@ -4,12 +4,10 @@ from __future__ import annotations
 import os
 import tempfile
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery import record_store
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.record_store import RecordFiles, RecordFolder
 
@@ -92,21 +90,6 @@ def test_a_folder_of_somebody_else_is_left_as_it_is(tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match="something else is there"):
         RecordFolder(tmp_path, KIND)
     assert os.listdir(tmp_path) == ["mine"]
-
-
-def test_a_folder_that_is_removed_as_it_is_opened_is_made_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path, lock, others = tmp_path / "records", record_store._lock, [filled(tmp_path / "records")]
-
-    def lock_as_the_other_ends(file: Any) -> None:
-        if others:
-            others.pop().remove()
-        lock(file)
-
-    monkeypatch.setattr(record_store, "_lock", lock_as_the_other_ends)
-    filled(path).close()
-    assert held(path) == SAVED
 
 
 def another(path: Path, kind: str) -> None:

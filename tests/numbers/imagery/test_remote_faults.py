@@ -170,11 +170,6 @@ def test_a_file_that_is_truncated_there_is_named_and_its_whole_part_can_be_read(
         read(path, WHOLE)
 
 
-def test_a_page_instead_of_a_raster_is_named(server: RangeServer) -> None:
-    with pytest.raises(RasterError, match=r"page\.tif is not a raster that GDAL can read"):
-        read(server.vsi("page.tif"))
-
-
 def test_a_part_of_a_vrt_that_is_gone_is_named_and_costs_its_place_only(
     server: RangeServer, folder: Path, tmp_path: Path
 ) -> None:
@@ -197,4 +192,3 @@ def test_a_part_of_a_vrt_that_is_gone_is_named_and_costs_its_place_only(
     with pytest.raises(RasterError, match=r"gone\.tif is not on its server \(HTTP 404\)"):
         read(path, WHOLE)
     np.testing.assert_array_equal(read(path, left), expected(folder, window=left))
-

@@ -10,16 +10,11 @@ import pywt
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
-from seam_inspector.plugin.imagery.limits import WAVELETS
 from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseVerdict, measure_noise
 from seam_inspector.plugin.noise.measure.grain import (
-    Grain,
-    clipped_pixels,
-    curve_if_white,
     grain_spectrum,
     quiet_ground,
 )
-from skimage.restoration import estimate_sigma
 
 from tests.examples import at_most
 from tests.numbers.synthetic import luminance, patchy_texture, read_pixels, texture
@@ -65,20 +60,6 @@ def test_the_spectrum_of_grain_is_what_pywavelets_makes_of_it(wavelet: str, size
     assert grain_spectrum(wavelet, 4, size) == pytest.approx(expected, rel=0.06)
 
 
-@at_most(20)
-@given(wavelet=st.sampled_from(WAVELETS))
-def test_white_noise_is_as_strong_on_every_level(wavelet: str) -> None:
-    assert grain_spectrum(wavelet, 5, 0.0) == pytest.approx([1] * 5, rel=1e-6)
-
-
-@at_most(30)
-@given(size=st.floats(0, 1.5), sigma=st.floats(0, 30))
-def test_the_curve_of_grain_on_flat_ground_is_that_of_white_noise(size: float, sigma: float) -> None:
-    own = [3 / 4**level * share * sigma**2 for level, share in enumerate(grain_spectrum("coif3", 3, size), 1)]
-    white = curve_if_white(own, Grain(size, sigma), "coif3")
-    assert white == pytest.approx([3 / 4**level * sigma**2 for level in (1, 2, 3)])
-
-
 # --- the quiet ground ------------------------------------------------------------------------------------------
 
 
@@ -90,25 +71,6 @@ def test_pure_noise_is_quiet_ground_of_its_own_strength(sigma: float, seed: int)
     assert found.quiet == pytest.approx(sigma, rel=0.06)
     assert found.least == pytest.approx(sigma, rel=0.15)
     assert found.unevenness == pytest.approx(1, abs=0.06)
-
-
-def test_structure_beside_it_does_not_raise_the_quiet_ground() -> None:
-    details = np.random.default_rng(0).normal(0, 2, (3, 120, 120))
-    details[:, :, 40:] *= 20
-    found = quiet_ground(details)
-    assert found is not None
-    assert found.quiet == pytest.approx(2, rel=0.1)
-
-
-def test_too_few_cells_are_no_choice() -> None:
-    assert quiet_ground(np.ones((3, 11, 11))) is None
-    assert quiet_ground(np.ones((3, 100, 100)), np.zeros((100, 100), bool)) is None
-
-
-def test_clipped_pixels_are_those_amid_others() -> None:
-    band = np.full((40, 40), 90.0) + np.random.default_rng(0).normal(0, 5, (40, 40))
-    band[5:20, 5:20], band[30, 30] = 255, 0
-    assert clipped_pixels(band[np.newaxis]).sum() == 13 * 13
 
 
 def test_a_cut_off_sky_does_not_hide_the_noise_of_the_ground() -> None:
@@ -145,24 +107,11 @@ def test_ground_with_quiet_places_and_no_noise_is_low(beta: float, seed: int) ->
     assert measured(120 + 25 * patchy_texture((512, 512), beta, seed)).verdict == NoiseVerdict.LOW
 
 
-def test_sigma_of_white_noise_is_that_of_scikit_image() -> None:
-    pixels = 120 + 15 * texture((512, 512), 4, 2) + grain(8, 0, (512, 512))
-    found = measure_noise(pixels[np.newaxis], ("band_1",), "db2")["band_1"]
-    assert found.sigma == pytest.approx(estimate_sigma(pixels), rel=0.02)
-
-
 def test_a_window_too_small_to_look_for_grain_is_uncertain_and_says_so() -> None:
     found = measured(120 + 25 * texture((64, 64), 3.0, 1), "coif10")
     assert found.largest_sigma is None
     assert found.verdict == NoiseVerdict.UNCERTAIN
     assert "too small" in str(found.note)
-
-
-def test_figures_follow_the_scale_of_values() -> None:
-    ground = 120 + 20 * patchy_texture((512, 512), 2.6, 3) + grain(5, 1.0, (512, 512))
-    one, other = (measure_noise((factor * ground)[np.newaxis], ("band_1",))["band_1"] for factor in (1.0, 300.0))
-    assert other.verdict == one.verdict
-    assert other.largest_sigma == pytest.approx(300 * one.largest_sigma, rel=1e-6)  # type: ignore[operator]
 
 
 @pytest.mark.parametrize("size", [0.0, 0.5, 0.7, 1.0])

@@ -1,7 +1,6 @@
 """How much noise there is whatever the scene: sigma without texture, signal to noise, and the second verdict."""
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 import numpy as np
@@ -10,12 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseAmount, measure_noise
-from seam_inspector.plugin.noise.measure.grain import QuietGround
 from seam_inspector.plugin.noise.measure.noise_amount import (
     ACCEPTABLE_RATIO,
     EXCELLENT_RATIO,
     noise_amount,
-    white_noise,
 )
 
 from tests.examples import at_most
@@ -63,13 +60,6 @@ def test_an_image_is_as_good_as_its_ratio_when_it_just_reaches_it(
 def test_noise_that_is_most_of_what_there_can_be_is_all_of_it(noise: float, amount: NoiseAmount) -> None:
     """The quietest ground leaves room for 15 DN of white noise, much of a mean of 130."""
     assert noise_amount(noise, 130, (15.0, 22.0, 32.0), "coif3", are_whole=True) is amount
-
-
-@pytest.mark.parametrize("rise", [2.0, 2.2, 2.5])
-def test_texture_takes_no_part_however_it_rises(rise: float) -> None:
-    """Levels have noise of 5 DN and texture of 6 DN at level 1 that rises alike from level to level."""
-    quiet = [1.02 * math.hypot(5, 6 * rise**level) for level in range(3)]
-    assert white_noise([QuietGround(one, one, 1.0) for one in quiet], 50.0) == pytest.approx(5)
 
 
 def test_what_the_curve_calls_low_is_not_little_noise_for_that() -> None:

@@ -93,11 +93,6 @@ def test_a_large_raster_is_looked_at_by_few_pixels(large: Path, monkeypatch: pyt
     assert len(read) <= 100
 
 
-def test_saturated_windows_are_taken_when_there_are_no_others(make_raster: MakeRaster) -> None:
-    pixels = np.full((300, 300), 255, np.uint8)
-    assert len(chosen(make_raster("white.tif", pixels))) == 1
-
-
 def test_invalid_parts_are_avoided(make_raster: MakeRaster) -> None:
     pixels = grey((1500, 2600))
     pixels[:, :, :1400] = 0
@@ -206,28 +201,6 @@ def test_a_pair_is_cut_to_what_both_show_and_who_shows_less_than_half_takes_no_p
     else:
         theirs = PixelWindow(shared.column - right, shared.row - down, shared.width, shared.height)
         assert found == [(1, shared), (2, theirs)]
-
-
-def test_masks_go_over_to_other_pixel_sizes(make_raster: MakeRaster) -> None:
-    fine = grey((1024, 1024))
-    coarse = fine.reshape(1, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8)
-    holes = np.ones((1024, 1024), bool)
-    holes[401, 601] = False
-    first = make_raster("fine.tif", fine, gsd=0.1, valid=holes)
-    second = make_raster("coarse.tif", coarse, gsd=0.2)
-    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
-    notice = noise_plan.pixel_size_notice(plan)
-    assert notice is not None
-    assert "0.1 m and 0.2 m" in str(notice)
-    (request,) = plan.requests
-    assert request.paired
-    sides = [part.window.width for part in request.parts]
-    assert sides == [1024, 512]
-    masks = group_noise._joined_masks(request.parts, [~holes, np.zeros((512, 512), bool)])
-    assert np.argwhere(masks[0]).tolist() == [[401, 601]]
-    assert np.argwhere(masks[1]).tolist() == [[200, 300]]
-    masks = group_noise._joined_masks(request.parts, [np.zeros((1024, 1024), bool), masks[1]])
-    assert np.argwhere(masks[0]).tolist() == [[400, 600], [400, 601], [401, 600], [401, 601]]
 
 
 @pytest.mark.parametrize(("beside", "rows", "columns"), [

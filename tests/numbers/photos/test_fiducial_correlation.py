@@ -14,8 +14,6 @@ from seam_inspector.plugin.photos.measure.correlation import (
     SurfaceError,
     correlate,
     fit_surface,
-    peaks,
-    subpixel_maximum,
     surface_extremum,
 )
 from seam_inspector.plugin.photos.measure.mark_templates import (
@@ -47,26 +45,6 @@ def test_correlation_is_scikit_images(shape: tuple[int, int], size: tuple[int, i
     assert np.allclose(CorrelatedImage(image, np.float32).correlate(template), expected, atol=1e-3)
 
 
-def test_correlation_does_not_see_tone() -> None:
-    image, template = texture((50, 60), 1.5, 1), texture((9, 9), 1.5, 2)
-    assert np.allclose(correlate(image, template), correlate(40 * image + 900, 3 - 0.2 * template) * -1, atol=1e-9)
-
-
-def test_a_flat_image_and_a_template_without_room_correlate_with_nothing() -> None:
-    template = texture((9, 9), 1.5, 2)
-    assert not correlate(np.full((30, 30), 7.0), template).any()
-    assert not correlate(texture((30, 30)), np.ones((5, 5))).any()
-    assert correlate(np.zeros((5, 5)), template).size == 0
-
-
-def test_peaks_are_the_highest_and_apart() -> None:
-    field = np.zeros((40, 40))
-    for row, column, value in ((5, 5, 0.9), (6, 6, 0.8), (20, 30, -0.7), (30, 10, 0.5), (35, 35, 0.2)):
-        field[row, column] = value
-    highest = [(peak.row, peak.column, peak.value) for peak in peaks(field, 3, 0.4, 5)]
-    assert highest == [(5, 5, 0.9), (20, 30, -0.7), (30, 10, 0.5)]
-
-
 coefficients = st.tuples(*[st.floats(-1, 1)] * 3, *[st.floats(0.05, 2)] * 2, st.floats(-0.9, 0.9), st.booleans())
 
 
@@ -89,22 +67,6 @@ def test_a_surface_of_the_second_degree_is_found_again(values: tuple[float, ...]
         assert is_maximum is not up
 
 
-@pytest.mark.parametrize(("terms", "words"), [
-    ((0, 0, 0, 1, 0, -1), "saddle"), ((1, 0, 0, 0, 0, 0), "flat"), ((1, 0.3, 0, 0, 0, -1), "flat"),
-    ((0, 3, 0, -1, 0, -1), "outside"),
-])
-def test_what_is_no_extremum_is_a_failure(terms: tuple[float, ...], words: str) -> None:
-    with pytest.raises(SurfaceError, match=words):
-        surface_extremum(np.array(terms, float), 1)
-
-
-def test_a_minimum_is_no_peak() -> None:
-    y, x = np.mgrid[-3:4, -3:4]
-    with pytest.raises(SurfaceError, match="saddle"):
-        subpixel_maximum((x * x + y * y).astype(float), 3, 3)
-    assert subpixel_maximum(-(x - 0.25) ** 2.0 - (y + 0.4) ** 2.0, 3, 3) == pytest.approx((3.25, 2.6))
-
-
 @pytest.mark.parametrize("shape", all_shapes())
 def test_a_drawn_mark_is_the_area_that_it_covers(shape: MarkShape) -> None:
     look = Look(shape.kind.value, 21, 2.1, shape.diagonal, shape.interrupted)
@@ -121,14 +83,6 @@ def test_a_drawn_mark_is_the_area_that_it_covers(shape: MarkShape) -> None:
     else:
         assert np.abs(covered - drawn).mean() < 0.03
         assert np.corrcoef(covered.ravel(), drawn.ravel())[0, 1] > 0.96
-
-
-@pytest.mark.parametrize("shape", all_shapes())
-def test_a_drawn_mark_is_symmetric(shape: MarkShape) -> None:
-    drawn = draw(MarkShape(shape.kind, 20, shape.diagonal, shape.interrupted))
-    assert np.allclose(drawn, drawn[::-1, ::-1])
-    assert 0 <= drawn.min() < 0.01
-    assert drawn.max() <= 1
 
 
 def test_shapes_are_chosen_by_words() -> None:

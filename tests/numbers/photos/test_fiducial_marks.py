@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from scipy import ndimage, optimize
+from scipy import ndimage
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.photos.measure import finding_marks, interior_orientation
+from seam_inspector.plugin.photos.measure import finding_marks
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, read_calibration
 from seam_inspector.plugin.photos.measure.interior_orientation import fit_marks, orient_photo
-from seam_inspector.plugin.photos.measure.mark_templates import CutOut, MarkKind, MarkShape, chosen_shapes, cut_out
+from seam_inspector.plugin.photos.measure.mark_templates import CutOut, chosen_shapes, cut_out
 from seam_inspector.plugin.photos.measure.orientation import (
     GivenPosition,
     MarkResult,
@@ -121,16 +121,6 @@ def test_positions_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrient
     assert (made.scan_orientation, made.evidence) == (orientation, OrientationEvidence.POSITIONS)
 
 
-def test_two_marks_found_at_one_place_are_none_unless_one_was_given() -> None:
-    places = {"1": (100.0, 100.0), "2": (102.0, 101.0), "3": (500.0, 100.0), "4": (503.0, 101.0)}
-    for given, failed in (("", {"1", "2"}), ("1", {"2"})):  # 3 and 4 are farther apart
-        marks = [MarkResult(name, CAMERA[name], MarkStatus.GIVEN if name == given else MarkStatus.MEASURED, place)
-                 for name, place in places.items()]
-        made = interior_orientation._without_doubles(marks)
-        assert {mark.name for mark in made if mark.place is None} == failed
-        assert {mark.name for mark in made if mark.status is MarkStatus.FAILED} == failed
-
-
 def test_a_mark_under_a_blot_fails_and_the_others_are_measured(tmp_path: Path) -> None:
     frame = make_frame(Look(dots=True, diagonal=True), side=640, seed=12)
     column, row = (int(value) for value in frame.places["3"])
@@ -150,15 +140,6 @@ def test_a_mark_cut_off_by_the_scan_fails_alone(tmp_path: Path, beyond: int) -> 
     made = measured(pixels, tmp_path, SIDES, OrientationSettings(shapes=chosen_shapes("wedge", False, None)))
     assert [mark.status.value for mark in made.marks] == ["failed", "measured", "measured", "measured"]
     assert max(errors(made, frame)) < 0.1
-
-
-def test_three_plain_figures_that_are_no_good_likeness_are_no_marks() -> None:
-    """Two of four wedges cut off, three spots of a picture lay as three marks do, with correlations of 0.65 to 0.72."""
-    for kind, likeness, left in ((MarkKind.WEDGE, 0.69, 0), (MarkKind.WEDGE, 0.8, 3), (MarkKind.CROSS, 0.69, 3)):
-        marks = [MarkResult(name, place, MarkStatus.MEASURED if name != "4" else MarkStatus.FAILED,
-                            place if name != "4" else None, likeness) for name, place in CAMERA.items()]
-        made = interior_orientation._supported(marks, {}, MarkShape(kind, 20.0))
-        assert sum(mark.place is not None for mark in made) == left
 
 
 def with_four_alike(frame: Frame, covered: np.ndarray) -> np.ndarray:
@@ -341,33 +322,6 @@ def test_the_published_places_leave_the_residuals_that_are_known_of_them(unbc: P
     fitted = fit_marks(given, PlaneModel.AFFINE)[0]
     assert fitted is not None
     assert (fitted.rms_x, fitted.rms_y) == pytest.approx((11.6, 14.3), abs=0.05)
-
-
-def test_a_marks_own_symmetry_confirms_its_place(unbc: Path, unbc_orientation: PhotoOrientation) -> None:
-    """Ring and arms look alike when they are turned by 180 degrees about their centre, whatever a template may say."""
-    photo = Photo(RasterRef(str(unbc / UNBC)))
-    grey = ndimage.gaussian_filter(photo.grey(), 0.5)
-    y, x = np.mgrid[-22:23, -22:23]
-    disc = np.hypot(x, y) <= 22
-    y, x = y[disc], x[disc]
-
-    def unlike(place: np.ndarray) -> float:
-        column, row = place - 0.5
-        upright, turned = (
-            ndimage.map_coordinates(grey, [row + sign * y, column + sign * x], order=3, prefilter=False)
-            for sign in (1, -1)
-        )
-        return -float(np.corrcoef(upright, turned)[0, 1])
-
-    distances = []
-    for mark in unbc_orientation.marks:
-        assert mark.place is not None
-        simplex = np.array(mark.place) + [(0, 0), (0.5, 0), (0, 0.5)]
-        options = {"xatol": 1e-3, "initial_simplex": simplex}
-        best = optimize.minimize(unlike, mark.place, method="Nelder-Mead", options=options)
-        assert -best.fun > 0.97
-        distances.append(math.dist(best.x, mark.place))
-    assert max(distances) < 0.1
 
 
 def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:

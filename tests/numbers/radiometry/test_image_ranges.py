@@ -77,13 +77,6 @@ def test_bands_that_end_at_different_values(make_raster: MakeRaster) -> None:
     assert kept.checked_figures == whole.checked_figures
 
 
-def test_more_than_14_bits_are_16(make_raster: MakeRaster) -> None:
-    pixels = sheet(30_000, 9000, 60_000)
-    result = checked(make_raster("a.tif", pixels))
-    assert result.available == (0, 65535)
-    assert figure(result, "contrast") == pytest.approx(pixels.std() / 65535)
-
-
 @pytest.mark.parametrize(
     ("images", "high"),
     [
@@ -114,8 +107,3 @@ def test_a_range_that_was_given_and_is_too_small_is_doubted(make_raster: MakeRas
     result = checked(make_raster("a.tif", sheet(2000, 500, 3800)), rules=given(0, 1023))
     assert checked_figure(result, "clipped_high").passed is False
     assert "lie beyond the range of 0 to 1023 that was given" in str(result.notices[0])
-
-
-def test_a_range_that_was_given_counts_before_the_files_own(make_raster: MakeRaster) -> None:
-    pixels = np.random.default_rng(0).normal(60, 10, (128, 128)).clip(0, 127).astype(np.uint8)
-    assert checked(make_raster("a.tif", pixels), rules=given(0, 127)).available == (0, 127)

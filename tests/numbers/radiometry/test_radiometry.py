@@ -8,17 +8,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
-from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.lines import Seam
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure import image_statistics
-from seam_inspector.plugin.radiometry.measure.areas import Areas, sample_areas, signal_to_noise
-from seam_inspector.plugin.radiometry.measure.image_statistics import Histogram, area_step, stream_statistics
+from seam_inspector.plugin.radiometry.measure.image_statistics import Histogram, stream_statistics
 from seam_inspector.plugin.radiometry.measure.measured_image import measure
-from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
+from seam_inspector.plugin.radiometry.measure.rules import RuleSet
 
 from tests.examples import at_most
 from tests.numbers.radiometry.jrc import default_rules
@@ -64,13 +61,6 @@ def test_histograms_are_numpys(
         assert histogram.mean == pytest.approx(band[valid].mean())
         assert histogram.deviation == pytest.approx(band[valid].std())
         assert histogram.largest == band[valid].max()
-
-
-def test_the_histogram_is_gdals(make_raster: MakeRaster) -> None:
-    path = make_raster("a.tif", orthoimage((300, 200), bands=1))
-    dataset = gdal.Open(path)
-    expected = dataset.GetRasterBand(1).GetHistogram(-0.5, 255.5, 256, approx_ok=0)
-    assert streamed(path)["band_1"].counts.tolist() == expected
 
 
 @at_most(30)
@@ -126,46 +116,6 @@ def test_noise_is_taken_where_it_is_uniform_and_of_mid_tone(make_raster: MakeRas
     assert figure(result, "signal_to_noise") == pytest.approx(120 / 6, rel=0.15)
 
 
-def test_uniform_is_what_a_plane_an_edge_and_a_texture_are_not() -> None:
-    random = np.random.default_rng(2)
-    rows, columns = np.mgrid[:160, :160]
-    noise = random.normal(0, 2, (160, 160))
-    shares = []
-    for scene in (0 * rows, 0.5 * columns, 20.0 * (columns % 16 > 6), 8 * texture((160, 160), 2.5, 1)):
-        shares.append(sample_areas((scene + noise)[np.newaxis], None, 16).uniform.mean())
-    assert shares[0] == pytest.approx(0.99, abs=0.03)
-    assert max(shares[1:3]) == 0
-    assert shares[3] < 0.2
-
-
-@pytest.mark.parametrize(("side", "distance"), [(256, 16), (1024, 16), (1448, 16), (4096, 46), (40_000, 442)])
-def test_areas_lie_side_by_side_until_there_are_8192(side: int, distance: int) -> None:
-    assert area_step(PixelWindow(7, 9, side, side)) == distance
-    assert (side / distance) ** 2 <= 8192
-
-
-def test_areas_leave_invalid_pixels_out_and_are_numpys() -> None:
-    bands = orthoimage((160, 128), bands=3)
-    invalid = np.zeros((160, 128), bool)
-    invalid[20, 40] = True
-    areas = sample_areas(bands, invalid, 16)
-    assert areas.means.shape == (79, 3)
-    parts = bands[:, :16, :16].astype(np.float64)
-    assert areas.means[0] == pytest.approx(parts.mean(axis=(1, 2)))
-    within = [np.mean([quadrant.var(ddof=1) for half in np.split(part, 2) for quadrant in np.split(half, 2, axis=1)])
-              for part in parts]
-    assert areas.noise[0] == pytest.approx(np.sqrt(within))
-
-
-@pytest.mark.parametrize(("count", "taken"), [(8, 8), (20, 8), (64, 16)])
-def test_the_quietest_quarter_of_the_areas_counts_and_eight_at_least(count: int, taken: int) -> None:
-    noise = np.random.default_rng(0).permutation(np.arange(1.0, count + 1))[:, np.newaxis]
-    areas = Areas(np.full((count, 1), 100.0), noise, np.ones((count, 1), bool), np.zeros((count, 2), int))
-    chance = np.sort(np.random.default_rng(1).chisquare(252, 20_000) / 252)[: 20_000 * taken // count].mean()
-    expected = 100 / np.sqrt(np.mean(np.arange(1.0, taken + 1) ** 2) / chance)
-    assert signal_to_noise(areas, 0, (0, 255)) == pytest.approx(expected, rel=0.003)
-
-
 # --- what can't be measured ------------------------------------------------------------------------------------
 
 
@@ -204,22 +154,6 @@ def test_float_values_need_a_range_from_the_rules(make_raster: MakeRaster) -> No
     result = checked(path, rules=RuleSet("own", default_rules().rules, (0.0, 1.0)))
     assert figure(result, "contrast") == pytest.approx(band.std(), rel=1e-4)
     assert figure(result, "signal_to_noise") == pytest.approx(10, rel=0.1)
-
-
-def test_a_rule_without_limit_is_measured_and_not_judged(make_raster: MakeRaster) -> None:
-    rules = RuleSet("own", (Rule("contrast", None, None, "nobody"),))
-    (found,) = checked(make_raster("a.tif", grey()), rules=rules).checked_figures
-    assert found.passed is None
-    assert found.value == pytest.approx(8 / 255, rel=0.02)
-    assert str(found.reason) == "The rules set no limit; give one in the rules file."
-
-
-def test_windows_are_checked_for_themselves(make_raster: MakeRaster) -> None:
-    pixels = np.concatenate([grey(100, 5), grey(150, 20)], axis=1)
-    path = make_raster("a.tif", pixels)
-    left, right = (checked(path, PixelWindow(column, 0, 256, 256)) for column in (0, 256))
-    assert figure(left, "contrast") == pytest.approx(pixels[:, :256].std() / 255)
-    assert figure(right, "signal_to_noise") == pytest.approx(7.5, rel=0.1)
 
 
 def test_it_stops_when_told_to(make_raster: MakeRaster) -> None:

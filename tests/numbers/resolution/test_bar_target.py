@@ -115,28 +115,6 @@ def test_amplitudes_are_those_of_the_scene(make_raster: MakeRaster) -> None:
         assert reading.spacing == pytest.approx(14.0, rel=0.01)
 
 
-def test_dark_bars_on_bright_ground_are_measured_alike(make_raster: MakeRaster) -> None:
-    shape, groups = row_of_groups([6.0], 0.1, np.random.default_rng(2))
-    pixels = image(shape, groups, 0.8, 1.0)
-    bright, dark = (
-        measured(make_raster(name, values, gsd=0.1), {1: groups[0].line()})[0].readings["band_1"]
-        for name, values in (("bright.tif", pixels), ("dark.tif", 240 - pixels))
-    )
-    assert bright.bright
-    assert not dark.bright
-    assert dark.amplitude == pytest.approx(bright.amplitude, rel=1e-6)
-    assert dark.full_amplitude == pytest.approx(bright.full_amplitude, rel=1e-6)
-
-
-def test_a_line_drawn_from_the_other_end_gives_the_same(make_raster: MakeRaster) -> None:
-    shape, groups = row_of_groups([5.0], -0.08, np.random.default_rng(5))
-    path = make_raster("t.tif", image(shape, groups, 0.7, 2.0), gsd=0.1)
-    ends = groups[0].line(1.7, 0.06)
-    there, back = (measured(path, {1: one})[0].readings["band_1"] for one in (ends, (*ends[2:], *ends[:2])))
-    assert there.amplitude == pytest.approx(back.amplitude, rel=0.01)
-    assert there.bars[0].position == pytest.approx(back.profile.length - back.bars[-1].position, abs=0.05)
-
-
 @pytest.mark.parametrize("error", [-9.0, -4.0, 0.0, 6.0, 10.0])
 def test_a_line_is_turned_to_be_perpendicular(make_raster: MakeRaster, error: float) -> None:
     shape, groups = row_of_groups([6.0], 0.1, np.random.default_rng(6))
@@ -171,15 +149,6 @@ def test_how_long_the_line_is_hardly_matters(make_raster: MakeRaster, half: floa
     assert line.readings["band_1"].share == pytest.approx(theoretical_share(9.0, 1.6), abs=0.06)
 
 
-@pytest.mark.parametrize("angle", [0.0, 90.0, 25.0])
-def test_bars_are_where_they_are_on_the_line(make_raster: MakeRaster, angle: float) -> None:
-    bars = Bars(60.3, 58.8, 12.0, 40.0, math.radians(angle))
-    (line,) = measured(make_raster("target.tif", image((120, 120), [bars], 0.8), gsd=0.1), {0: bars.line()})
-    (reading,) = line.readings.values()
-    middle = math.dist(bars.line()[:2], (bars.x, bars.y))
-    assert [bar.position for bar in reading.bars] == pytest.approx([middle - 12, middle, middle + 12], abs=0.1)
-
-
 def test_the_noise_is_the_tenth_percentile_of_small_squares_less_their_slope(make_raster: MakeRaster) -> None:
     rows, columns = np.mgrid[:460, :460]
     ground = 0.1 * rows - 0.2 * columns + np.random.default_rng(1).normal(500, 4, rows.shape)
@@ -187,15 +156,6 @@ def test_the_noise_is_the_tenth_percentile_of_small_squares_less_their_slope(mak
     (reading,) = line.readings.values()
     free = 36 - 3  # of 6 x 6 px, after the mean and the slope along both axes
     assert reading.profile.noise == pytest.approx(4 * math.sqrt(stats.chi2.ppf(0.1, free) / free), rel=0.015)
-
-
-
-@pytest.mark.parametrize("noise", [1.0, 3.0, 9.0])
-def test_the_noise_is_that_of_the_ground(make_raster: MakeRaster, noise: float) -> None:
-    shape, groups = row_of_groups([9.0, 9.0, 9.0], 0.05, np.random.default_rng(8))
-    path = make_raster("t.tif", image(shape, groups, 0.8, noise), gsd=0.1)
-    for line in measured(path, {group: bars.line() for group, bars in enumerate(groups)}):
-        assert line.readings["band_1"].profile.noise == pytest.approx(noise, rel=0.3)
 
 
 def test_bars_that_do_not_exceed_the_noise_are_not_resolved(make_raster: MakeRaster) -> None:

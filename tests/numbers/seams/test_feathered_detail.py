@@ -17,11 +17,9 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import geometry_on
 from seam_inspector.plugin.seams.measure.judgement.feather_prediction import (
     KeptDetail,
-    Seamlines,
     assumed_seams,
     drawn_seam,
     kept_detail,
-    least_kept,
     place_feather,
 )
 from seam_inspector.plugin.seams.measure.limits import COSINE, GAUSSIAN, LINEAR, RAMPS
@@ -125,13 +123,6 @@ def brighton_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
             yield from combinations([Image(clip) for clip in clips if (clip > 0).all()], 2)
 
 
-def packo_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
-    planes = [luminance(read_pixels(str(path), 0, 0, 256, 256)) for path in sorted(folder.glob("*.tif"))]
-    for row in range(0, 256 - side + 1, step):
-        for column in range(0, 256 - side + 1, step):
-            yield from combinations([Image(plane[row : row + side, column : column + side]) for plane in planes], 2)
-
-
 def errors(
     pairs: list[Pair], width: float, ramp: str, is_seam_known: bool
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -165,11 +156,6 @@ def brighton(data_folder: Path) -> list[Pair]:
     return pairs[:: max(len(pairs) // 12, 1)]
 
 
-@pytest.fixture(scope="module")
-def packo(data_folder: Path) -> list[Pair]:
-    return list(packo_pairs(data_folder / "seams" / "packo", 192, 32))
-
-
 # --- what is promised ------------------------------------------------------------------------------------------
 
 
@@ -193,14 +179,6 @@ def test_the_detail_of_brightons_orthoimages_is_foretold(brighton: list[Pair], w
     assert_promise_kept(strip[:, :1])  # coarser detail is too sparse in a strip whose place is not known
 
 
-@pytest.mark.parametrize(("width", "ramp"), [(13, COSINE), (33, LINEAR), (66, GAUSSIAN)])
-def test_the_detail_of_packos_orthoimages_is_foretold(packo: list[Pair], width: float, ramp: str) -> None:
-    for differences in errors(packo, width, ramp, is_seam_known=True):
-        assert_promise_kept(differences)
-    window, _ = errors(packo, width, ramp, is_seam_known=False)
-    assert_promise_kept(window)
-
-
 # --- what follows from arithmetic ------------------------------------------------------------------------------
 
 
@@ -212,23 +190,6 @@ def test_equal_images_keep_all_whatever_step_of_tone_is_between_them(ramp: str) 
     for other in (a, a + 60):
         assert foretold(a, other, seams, 9, ramp).strip == pytest.approx((1, 1, 1))
         assert foretold(a, other, seams, 9, ramp).window == pytest.approx((1, 1, 1))
-
-
-def test_it_does_not_matter_which_of_two_comes_first() -> None:
-    a, b = related(2, 64)
-    places = [signed(crooked(64, np.random.default_rng(2)))]
-    one, turned = foretold(a, b, places, 20, COSINE), foretold(b, a, places, 20, COSINE)
-    assert one.window == pytest.approx(turned.window)
-    assert one.strip == pytest.approx(turned.strip)
-
-
-@pytest.mark.parametrize("ramp", RAMPS)
-def test_wider_feathers_leave_less_in_the_window(ramp: str) -> None:
-    a, b = related(3)
-    seams = assumed_seams(*a.shape, PIXEL)
-    left = [foretold(a, b, seams, width, ramp).window[0] for width in (0.5, 4, 16, 64, 256)]
-    assert left == sorted(left, reverse=True)  # type: ignore[type-var]
-    assert left[0] == pytest.approx(1, abs=0.005)
 
 
 def test_widths_are_metres_on_the_ground() -> None:
@@ -245,11 +206,6 @@ def test_without_detail_there_is_no_figure() -> None:
     flat = np.full((64, 64), 7.0)
     kept = foretold(flat, flat, assumed_seams(64, 64, PIXEL), 9, COSINE)
     assert kept == KeptDetail((None,) * LEVELS, (None,) * LEVELS)
-
-
-def test_of_several_pairs_the_least_counts_at_every_level() -> None:
-    pairs = [KeptDetail((0.9, None), (0.7, None)), KeptDetail((0.95, 0.8), (0.6, None))]
-    assert least_kept(pairs) == KeptDetail((0.9, 0.8), (0.6, None))
 
 
 # --- where the seam runs ---------------------------------------------------------------------------------------
@@ -310,10 +266,3 @@ def test_lines_in_another_reference_system(mosaic: Raster) -> None:
     same = drawn(mosaic, own)
     assert same is not None
     np.testing.assert_allclose(distance, same, atol=0.11)
-
-
-def test_seamlines_over_a_window() -> None:
-    lines = [wkb(f"LINESTRING ({x} 0, {x} 10)") for x in (0, 5, 9)]
-    assert Seamlines(lines).over((4, 2, 6, 3)) == (lines[1],)
-    assert Seamlines(lines).over((-2, -2, 9, 0)) == tuple(lines)
-    assert Seamlines([]).over((0, 0, 1, 1)) == ()

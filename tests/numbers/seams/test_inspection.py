@@ -95,18 +95,6 @@ def test_cells_that_name_other_sources_are_told(make_raster: MakeRaster) -> None
         assert templates(notices) == expected
 
 
-def test_footprints_lie_in_the_mosaics_system(make_raster: MakeRaster) -> None:
-    mosaic = mosaic_of(make_raster, orthoimage(SIZE))
-    # 15 degrees east is 500 000 m in zone 33; the upper left corner lies at 45.1535 degrees north.
-    degrees = (15.0, 1.27e-6, 0.0, 45.1535, 0.0, -9e-7)
-    block = block_of(mosaic, make_raster("degrees.tif", orthoimage(SIZE), geotransform=degrees, system=4326))
-    xmin, ymin, xmax, ymax = block.sources[0].extent
-    assert xmin == pytest.approx(500000.0, abs=0.01)
-    assert xmax - xmin == pytest.approx(25.6, rel=0.01)
-    assert ymax - ymin == pytest.approx(25.6, rel=0.01)
-    assert ymax == pytest.approx(5000000, abs=20)
-
-
 # --- overlap ---------------------------------------------------------------------------------------------------
 
 
@@ -219,16 +207,6 @@ def test_the_softer_the_mosaic_the_worse_the_verdict(
         assert reason.template == seams_messages.NO_SEAM.template
     else:
         assert reason is None
-
-
-def test_the_largest_loss_of_one_source_is_not_a_loss_against_every_source(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 3)
-    mosaic = mosaic_of(make_raster, softened(scene, 1.0))
-    brighter = softened(scene, 1.0) + 3  # or it would be taken for a copy
-    sharp, soft = make_raster("sharp.tif", scene), make_raster("soft.tif", brighter)
-    assert inspect(block_of(mosaic, sharp), reference="sources").judgement.verdict is Verdict.SIGNIFICANT
-    both = inspect(block_of(mosaic, sharp, soft), reference="sources")
-    assert both.judgement.verdict is both.paper_verdict is Verdict.PRESERVED
 
 
 @pytest.mark.parametrize("reference", ["seam", "composite"])

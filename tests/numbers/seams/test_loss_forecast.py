@@ -91,17 +91,6 @@ def test_a_blended_mosaic_keeps_what_was_foretold(make_raster: MakeRaster) -> No
     assert seen.explanation.expected == pytest.approx(found.expected)
 
 
-def test_the_judged_band_is_the_luminance(make_raster: MakeRaster) -> None:
-    a, b = images()
-    found = forecast(make_raster("a.tif", a), make_raster("b.tif", b))
-    inner = np.s_[:, 64:192, 64:192]
-    energies = [[np.sum(part**2) for part in decompose(luminance(one[inner])).details] for one in (a, b)]
-    both = [np.sum(part**2) for part in decompose((luminance(a[inner]) + luminance(b[inner])) / 2).details]
-    expected = np.array(both) / np.mean(energies, axis=0)
-    assert found.expected == pytest.approx(expected.tolist(), rel=1e-4)
-    assert found.band == "luminance"
-
-
 def test_every_pair_in_the_order_of_the_sources(make_raster: MakeRaster) -> None:
     names = ["c.tif", "a.tif", "b.tif"]
     found = forecast(*(make_raster(name, image) for name, image in zip(names, images(3))))
@@ -111,17 +100,6 @@ def test_every_pair_in_the_order_of_the_sources(make_raster: MakeRaster) -> None
     assert found.sources == 3
     ratios = [pair.feather.ratios for pair in found.pairs]
     assert found.expected == tuple(min(level) for level in zip(*ratios) if None not in level)
-
-
-@pytest.mark.parametrize(("x", "y"), [(1.4, -0.6), (0.0, 2.0)])
-def test_how_the_other_lies_on_the_source(make_raster: MakeRaster, x: float, y: float) -> None:
-    scene = 120 + 30 * texture(SIZE, 1.6)
-    moved = ndimage.shift(scene, (y, x), order=5, mode="wrap")
-    found = forecast(make_raster("a.tif", scene.astype(np.float32)), make_raster("b.tif", moved.astype(np.float32)))
-    (pair,) = found.pairs
-    assert pair.shift is not None
-    assert (pair.shift.x, pair.shift.y) == pytest.approx((x, y), abs=0.05)
-    assert found.band == "band_1"
 
 
 def test_a_pixel_grid_that_lies_beside_is_no_shift_on_the_ground(make_raster: MakeRaster) -> None:
@@ -137,13 +115,6 @@ def test_a_pixel_grid_that_lies_beside_is_no_shift_on_the_ground(make_raster: Ma
         assert pair.shift is not None
         assert (pair.shift.x, pair.shift.y) == pytest.approx((0, 0), abs=0.05)
         assert not pair.resampled
-
-
-def test_strangers_have_no_shift(make_raster: MakeRaster) -> None:
-    paths = [make_raster(f"{seed}.tif", orthoimage(SIZE, seed=seed)) for seed in (1, 50)]
-    (pair,) = forecast(*paths).pairs
-    assert pair.shift is None
-    assert pair.feather.ratios[0] == pytest.approx(0.5, abs=0.05)
 
 
 def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_folder: Path) -> None:
@@ -178,12 +149,6 @@ def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_fo
 
 
 # --- feathers of a width ---------------------------------------------------------------------------------------
-
-
-def test_without_a_width_only_the_middle_is_foretold(make_raster: MakeRaster) -> None:
-    found = forecast(*(make_raster(f"{number}.tif", image) for number, image in enumerate(images())))
-    assert found.kept is None
-    assert [pair.kept for pair in found.pairs] == [None]
 
 
 def test_a_mosaic_feathered_at_that_width_keeps_what_was_foretold(make_raster: MakeRaster) -> None:
@@ -282,13 +247,6 @@ def test_sources_in_another_reference_system(make_raster: MakeRaster, tmp_path: 
     assert degrees[0] < found.extent[0]
 
 
-def test_sources_are_opened_only_where_they_cover_the_window(make_raster: MakeRaster) -> None:
-    a, b = (make_raster(f"{i}.tif", image) for i, image in enumerate(images()))
-    far = make_raster("far.tif", images()[0], origin=(ORIGIN[0] + 1000, ORIGIN[1]))
-    sources, _ = gather_sources([RasterRef(path) for path in (a, b, far)], [], wkt(UTM33))
-    assert [source.ref.path for source in sources_over(sources, box(64, 64))] == [a, b]
-
-
 # --- of what nothing is foretold -------------------------------------------------------------------------------
 
 
@@ -299,22 +257,6 @@ def test_without_sources_or_with_one(make_raster: MakeRaster) -> None:
     assert_nothing_foretold(found, "Only one source covers the window, so nothing will be feathered there.")
     assert found.sources == 1
     assert found.extent == pytest.approx(box(64, 64))
-
-
-@pytest.mark.parametrize(
-    ("extent", "reason"),
-    [(box(64, 64, 40, 100), "40 x 100 px"), ((math.nan,) * 4, "No source covers the window"),
-     ((*box(64, 64)[:2], math.inf, math.inf), "No source covers the window")],
-)
-def test_windows_that_cant_be_measured(make_raster: MakeRaster, extent: Extent, reason: str) -> None:
-    paths = [make_raster(f"{i}.tif", image) for i, image in enumerate(images())]
-    assert_nothing_foretold(forecast(*paths, extent=extent), reason)
-
-
-def test_a_window_that_was_not_drawn_well_keeps_its_reason() -> None:
-    reason = Message("The window has no outline.")
-    request = ForecastRequest(3, (), None, wkt(UTM33), ForecastSettings(), reason=reason)
-    assert_nothing_foretold(forecast_window(request), str(reason))
 
 
 def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path: Path) -> None:

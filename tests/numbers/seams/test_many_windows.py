@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, inspect_windows, window_request
@@ -163,12 +162,6 @@ def test_cancelling_does_not_wait_for_windows_that_are_not_ready(block: Block) -
     assert all(future.cancelled() for future in executor.futures)
 
 
-def test_cancelled_before_the_first(block: Block) -> None:
-    executor = Stalled()
-    assert list(inspect_windows(Requests(block, 50), executor, 3, lambda: True)) == []
-    assert executor.futures == []
-
-
 def test_whoever_stops_listening_leaves_nothing_running(block: Block) -> None:
     class OneThenNone(Stalled):
         def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
@@ -211,11 +204,3 @@ def bytes_without_picture(result: WindowResult) -> int:
     """What a result takes, the picture of lost detail left out."""
     assert result.explanation is not None
     return len(pickle.dumps(replace(result, explanation=replace(result.explanation, loss=None))))
-
-
-def test_reasons_can_be_translated_before_their_values_are_put_in(block: Block) -> None:
-    reason = window_request(block, 1, FAR_AWAY, InspectionSettings()).reason
-    assert isinstance(reason, Message)
-    assert reason.worded(lambda template: template.replace("mosaic", "mozaika")) == str(reason).replace(
-        "mosaic", "mozaika"
-    )

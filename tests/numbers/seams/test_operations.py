@@ -3,15 +3,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy import ndimage
 
-from benchmarks.detail import detail_energy
 from benchmarks.known_windows import Imagery, KnownWindow, PlacedImage
 from benchmarks.operations import HARD, KINDS, NOTHING, OPERATIONS
 from benchmarks.production import HALVES, Operation
 from benchmarks.readings import read
 from benchmarks.seam_makings import cut_or_feathered, seam_distance
-from benchmarks.true_profile import truth_kept, truth_of
+from benchmarks.true_profile import truth_of
 from tests.numbers.synthetic import orthoimage, texture
 
 SIDE = 128
@@ -94,25 +92,6 @@ def test_a_source_that_is_missing_has_its_share_of_the_window(operation: Operati
     assert len(made.sources) == len(window.sources) - 1
 
 
-def test_a_blend_of_strangers_keeps_half_and_ground_beyond_it_all() -> None:
-    one, other = texture((256, 256), 0, 1), texture((256, 256), 0, 2)
-    labels = (np.arange(256) >= 128)[np.newaxis].repeat(256, axis=0)
-    distance = seam_distance(labels)
-    made = np.where(distance < 32, (one + other) / 2, np.where(labels, other, one))
-    kept = truth_kept(np.where(labels, other, one), made, distance, 1, "coif3").kept
-    assert kept[0] == pytest.approx(0.5, abs=0.05)
-    assert kept[6] == pytest.approx(1, abs=0.01)
-
-
-@pytest.mark.parametrize("level", [1, 2, 3])
-@pytest.mark.parametrize("wavelet", ["haar", "db2", "coif3"])
-def test_detail_lies_where_it_comes_from(wavelet: str, level: int) -> None:
-    point = np.zeros((256, 256))
-    point[100, 150] = 1
-    centre = ndimage.center_of_mass(detail_energy(point, level, wavelet))
-    assert np.abs(np.subtract(centre, (100, 150))).max() <= 0.51
-
-
 def test_the_plugin_reads_what_was_made() -> None:
     side = 192
     window = next(window for window in made_up(side).windows(side, 6, held_back=False) if len(window.sources) == 3)
@@ -126,13 +105,3 @@ def test_the_plugin_reads_what_was_made() -> None:
     assert reading.low < 1 < reading.high
     assert reading.source_count == 3
     assert reading.explained == pytest.approx(1, abs=0.01)
-
-
-def test_a_window_of_128_px_is_read_with_the_ground_around_it(window: KnownWindow) -> None:
-    plain = next(one for one in OPERATIONS if one.making is HARD and one.aftermath is NOTHING)
-    reading = read(plain.make(window), window)
-    assert reading.verdict == "preserved"
-    assert reading.kept == pytest.approx(1, abs=0.05)
-    assert reading.low < 1 < reading.high
-    assert reading.cause == "none"
-    assert reading.contrast == pytest.approx(1, abs=0.01)

@@ -130,16 +130,3 @@ def test_there_is_a_share_kept_for_every_level(
     known = [kept for kept in found.kept if kept is not None]
     assert found.kept[: len(known)] == tuple(known)  # coefficients larger than a cell of 16 px tell nothing of a place
     assert len(known) == min(levels, 4)
-
-
-@pytest.mark.parametrize("wavelet", ["haar", "db4", "sym5"])
-def test_any_wavelet_tells_the_same_of_a_seam(
-    make_raster: MakeRaster, sources: list[np.ndarray], wavelet: str
-) -> None:
-    hard, feathered = (
-        inspected(make_raster, blended(sources, width), sources[:2], wavelet=wavelet) for width in (0, 40)
-    )
-    assert hard.judgement.verdict is Verdict.PRESERVED
-    assert feathered.judgement.verdict is Verdict.SIGNIFICANT
-    assert feathered.profile is not None
-    assert feathered.profile.kept[0] == pytest.approx(0.54, abs=0.07)

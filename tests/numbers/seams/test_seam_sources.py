@@ -96,16 +96,6 @@ def test_pixels_that_only_a_gap_could_explain_are_said_to_be_missing(
     assert result.judgement.verdict is not Verdict.SIGNIFICANT
 
 
-def test_a_gap_of_next_to_nothing_is_filled_and_not_spoken_of(
-    make_raster: MakeRaster, sources: list[np.ndarray]
-) -> None:
-    lacking = np.zeros(SHAPE, bool)
-    lacking[5, 10:60] = True  # 50 of 102400
-    result = inspected(make_raster, blended(sources), [sources[0], without(sources[1], lacking)])
-    assert result.notices == ()
-    assert [clip.raster for clip in result.clips] == ["mosaic.tif", "a.tif", "b.tif"]
-
-
 # --- sources that are not given --------------------------------------------------------------------------------
 
 
@@ -133,18 +123,6 @@ def test_one_of_three_that_is_not_given_leaves_the_seam_of_the_others(
     assert result.judgement.verdict is Verdict.SIGNIFICANT
     assert result.profile is not None
     assert result.profile.kept[0] == pytest.approx(0.54, abs=0.07)
-
-
-def test_a_source_that_is_given_and_not_used_changes_nothing(
-    make_raster: MakeRaster, sources: list[np.ndarray]
-) -> None:
-    two, three = (inspected(make_raster, blended(sources, 40), sources[:count]) for count in (2, 3))
-    assert three.source_count == 3
-    assert three.causes == two.causes
-    assert three.judgement.verdict is two.judgement.verdict
-    assert three.profile is not None
-    assert two.profile is not None
-    assert three.profile.kept[0] == pytest.approx(two.profile.kept[0], abs=0.03)
 
 
 # --- sources of other pixels and depths ------------------------------------------------------------------------
@@ -212,33 +190,6 @@ def test_a_mosaic_of_8_bit_of_deeper_sources_has_no_narrowed_histogram(
     assert result.judgement.verdict is Verdict.PRESERVED
     assert result.profile is not None
     assert result.profile.kept[0] == pytest.approx(1, abs=0.05)
-
-
-def test_a_narrowed_histogram_of_deep_sources_is_still_one(
-    make_raster: MakeRaster, sources: list[np.ndarray]
-) -> None:
-    deep = [source.astype(np.uint16) * 16 for source in sources[:2]]
-    mosaic = mosaic_of(make_raster, as_bytes(0.6 * blended(sources).astype(np.float32) + 40))
-    paths = [make_raster(f"{name}.tif", one, options=["NBITS=12"]) for name, one in zip("ab", deep)]
-    result = inspect(block_of(mosaic, *paths), WHOLE)
-    assert result.causes == (Cause.NARROWED_HISTOGRAM,)
-    assert result.explanation is not None
-    gains = [tone.gain for tone in result.explanation.evidence.tones]
-    assert gains == pytest.approx([0.6, 0.6], rel=0.02)
-
-
-@pytest.mark.parametrize("dtype", [np.uint16, np.float32])
-def test_mosaic_and_sources_of_other_types_are_judged_alike(
-    make_raster: MakeRaster, sources: list[np.ndarray], dtype: type
-) -> None:
-    image = blended(sources, 40)
-    plain = inspected(make_raster, image, sources[:2])
-    other = inspected(make_raster, 100 * image.astype(dtype), [100 * source.astype(dtype) for source in sources[:2]])
-    assert other.judgement.verdict is plain.judgement.verdict
-    assert other.causes == plain.causes
-    assert other.profile is not None
-    assert plain.profile is not None
-    assert other.profile.kept[0] == pytest.approx(plain.profile.kept[0], abs=0.02)
 
 
 @pytest.mark.parametrize("change", ["nothing", "unsharp", "blur", "gain", "noise"])

@@ -8,19 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster
-from seam_inspector.plugin.imagery.raster_pool import one_by_one
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
-from seam_inspector.plugin.seams.measure.window.live_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.window_request import (
     ENOUGH_PX,
     MARGIN_PX,
     InspectionSettings,
     WindowRequest,
     place_in,
-    read_with_surroundings,
     surroundings,
 )
 
@@ -80,12 +76,6 @@ def test_a_large_window_has_ground_enough_of_its_own(mosaic: Raster, side: int) 
     assert surroundings(window, replace(mosaic, columns=4000, rows=4000), 3) == window
 
 
-def test_half_of_what_lacks_is_read_on_either_side(mosaic: Raster) -> None:
-    large = replace(mosaic, columns=4000, rows=4000)
-    assert surroundings(PixelWindow(1000, 1000, 384, 128), large, 3) == PixelWindow(936, 872, 512, 384)
-    assert surroundings(PixelWindow(10, 1000, 128, 128), large, 3) == PixelWindow(10, 872, 256, 384)
-
-
 # --- what is read of it -----------------------------------------------------------------------------------------
 
 
@@ -118,31 +108,6 @@ def test_a_window_of_128_px_is_measured_and_its_curves_are_its_own(
     assert result.judgement.ratios.detail[0] == pytest.approx(max(ratios), rel=1e-4)
 
 
-def test_pixels_around_the_window_change_no_curve(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
-) -> None:
-    request = request_of(make_raster, images, 33)
-    plain = inspect_window(request)
-    changed = [image.copy() for image in images]
-    for one in changed:
-        one[:, :150] = one[:, :150] // 2 + 40
-    other = inspect_window(request_of(make_raster, (changed[0], changed[1]), 33))
-    assert [clip.curves for clip in other.clips] == [clip.curves for clip in plain.clips]
-    assert other.paper_verdict is plain.paper_verdict
-
-
-def test_what_is_live_has_the_same_ground(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]) -> None:
-    request = request_of(make_raster, images, 33)
-    pixels = read_live(request, one_by_one)
-    assert pixels is not None
-    live, whole = live_profile(pixels), inspect_window(request).profile
-    assert live is not None
-    assert whole is not None
-    assert live.kept == pytest.approx(whole.kept, rel=1e-3)
-    assert (live.low, live.high) == pytest.approx((whole.low, whole.high), rel=1e-3)
-    assert live.by_energy == pytest.approx(whole.by_energy, rel=1e-3)
-
-
 def test_a_window_keeps_what_a_larger_one_keeps_there(
     make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
 ) -> None:
@@ -156,17 +121,6 @@ def test_a_window_keeps_what_a_larger_one_keeps_there(
     assert small.low <= large.high
     assert large.low <= small.high
     assert small.kept[0] == pytest.approx(large.kept[0], abs=0.06)
-
-
-def test_clips_of_the_window_are_cut_from_what_is_read(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
-) -> None:
-    request = request_of(make_raster, images, 0)
-    raster = OpenRaster(request.mosaic.ref)
-    clip, wide, factor = read_with_surroundings(raster, request.mosaic, WINDOW, request.around, partly=False)
-    np.testing.assert_array_equal(clip.bands, blended(images, 0)[:, 160:288, 176:304])
-    np.testing.assert_array_equal(wide.bands, blended(images, 0)[:, 32:416, 48:432])
-    assert factor == 1
 
 
 def test_a_source_that_ends_beside_the_window_takes_part_as_far_as_it_goes(

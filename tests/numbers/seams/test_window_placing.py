@@ -81,14 +81,6 @@ def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
     assert len(stations(placement, 2)) == round(0.016 * 111_400 / 200)
 
 
-def test_windows_are_numbered_by_seam_and_station() -> None:
-    seams = [seam((100, 800), (1900, 800), number=1), seam((100, 200), (1000, 200), number=2)]
-    windows = place_windows(seams, KILOMETRE, STANDARD).windows
-    assert [window.window_id for window in windows] == list(range(1, len(windows) + 1))
-    order = [(window.seam_id, window.station_m) for window in windows]
-    assert order == sorted(order)
-
-
 # --- the mosaic's edge -----------------------------------------------------------------------------------------
 
 
@@ -117,14 +109,6 @@ def test_a_moved_window_does_not_double_its_neighbour() -> None:
         ("Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
         "1, on seam 1 (20.0 m).")
     ]
-
-
-def test_places_without_a_window_are_told_in_one_sentence_however_many() -> None:
-    placement = place_windows([seam((100, 20), (1900, 20), number=n) for n in range(1, 31)], KILOMETRE, STANDARD)
-    (message,) = placement.dropped
-    assert ": 30, on seam 1 (" in str(message)
-    assert str(message).count("seam") < 5
-    assert len(str(message)) < 400
 
 
 def test_only_what_lies_inside_the_mosaic_is_divided() -> None:
@@ -184,12 +168,6 @@ def test_seams_within_windows_of_longer_ones_have_none_and_one_sentence_says_so(
     placement = place_windows([seam((200, 500), (1200, 500)), *loops], KILOMETRE, STANDARD)
     assert {window.seam_id for window in placement.windows} == {1}
     assert placement.dropped == (seams_messages.SEAMS_COVERED(count=3),)
-
-
-def test_a_short_seam_elsewhere_has_its_window() -> None:
-    elsewhere = seam((600, 800), (615, 800), (615, 810), number=2)
-    placement = place_windows([seam((200, 500), (1200, 500)), elsewhere], KILOMETRE, STANDARD)
-    assert len(stations(placement, 2)) == 1
 
 
 def test_specks_and_seams_outside_are_summed_up() -> None:
@@ -288,15 +266,6 @@ def test_brighton_lines_and_polygons_give_the_same_windows(data_folder: Path) ->
     assert lines == polygons
     assert len(lines) == 19
     assert seams_messages.SEAMS_COVERED.template in templates(placements[0])
-
-
-def test_packo_windows_stay_on_the_tile(data_folder: Path) -> None:
-    folder = data_folder / "seams" / "packo"
-    raster = folder / "19FD5606Ax00020_16371.tif"
-    grid, placement = real_placement(folder / "regress_graphe.gpkg", "graphe", raster, 3.2, 3.2)
-    assert all(window.window.cut_to(grid.columns, grid.rows) == window.window for window in placement.windows)
-    assert {placed.seam_id for placed in placement.windows} == {1, 2}
-    assert {placed.window.width for placed in placement.windows} == {64}
 
 
 # --- a side that fits ------------------------------------------------------------------------------------------

@@ -288,15 +288,6 @@ def test_numbers_that_are_none_get_a_sentence(job: Callable[..., Ortho], given: 
         job(**given)
 
 
-def test_heights_of_no_place_on_earth_are_refused(job: Callable[..., Ortho], tmp_path: Path) -> None:
-    dem = terrain_file(tmp_path / "dem.tif")
-    dataset = gdal.Open(dem, gdal.GA_Update)
-    dataset.GetRasterBand(1).Fill(1e9)
-    dataset = None
-    with pytest.raises(RasterError, match="set its nodata value"):
-        job(dem=dem)
-
-
 @pytest.mark.parametrize("raises", [False, True])
 def test_a_model_that_gdal_can_not_take_is_a_sentence(
     job: Callable[..., Ortho], monkeypatch: pytest.MonkeyPatch, raises: bool

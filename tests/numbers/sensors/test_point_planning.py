@@ -89,19 +89,6 @@ def test_on_pleiades_the_medians_are_those_of_the_documentation(data_folder: Pat
     assert medians == sorted(medians)
 
 
-@pytest.mark.slow
-def test_more_points_and_a_better_spread_help() -> None:
-    few, many = expected(registry.POLYNOMIAL_3D, NOMINAL, PLAN, 6, 40)
-    [corner] = expected(registry.POLYNOMIAL_3D, NOMINAL, replace(PLAN, spread="corner"), 40)
-    assert few.image_usual is not None
-    assert many.image_usual is not None
-    assert many.image_most is not None
-    assert corner.image_usual is not None
-    assert few.image_usual > 1.2 * many.image_usual
-    assert corner.image_usual > 1.5 * many.image_usual
-    assert many.image_most >= many.image_usual
-
-
 def test_the_nominal_scanner_is_tilted_and_covers_what_is_asked_for() -> None:
     columns, rows = NOMINAL.size
     assert columns == rows == 30000

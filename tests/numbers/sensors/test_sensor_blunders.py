@@ -11,7 +11,6 @@ from seam_inspector.plugin.sensors.measure import registry
 from seam_inspector.plugin.sensors.measure.adjustment import (
     CHECK_POINTS,
     LEAVE_ONE_OUT,
-    accuracy,
     adjust,
     all_requests,
     compare,
@@ -96,25 +95,6 @@ def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
     done = adjust(registry.PUSHBROOM.request(size=(COLUMNS, ROWS)), points(image, ground), robust=True)
     assert done.blunder[3]
     assert done.blunder.sum() <= 3
-
-
-def test_most_blunders_are_found_in_the_mean_of_many_sets() -> None:
-    truth, shares = made_rational(1, 7, 0.0), []
-    for seed in range(30):
-        random = np.random.default_rng(seed)
-        ground = places(40, seed)
-        image = truth.project(ground) + random.normal(0, SIGMA, (40, 2))
-        image[:12] += 5 * SIGMA * random.choice([-1, 1], (12, 2))
-        shares.append(adjust(registry.POLYNOMIAL_3D.request(), points(image, ground), robust=True).blunder[:12].mean())
-    assert np.mean(shares) >= 0.8
-
-
-def test_the_accuracy_of_residuals() -> None:
-    errors = accuracy(np.array([[0.5, 1.0], [-0.5, 7.0]]), np.array([[3.0, 1.0], [-4.0, 0.0]]))
-    assert (errors.count, errors.max_x, errors.max_y) == (2, 4, 1)
-    assert (errors.rmse_x, errors.rmse_y) == pytest.approx((np.sqrt(12.5), np.sqrt(0.5)))
-    assert (errors.rmse_column, errors.rmse_row) == pytest.approx((0.5, 5))
-    assert errors.rmse == pytest.approx(np.sqrt(13))
 
 
 def test_sigma_is_that_of_the_measurements_whatever_the_redundancy() -> None:

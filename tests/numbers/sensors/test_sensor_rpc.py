@@ -82,11 +82,6 @@ def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path
     assert np.abs(by_gdal(tmp_path / "image.tif", ground[inside]) - seen[inside]).max() < 0.01
 
 
-def test_a_model_that_has_the_form_of_an_rpc_misses_nothing() -> None:
-    made = rpc.rpc_of(*fitted("dlt"), DOMAIN)
-    assert (made.rms_px, made.max_px) == (0, 0)
-
-
 def test_an_rpc_is_fitted_to_a_hundred_metres_of_height_at_least() -> None:
     for heights, fitted in (((700, 702), (651, 751)), ((0, 900), (0, 900)), ((-20, 79), (-20.5, 79.5))):
         assert rpc.rpc_heights(Domain((0, COLUMNS), (0, ROWS), heights, (0, 0))) == fitted
@@ -119,22 +114,6 @@ def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: P
     assert np.abs(by_gdal(image.ref.path, place) - ntf.project(place)).max() < 1e-6
     beside = rpc.own_rpc(open_image(RasterRef(str(folder / "left_image.tif"))))
     assert beside is not None  # OSSIM's .geom
-
-
-def test_rpb_is_read(tmp_path: Path) -> None:
-    made, ground = made_rational(3, 3, 0.001), places(5, 1)
-    items = rpc.to_metadata(made)
-    names = {"LINE": "line", "SAMP": "samp", "LAT": "lat", "LONG": "long", "HEIGHT": "height"}
-    rows = []
-    for axis, name in names.items():
-        rows.append(f"\t{name}Offset = {items[f'{axis}_OFF']};\n\t{name}Scale = {items[f'{axis}_SCALE']};")
-    for name in ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN"):
-        axis, part = name.split("_")
-        values = ",\n".join(items[f"{name}_COEFF"].split())
-        rows.append(f"\t{names[axis]}{part.capitalize()}Coef = (\n{values});")
-    path = tmp_path / "image.RPB"
-    path.write_text("BEGIN_GROUP = IMAGE\n" + "\n".join(rows) + "\nEND_GROUP = IMAGE\nEND;\n")
-    assert np.abs(rpc.read_rpc(path).project(ground) - made.project(ground)).max() < 1e-6
 
 
 def test_alos_and_orthority_s_files_are_read(tmp_path: Path) -> None:

@@ -9,11 +9,10 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.reference_systems import metres_per_unit
 from seam_inspector.plugin.sensors.measure.fit_files import view_direction
 from seam_inspector.plugin.sensors.measure.frames import BrownLens, FrameCamera, FrameInterior, camera_axes
-from seam_inspector.plugin.sensors.measure.polynomials import fit_polynomial_2d
 from seam_inspector.plugin.sensors.measure.pushbroom import SIGMAS, geocentric
 from seam_inspector.plugin.sensors.measure.rpc import Domain, located, to_metadata
 
-from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, WGS84, made_pushbroom, made_rational, places
+from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, WGS84, made_pushbroom, made_rational
 
 DOMAIN = Domain((0, COLUMNS), (0, ROWS), (0, 1200), (float(MIDDLE[0]), float(MIDDLE[1])))
 
@@ -64,9 +63,3 @@ def test_a_model_that_can_t_be_inverted_has_no_view() -> None:
     """So that an orthoimage which is made already does not fail for it."""
     bent = replace(made_rational(1, 2), numerators=np.zeros((4, 2)))
     assert view_direction(bent, WGS84, DOMAIN) is None
-
-
-def test_a_plane_model_has_no_view() -> None:
-    ground = places(12, 1)
-    plane = fit_polynomial_2d(ground, made_rational(1, 2).project(ground), np.ones(12), 1).model
-    assert view_direction(plane, WGS84, DOMAIN) is None

@@ -62,12 +62,6 @@ def test_noise_is_told_in_grey_values_and_does_not_rise_with_detail(plane: np.nd
     assert found.quantised < MIN_VANISHED / 2
 
 
-def test_what_grows_with_detail_rises(plane: np.ndarray) -> None:
-    found = texture_of(ndimage.shift(plane, (0, 0.4), order=3, mode="nearest"), plane)
-    assert found is not None
-    assert found.noise_rise > 2
-
-
 @pytest.mark.parametrize("sigma", [0.5, 0.8])
 def test_transfer_is_against_what_was_there_before_any_filter(plane: np.ndarray, sigma: float) -> None:
     soft = ndimage.gaussian_filter(plane, sigma)
@@ -81,23 +75,6 @@ def test_transfer_is_against_what_was_there_before_any_filter(plane: np.ndarray,
             next(iter(detail_components(one[np.newaxis].astype(np.float64), "coif3", 1))) for one in (made, plane)
         )
         assert found.transfer == pytest.approx(float(np.sqrt((own**2).sum() / (plain**2).sum())), rel=1e-3)
-
-
-@pytest.mark.parametrize("pixels", [1, 2])
-def test_what_was_moved_by_whole_pixels_is_as_sharp_as_before(plane: np.ndarray, pixels: int) -> None:
-    moved = np.roll(plane, pixels, axis=1)
-    found = texture_of(moved, moved, plane)
-    assert found is not None
-    assert found.transfer == pytest.approx(1, abs=0.02)
-
-
-def test_each_source_has_its_transfer(plane: np.ndarray) -> None:
-    made = np.where(halves() == 1, ndimage.gaussian_filter(plane, 0.8), plane)
-    found = texture_of(made, made, plane)
-    assert found is not None
-    assert found.least_transfer < 0.7
-    assert found.most_transfer == pytest.approx(1, abs=0.02)
-    assert found.least_transfer < found.transfer < found.most_transfer
 
 
 def test_only_what_follows_one_source_for_sure_is_looked_at(plane: np.ndarray) -> None:
@@ -114,15 +91,6 @@ def test_only_what_follows_one_source_for_sure_is_looked_at(plane: np.ndarray) -
     assert after is not None
     assert after.noise_dn == pytest.approx(found.noise_dn, abs=0.3)
     assert after.transfer == pytest.approx(1, abs=0.01)
-
-
-def test_of_too_few_blocks_nothing_is_told(plane: np.ndarray) -> None:
-    sure = np.zeros(SHAPE, bool)
-    sure[:48, :48] = True  # 9 blocks of 16 px
-    assert texture_of(plane, plane, sure=sure) is None
-    sure[:48, :64] = True  # 12
-    assert texture_of(plane, plane, sure=sure) is not None
-    assert texture_of(plane, plane, labels=np.full(SHAPE, UNKNOWN, np.uint8)) is None
 
 
 @pytest.mark.parametrize("quality", [50, 75, 90])
@@ -189,11 +157,3 @@ def test_gains_are_told_in_the_range_of_values(
     )
     assert found.gain == (expected if expected is None else pytest.approx(expected))
     assert (found.gamma, found.colour_shift) == (1.3, 1.1)
-
-
-def test_offsets_tell_how_far_one_source_was_raised_above_another(mosaic: Raster) -> None:
-    tones = [Tone(1.0, 0.0), Tone(1.0, 25.5), Tone(0.9, 10.0)]
-    found = source_tones(mosaic, [(mosaic, tone, None) for tone in tones], middle=100.0, unit_dn=1.0)
-    offsets = [tone.offset for tone in found]
-    assert offsets[1] - offsets[0] == pytest.approx(0.1)  # of 255 grey values
-    assert offsets[2] - offsets[0] == pytest.approx(0.0)  # a gain about the middle raises nothing

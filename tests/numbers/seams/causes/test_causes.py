@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.seams.measure import limits
 from seam_inspector.plugin.seams.measure.judgement import causes as rules
 from seam_inspector.plugin.seams.measure.judgement.causes import (
-    ALONG_THE_SEAM,
     Cause,
     CauseEvidence,
     Misfit,
@@ -285,14 +284,6 @@ def test_compression_is_not_called_noise_too() -> None:
     assert find_causes(evidence(**NOISY)) == (Cause.NOISE_ADDED,)
 
 
-def test_a_files_own_compression_alone_is_no_cause() -> None:
-    assert find_causes(replace(SOUND, lossy_file=True)) == (Cause.NONE,)
-
-
-def test_noise_that_follows_strong_detail_is_no_noise() -> None:
-    assert find_causes(evidence(**NOISY, noise_rise=3.0)) == (Cause.NONE,)
-
-
 def test_blur_needs_unmixed_ground_or_hardly_any_mixture() -> None:
     blurred = replace(SOUND, texture=None, sharpness=0.6)
     assert find_causes(blurred) == (Cause.BLUR,)
@@ -338,21 +329,6 @@ def test_all_that_took_part_are_ranked_by_what_each_took_in_one_unit() -> None:
         (Cause.MISREGISTRATION, pytest.approx(0.16)), (Cause.CLIPPING, 0.05), (Cause.SHARPENED, 0.0),
         (Cause.COMPRESSED, 0.0), (Cause.GAMMA, 0.0), (Cause.COLOUR_SHIFT, 0.0),
     )  # fmt: skip
-
-
-def test_mended_one_by_one_the_next_comes_first() -> None:
-    mended: list[tuple[Cause, dict[str, Any]]] = [
-        (Cause.MISSING_SOURCE, {"missing": 0.0}), (Cause.FEATHERING, {"kept": 1.0, "kept_high": 1.1, "lost": 0.0}),
-        (Cause.BLUR, {"least_transfer": 1.0, "strong_transfer": 1.0}),
-        (Cause.COMPRESSED, {"quantised": 0.0, "noise_dn": 0.4}),
-        (Cause.CLIPPING, {"clipped": 0.0}), (Cause.SHARPENED, {"most_transfer": 1.0}), (Cause.GAMMA, {"gamma": 1.0}),
-        (Cause.COLOUR_SHIFT, {"colour_shift": 1.0}), (Cause.MISREGISTRATION, {"misfit": None}),
-    ]  # fmt: skip
-    left: dict[str, Any] = {}
-    for cause, mend in mended:
-        assert find_causes(everything(**left))[0] is cause
-        left.update(mend)
-    assert find_causes(everything(**left)) == (Cause.NONE,)
 
 
 @pytest.mark.parametrize(
@@ -402,27 +378,6 @@ def test_a_misfit_goes_first_where_it_is_more_than_half_of_what_a_feather_took(
 
 def test_at_a_cut_a_misfit_takes_nothing() -> None:
     assert causes_taken(evidence(misfit=Misfit(3.0, 0.8))) == ((Cause.MISREGISTRATION, 0.0),)
-
-
-def test_what_takes_detail_beside_a_seam_alone_is_known() -> None:
-    assert set(ALONG_THE_SEAM) == {Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION}
-    for share in (0.1, 0.3):
-        taken = dict(causes_taken(evidence(**FEATHERED, lost=share, misfit=OFF, left_by_mixture=0.0)))
-        assert sum(taken[one] for one in taken if one in ALONG_THE_SEAM) == pytest.approx(share)
-
-
-@pytest.mark.parametrize(
-    ("cause", "name", "besides"),
-    [
-        (Cause.MISSING_SOURCE, "missing", {}),
-        (Cause.FEATHERING, "lost", FEATHERED),
-        (Cause.OTHER_MIXTURE, "lost", {**FEATHERED, "left_by_mixture": 0.5}),
-        (Cause.CLIPPING, "clipped_lost", {"clipped": 0.3}),
-    ],
-)
-def test_the_more_it_took_the_farther_it_goes(cause: Cause, name: str, besides: dict[str, Any]) -> None:
-    shares = [dict(causes_taken(evidence(**besides, **{name: value})))[cause] for value in (0.1, 0.2, 0.9)]
-    assert shares == [0.1, 0.2, 0.9]
 
 
 @given(

@@ -11,16 +11,13 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import LUMINANCE
-from seam_inspector.plugin.imagery.open_raster import describe_mosaic
-from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.imagery.wavelets import luminance
 from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause, causes_taken
 from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
-from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from benchmarks import aftermaths
 from benchmarks.detail import details
@@ -33,7 +30,6 @@ from benchmarks.scenes import (
     explained,
     feather,
     gain,
-    half_and_half,
     truths,
     whole_values,
 )
@@ -118,13 +114,6 @@ def test_what_took_nothing_comes_last(spoilt: Found) -> None:
             assert max(shares, default=0) < 0.02, (truth.name, taken)
 
 
-def test_a_blur_took_what_it_left_out(spoilt: Found) -> None:
-    for truth, _, found in spoilt:
-        if truth.cause is Cause.BLUR:
-            assert found.sharpness is not None
-            assert causes_taken(found.evidence)[0] == (Cause.BLUR, pytest.approx(1 - found.sharpness**2, abs=0.1))
-
-
 def test_feathers_are_as_wide_as_they_were_made(spoilt: Found) -> None:
     """A Gaussian goes from 5 to 95 % over 3.29 sigma."""
     for truth, scene, found in spoilt:
@@ -146,13 +135,6 @@ def test_gain_and_bias_are_measured(spoilt: Found) -> None:
     assert np.quantile(gains, 0.95) < 0.02
     assert max(gains) < 0.04  # a blur of 1.2 px in a window of few large shapes
     assert np.quantile(biases, 0.95) < 2.5
-
-
-def test_gains_of_the_colours_are_measured(spoilt: Found) -> None:
-    for truth, _, found in spoilt:
-        tones = [found.changes[-1][band].tone for band in ("red", "green", "blue")]
-        if truth.colours:
-            assert [tone.gain for tone in tones if tone] == pytest.approx(truth.colours, rel=0.02)
 
 
 def test_gamma_is_measured(spoilt: Found) -> None:
@@ -313,54 +295,3 @@ def test_a_gain_leaves_the_ratio_and_lowers_contrast(scenes: list[Scene]) -> Non
     assert found.ratios[LUMINANCE].detail[1:] == pytest.approx((1, 1), abs=0.02)
     assert change.contrast == pytest.approx((0.6,) * 3, rel=0.03)  # rounding adds to the finest
     assert change.sharpness == pytest.approx((1,) * 3, rel=0.03)
-
-
-def test_wider_feathers_leave_less_and_more_is_mixed(scenes: list[Scene]) -> None:
-    kept, mixed = [], []
-    for scene in scenes[:3]:
-        mosaics = [scene.cut(), *(feather(scene.labels, [c.bands for c in scene.sources], s) for s in (7, 13, 33))]
-        found = [explained(scene, mosaic)[0] for mosaic in mosaics]
-        kept.append([one.ratios[LUMINANCE].detail[0] or 0 for one in found])
-        mixed.append([one.mixed_share for one in found])
-    assert (np.diff(np.mean(kept, axis=0)) < 0).all()
-    assert (np.diff(mixed) > 0).all()
-
-
-def test_half_and_half_leaves_what_was_predicted(scenes: list[Scene]) -> None:
-    for scene in [scene for scene in scenes if len(scene.sources) == 2][:3]:
-        found = explained(scene, half_and_half(scene))[0]
-        assert found.mixed_share > 0.9
-        assert found.cause is Cause.FEATHERING
-        wanted = [one or 0 for one in found.expected]
-        halves = explained_energy(scene)
-        assert halves == pytest.approx(wanted, rel=0.03)
-
-
-def explained_energy(scene: Scene) -> list[float]:
-    """Detail variance of the mean of two sources over the mean of theirs, by the curves alone."""
-    _, curve, sources = explained(scene, half_and_half(scene))
-    energies = [
-        np.array(one[LUMINANCE].detail) * one[LUMINANCE].variance for one in (curve, *sources)
-    ]
-    return list(energies[0] / ((energies[1] + energies[2]) / 2))
-
-
-def test_brightons_own_mosaics_against_the_composite(brighton: Path, scenes: list[Scene]) -> None:
-    sources = [RasterRef(str(path)) for path in sorted(brighton.glob("DJI_*.tif"))]
-    plain, fair = {}, {}
-    for name in ("mosaic_hardseam.tif", "mosaic_feather0p4m.tif"):
-        block, _ = make_block(describe_mosaic(RasterRef(str(brighton / name))), sources)
-        results = []
-        for number, scene in enumerate(scenes[:6]):
-            extent = block.mosaic.grid.window_extent(scene.window)
-            results.append(inspect_window(window_request(block, number, extent, InspectionSettings())))
-        plain[name] = np.array([result.judgement.ratios.detail[0] for result in results], float)
-        explanations = [result.explanation for result in results]
-        fair[name] = np.array([one.ratios[LUMINANCE].detail[0] for one in explanations if one], float)
-    hard, feathered = fair
-    assert np.abs(fair[hard] - 1).max() < 0.01
-    assert np.abs(fair[hard] - 1).max() < np.abs(plain[hard] - 1).mean()
-    assert fair[feathered].max() < 1
-    assert (fair[feathered] < fair[hard]).all()
-    assert np.median(fair[feathered]) < fair[hard].min()
-    assert plain[feathered].max() > np.median(plain[hard])  # the paper's ratio can't part them

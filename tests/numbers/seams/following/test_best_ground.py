@@ -79,10 +79,6 @@ def test_ground_of_none_of_the_sources(share: float, power: float, expected: boo
     assert learned(OWN, left.astype(np.float32)).is_of_none() is expected
 
 
-def test_of_few_places_nothing_is_learned() -> None:
-    assert learn_best_ground(OWN[:20], 0.1 * OWN[:20]) is None
-
-
 def test_nothing_is_learned_of_energies_that_are_no_numbers() -> None:
     own = OWN.copy()
     own[: len(own) // 2] = np.inf

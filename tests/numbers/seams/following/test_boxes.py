@@ -8,10 +8,8 @@ from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.boxes import (
     box_means,
-    enlarged,
     near_border,
     opened,
-    runs,
     square_shares,
     square_sums,
     widened,
@@ -51,22 +49,6 @@ def test_opened_is_scipys_opening(shape: tuple[int, int], side: int, share: floa
     mask = np.random.default_rng(seed).random(shape) >= share / side
     square = np.ones((side, side), bool)
     np.testing.assert_array_equal(opened(mask, side), ndimage.binary_opening(mask, square))
-
-
-@given(length=st.integers(1, 12), axis=st.sampled_from([0, 1]), seed=st.integers(0, 999))
-def test_runs_put_their_samples_together(length: int, axis: int, seed: int) -> None:
-    values = np.random.default_rng(seed).integers(0, 100, (15, 13))
-    windows = np.lib.stride_tricks.sliding_window_view(values, length, axis)
-    np.testing.assert_array_equal(runs(values, length, axis, np.add), windows.sum(axis=-1))
-    np.testing.assert_array_equal(runs(values, length, axis, np.maximum), windows.max(axis=-1))
-
-
-@pytest.mark.parametrize("times", [1, 2, 5])
-def test_every_sample_becomes_a_square(times: int) -> None:
-    samples = np.arange(6, dtype=np.uint8).reshape(2, 3)
-    found = enlarged(samples, times)
-    np.testing.assert_array_equal(found, np.kron(samples, np.ones((times, times), np.uint8)))
-    assert found.dtype == samples.dtype
 
 
 @given(shape=SHAPES, side=st.sampled_from([2, 4]), seed=st.integers(0, 99))

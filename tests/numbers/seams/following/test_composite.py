@@ -66,21 +66,6 @@ def test_where_no_source_explains_nothing_is_gained_or_lost(sources: list[np.nda
     np.testing.assert_array_equal(composite.bands[:, known], cut(LABELS, sources)[:, known])
 
 
-def test_nothing_known_at_all_is_the_mosaic(sources: list[np.ndarray]) -> None:
-    mosaic = cut(LABELS, sources)
-    composite = make_composite(mosaic, sources, NAMES, np.full(SHAPE, UNKNOWN, np.uint8), AS_THEY_ARE)
-    np.testing.assert_array_equal(composite.levelled, mosaic)
-    np.testing.assert_array_equal(composite.bands, mosaic)
-
-
-def test_sources_of_several_types_are_held_in_one_that_fits_all(sources: list[np.ndarray]) -> None:
-    mixed = [sources[0], sources[1].astype(np.uint16) * 16, sources[2].astype(np.float32) / 255, sources[3]]
-    composite = make_composite(cut(LABELS, sources), mixed, NAMES, LABELS, AS_THEY_ARE)
-    for i in range(3):
-        own = np.equal(LABELS, i)
-        np.testing.assert_allclose(composite.bands[:, own], mixed[i][:, own])
-
-
 def test_squares_that_no_source_wins_clearly_do_not_count(followed: FollowedSource) -> None:
     clear = followed.clear & (np.arange(SHAPE[0]) < 160)[:, np.newaxis]
     whole = follows_at(replace(followed, clear=clear), 0, 3)

@@ -58,13 +58,6 @@ def test_tones_come_out(source: np.ndarray, tone: str) -> None:
     assert fine(found).std() / fine(mosaic).std() == pytest.approx(1, abs=0.01)
 
 
-def test_the_gain_is_told_pixel_by_pixel(source: np.ndarray) -> None:
-    means = coarse_means(TONES["dodged"](source), 3)
-    found = levelled(means, source, EVERYWHERE, EVERYWHERE).gain
-    assert found.shape == SHAPE
-    assert np.abs(found - across(0.7, 1.1)).max() < 0.03
-
-
 @pytest.mark.parametrize("share", [0.5, 1.0])
 def test_a_flattened_background_comes_out(source: np.ndarray, share: float) -> None:
     mosaic = source - share * (ndimage.gaussian_filter(source, 40) - source.mean())
@@ -79,13 +72,6 @@ def test_fine_detail_that_is_gone_is_not_taken_for_a_tone(source: np.ndarray, si
     found = brought(mosaic, source, EVERYWHERE, EVERYWHERE)
     assert fine(found).std() / fine(source).std() == pytest.approx(0.8, rel=0.06)
     assert fine(mosaic).std() < 0.9 * fine(found).std()
-
-
-def test_noise_of_the_mosaic_is_no_tone(source: np.ndarray) -> None:
-    noise = np.random.default_rng(3).normal(0, 8, SHAPE).astype(np.float32)
-    found = brought(source + noise, source, EVERYWHERE, EVERYWHERE)
-    assert fine(found).std() / fine(source).std() == pytest.approx(1, abs=0.03)
-    assert error(found, source) < 0.35
 
 
 def test_each_source_has_its_own_tone_up_to_the_seam(source: np.ndarray) -> None:
@@ -108,14 +94,6 @@ def test_what_follows_no_source_for_sure_says_nothing_of_the_gain(source: np.nda
     assert fine(found)[~west].std() / fine(source)[~west].std() == pytest.approx(0.7, rel=0.02)
 
 
-def test_a_few_squares_give_a_bias_and_no_gain(source: np.ndarray) -> None:
-    own = np.zeros(SHAPE, bool)
-    own[:32, :32] = True  # 16 squares
-    found = brought(source + 15, source, own, EVERYWHERE)
-    assert found[own] == pytest.approx((source + 15)[own], abs=0.5)
-    assert fine(brought(3 * source, source, own, EVERYWHERE)).std() == pytest.approx(fine(source).std(), rel=0.02)
-
-
 # --- how even a tone is ----------------------------------------------------------------------------------------
 
 
@@ -131,13 +109,6 @@ def test_a_tone_that_changes_from_place_to_place_leaves_more_over_than_one_curve
     noise = np.random.default_rng(3).normal(0, 6, SHAPE)
     for even in (source, 0.6 * source + 20, 255 * (np.clip(source, 1, 255) / 255) ** 0.7, source + noise):
         assert unevenness(even.astype(np.float32), source) < 0.35
-
-
-def test_too_few_squares_leave_nothing_over(source: np.ndarray) -> None:
-    means = coarse_means(source, 3)
-    where = np.zeros(means.shape, bool)
-    where[:3, :7] = True
-    assert left_over(2 * means + means**2, means, where) == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("even", [0.3, 0.6, 0.8])

@@ -78,10 +78,3 @@ def test_what_is_most_of_a_mixture_of_three_is_followed(labels: np.ndarray) -> N
     found = by_shares(unknown, shares)
     assert (found[:, :8] == UNKNOWN).all()
     assert (found[:, 8:] == 2).all()
-
-
-@pytest.mark.parametrize("shares", [(0.3, 0.62, 0.08), (0.15, 0.65, 0.2), (0.0, 0.0, 0.0)])
-def test_elsewhere_labels_stay(labels: np.ndarray, shares: tuple[float, float, float]) -> None:
-    squares = tuple(length // SQUARE_PX for length in SHAPE)
-    found = by_shares(labels, {number: np.full(squares, share) for number, share in zip(NUMBERS, shares)})
-    np.testing.assert_array_equal(found, labels)

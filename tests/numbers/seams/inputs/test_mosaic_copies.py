@@ -14,7 +14,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.inputs import messages
-from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import covered_share, leave_out_copies
+from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import leave_out_copies
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources
 from seam_inspector.plugin.seams.measure.window.inspection import (
@@ -184,10 +184,6 @@ def test_a_copy_that_is_the_only_source_stays_and_is_told(paths: list[str], tmp_
     assert [notice.template for notice in notices] == [messages.MAY_BE_COPY.template]
 
 
-def test_the_one_orthoimage_of_a_window_s_mosaic_stays_without_a_word(paths: list[str]) -> None:
-    assert make_block(describe_mosaic(RasterRef(paths[2])), [RasterRef(paths[0])])[1] == []
-
-
 def test_the_mosaic_that_a_sheet_was_cut_from_is_left_out(
     make_raster: MakeRaster, images: list[np.ndarray], paths: list[str]
 ) -> None:
@@ -195,17 +191,6 @@ def test_the_mosaic_that_a_sheet_was_cut_from_is_left_out(
     kept, notices = told(sheet, [paths[2], *paths[:2]])
     assert kept == ["a.tif", "b.tif"]
     assert notices == {"mosaic.tif": messages.COPY_AMONG_SOURCES.template}
-
-
-def test_of_two_that_are_equal_none_is_dropped_where_no_other_source_tells_what_they_are(
-    paths: list[str], tmp_path: Path
-) -> None:
-    copies = [str(tmp_path / name) for name in ("one.tif", "two.tif")]
-    for copy in copies:
-        gdal.Translate(copy, paths[2])
-    kept, notices = told(paths[2], copies)
-    assert kept == ["one.tif", "two.tif"]
-    assert notices == dict.fromkeys(kept, messages.MAY_BE_COPY.template)
 
 
 def test_an_orthoimage_that_the_mosaic_was_cut_from_stays_and_is_told(
@@ -290,14 +275,6 @@ def test_a_part_of_the_mosaic_stays_and_is_told(
     assert notices == {"part.tif": messages.MAY_BE_COPY.template}
 
 
-def test_an_edition_of_the_mosaic_with_other_seams_is_no_copy(
-    make_raster: MakeRaster, images: list[np.ndarray], paths: list[str]
-) -> None:
-    edition = images[0].copy()
-    edition[:, :500, :700] = images[1][:, :500, :700]
-    assert told(paths[2], [*paths[:2], make_raster("edition.tif", edition)])[0] == ["a.tif", "b.tif", "edition.tif"]
-
-
 def test_a_finer_orthoimage_and_one_in_another_system_stay(make_raster: MakeRaster, images: list[np.ndarray]) -> None:
     mosaic = make_raster("mosaic.tif", images[0].reshape(3, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8), gsd=0.2)
     fine = make_raster("fine.tif", images[0])
@@ -355,12 +332,6 @@ def test_the_one_image_of_a_real_mosaic_stays_among_its_neighbours(data_folder: 
     kept, notices = told(mosaic, sources)
     assert kept == [Path(path).name for path in sources]
     assert notices == {Path(sources[1]).name: messages.MAY_BE_COPY.template}
-
-
-def test_a_rectangle_without_area_is_covered_by_nothing() -> None:
-    """The rectangle of a mosaic whose pixels are smaller than its coordinates can tell apart."""
-    assert covered_share((5.0, 5.0, 5.0, 6.0), (0.0, 0.0, 10.0, 10.0)) == 0
-    assert covered_share((0.0, 0.0, 10.0, 10.0), (5.0, 0.0, 15.0, 10.0)) == pytest.approx(0.5)
 
 
 def test_sources_are_not_compared_with_each_other(mosaic: Raster) -> None:

@@ -1,19 +1,16 @@
 """Where rasters have pixels, held against all of their pixels as GDAL reads them."""
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 from seam_inspector.plugin.seams.measure.inputs.valid_cells import (
-    FEWEST_PX,
-    MOST_CELLS,
     CellGrid,
     ValidCells,
     nearest_judgeable,
@@ -149,11 +146,3 @@ def test_what_is_promised_on_brighton_takes_part(data_folder: Path) -> None:
     assert max(measured) > 1
     assert min(measured) == 0
     assert promised == pytest.approx(measured, abs=1)
-
-
-@pytest.mark.parametrize("side", [1, 512, 16_384, 16_385, 200_000, 1_000_000])
-def test_cells_are_as_fine_as_memory_allows(mosaic: Raster, side: int) -> None:
-    grid: Grid = replace(mosaic.grid, columns=side, rows=7)
-    step = CellGrid.of(grid).step
-    assert side <= MOST_CELLS * step
-    assert step == FEWEST_PX or side > MOST_CELLS * step / 2

@@ -5,15 +5,12 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.imagery.wavelets import detail_components
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
     EDGES_PX,
     FARTHEST,
-    MIXED_BINS,
     PRODUCTS,
     CellTable,
     MixtureTable,
@@ -27,7 +24,6 @@ from seam_inspector.plugin.seams.measure.profile.detail_sums import (
 )
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from tests.examples import at_most
 from tests.numbers.seams.profile.blends import spread
 from tests.numbers.synthetic import texture, wavedec
 
@@ -100,19 +96,6 @@ def test_sums_are_those_of_the_mosaic_and_of_the_source_that_is_followed(planes:
             )
 
 
-def test_a_single_source_is_the_cut(planes: np.ndarray) -> None:
-    found, beside = sums_of(planes[:2], np.zeros(SHAPE), ())
-    for r, details in enumerate(coefficients(planes[:2])):
-        assert found.cc[r].sum() == pytest.approx((details[1] ** 2).sum(), rel=1e-4)
-    assert not len(beside)
-
-
-def test_cells_add_up_to_the_window(planes: np.ndarray) -> None:
-    found = sums_of(planes, halves())[0]
-    assert found.area.sum(axis=1).tolist() == [SHAPE[0] * SHAPE[1]] * LEVELS
-    assert (spread(found, found.area, CELLS).sum(axis=1) == CELL_PX**2).all()
-
-
 @pytest.mark.parametrize("shape", [(72, 88), (64, 104), (120, 64)])
 def test_what_sticks_out_of_whole_cells_is_in_none(shape: tuple[int, int]) -> None:
     planes = np.stack([20 * texture(shape, 1.0, seed) for seed in (1, 2)]).astype(np.float32)
@@ -121,19 +104,6 @@ def test_what_sticks_out_of_whole_cells_is_in_none(shape: tuple[int, int]) -> No
     assert (spread(found, found.area, (rows, columns)).sum(axis=1) == CELL_PX**2).all()
     own = np.array(wavedec(planes[0], WAVELET, LEVELS)[-1])[:, : rows * 8, : columns * 8]
     assert found.mm[0].sum() == pytest.approx((own**2).sum(), rel=1e-3)
-
-
-@at_most(20)
-@given(a=st.floats(0.1, 10), b=st.floats(0.1, 10), border=st.integers(1, 127))
-def test_sums_are_quadratic(a: float, b: float, border: int) -> None:
-    shape = (64, 128)
-    planes = np.stack([20 * texture(shape, 1.0, seed) for seed in (1, 2)])
-    labels = halves(shape, border)
-    scales = np.array([a, b])[:, np.newaxis, np.newaxis]
-    plain, scaled = (sums_of(one, labels, ())[0] for one in (planes, planes * scales))
-    np.testing.assert_allclose(scaled.mm, a**2 * plain.mm, rtol=1e-5, atol=1e-4)
-    np.testing.assert_allclose(scaled.cc, b**2 * plain.cc, rtol=1e-5, atol=1e-4)
-    np.testing.assert_allclose(scaled.mc, a * b * plain.mc, rtol=1e-4, atol=1e-2)
 
 
 # --- distances -------------------------------------------------------------------------------------------------
@@ -186,18 +156,6 @@ def test_distances_are_those_of_scipy(level: int) -> None:
     assert max(within) < 0.06 * side / 2 + 0.02
 
 
-def test_a_coefficient_lies_in_the_bin_of_its_distance() -> None:
-    for column, near in ((31, 0), (32, 0), (30, 2), (33, 2), (29, 4), (26, 8), (24, 12), (21, 16), (14, 32), (50, 32)):
-        energies = np.zeros((64, 80))
-        energies[20, column] = 9.0
-        found = of_marked(marked(energies), halves())
-        found = found.chosen(found.mm[0] > 0)
-        assert found.row.tolist() == [40 // CELL_PX]
-        assert found.column.tolist() == [2 * column // CELL_PX]
-        assert np.array(EDGES_PX)[found.bin].tolist() == [near], column
-        assert found.mm[0].tolist() == pytest.approx([9.0])
-
-
 # --- what no source explains -----------------------------------------------------------------------------------
 
 
@@ -230,19 +188,6 @@ def test_the_border_of_what_is_unknown_is_no_seam() -> None:
     assert set(np.unique(found.bins)) == {FARTHEST, len(EDGES_PX)}
     labels[:, 96:] = 1  # two sources, and between them ground that neither explains
     assert not seam_samples(labels)[0].any()
-
-
-def test_nothing_is_left_where_nothing_is_known(planes: np.ndarray) -> None:
-    found, beside = sums_of(planes, np.full(SHAPE, UNKNOWN))
-    assert not len(found)
-    assert not len(beside)
-
-
-def test_one_source_is_far_from_any_seam(planes: np.ndarray) -> None:
-    found, beside = sums_of(planes[:2], np.zeros(SHAPE), ())
-    assert (found.bin == FARTHEST).all()
-    assert found.area[0].sum() == SHAPE[0] * SHAPE[1]
-    assert not len(beside)
 
 
 # --- beside a seam ---------------------------------------------------------------------------------------------
@@ -303,15 +248,6 @@ def test_what_the_other_source_does_not_have_is_no_mixture(planes: np.ndarray) -
     west = beside.chosen(beside.source == 0)
     assert west.row.min() == 64 // CELL_PX
     assert beside.chosen(beside.source == 1).row.min() == 0
-
-
-def test_far_from_the_seam_no_mixture_is_looked_for() -> None:
-    shape = (64, 512)
-    planes = np.stack([20 * texture(shape, 1.0, seed) for seed in range(4)]).astype(np.float32)
-    cells, beside = sums_of(planes, halves(shape, 100))
-    assert cells.bin.max() == FARTHEST
-    assert beside.bin.max() == MIXED_BINS - 1
-    assert (beside.column * CELL_PX).max() < 100 + 128
 
 
 def test_what_float32_leaves_of_even_ground_is_no_detail(planes: np.ndarray) -> None:

@@ -6,11 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST, CellTable, MixtureTable
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.energy_sums import EnergySums
-from seam_inspector.plugin.seams.measure.profile.ground import grounds
-from seam_inspector.plugin.seams.measure.profile.intervals import Kept, together
-from seam_inspector.plugin.seams.measure.profile.mixture import LEAST_ERROR, MixedStrips, MixtureSums
+from seam_inspector.plugin.seams.measure.profile.intervals import Kept
+from seam_inspector.plugin.seams.measure.profile.mixture import MixedStrips, MixtureSums
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 
 from tests.numbers.seams.profile.blends import LEVELS, Blend, blend
@@ -100,21 +99,6 @@ def test_each_measure_alone_is_sure_enough_to_judge(width: int) -> None:
         assert ratio(measure) < most
 
 
-@pytest.mark.parametrize("spread", [0.1, 0.3])
-def test_the_ground_scatters_as_its_blocks_do(spread: float) -> None:
-    """Cells all alike, of which the mosaic kept more or less in blocks of 32 px."""
-    row, column = (place.ravel().astype(np.int32) for place in np.mgrid[:80, :80])
-    factor = 1 + spread * np.random.default_rng(5).standard_normal((40, 40))
-    energy = np.full((1, row.size), 2560.0, np.float32)
-    own = energy * factor[row // 2, column // 2]
-    (ground,) = grounds(CellTable(
-        row, column, np.full(row.size, FARTHEST, np.uint8), np.full_like(energy, CELL_PX**2), own, energy, own
-    ))
-    assert ground is not None
-    assert ground.scatter == pytest.approx(factor.std() / factor.mean(), rel=0.01)
-    assert ground.blocks == pytest.approx(1600)
-
-
 def test_the_mixture_of_uneven_ground_is_less_sure() -> None:
     """The jackknife says so: what is mixed differs from block to block along the seam."""
     made, hard = blend(33), blend(0)
@@ -122,20 +106,6 @@ def test_the_mixture_of_uneven_ground_is_less_sure() -> None:
     even, uneven = (mixture_of(one.detail()).kept for one in (made, replace(made, weights=weights)))
     assert np.log(ratio(uneven)) > 1.25 * np.log(ratio(even))
     assert even.low[0] <= made.truth() <= even.high[0]
-
-
-def test_the_mixture_is_never_surer_than_its_floor() -> None:
-    found = mixture_of(blend(0).detail()).kept
-    assert found.value[0] == pytest.approx(1, abs=1e-6)
-    assert np.log(ratio(found)) >= 2 * 1.96 * LEAST_ERROR * 0.999
-
-
-def test_a_strip_without_detail_keeps_nothing_at_all() -> None:
-    detail = blend(0, side=192).detail()
-    sums = EnergySums(1, LEVELS)
-    sums.add(detail.cells, detail.ground, np.zeros(len(detail.cells), int))
-    sums.take_out(sums.own.copy(), *np.zeros((3, *sums.own.shape)))
-    assert sums.kept()[0].value[0] == 0
 
 
 @pytest.mark.slow
@@ -159,26 +129,6 @@ def test_a_long_seam_is_surer_than_a_short_one() -> None:
 def test_a_feather_that_reaches_into_the_ground_around_makes_energies_less_sure() -> None:
     narrow, wide = (energy_of(blend(width, side=256).detail()) for width in (33, 250))
     assert ratio(wide) > 1.2 * ratio(narrow)
-
-
-def test_an_error_of_many_hundred_per_cent_is_an_interval_that_has_ends() -> None:
-    value, nothing = np.array([1e-3, 0.5, 0.0, np.nan]), np.zeros(4)
-    found = Kept.of(value, np.array([900.0, 1e9, 5.0, 1.0]), nothing)
-    assert np.isfinite(found.high[:3]).all()
-    assert (found.low[:3] <= value[:3]).all()
-    assert np.isnan(found.high[3])
-    sure = Kept.of(np.full(4, 0.9), np.full(4, 0.02), np.full(4, 1e6))
-    both, _ = together(found, sure)
-    assert np.isfinite(both.high).all()
-    assert np.log(sure.high / sure.low) == pytest.approx(2 * 1.96 * 0.02, rel=1e-3)
-
-
-def test_rough_ground_makes_energies_less_sure() -> None:
-    made = blend(33)
-    rng = np.random.default_rng(12)
-    left = np.exp(0.5 * rng.standard_normal((32, 32))).repeat(16, axis=0).repeat(16, axis=1)
-    even, rough = (energy_of(made.detail(one)) for one in (made.made, 120 + (made.made - 120) * left))
-    assert ratio(rough) > 1.3 * ratio(even)
 
 
 def test_rows_of_another_piece_say_nothing_of_this_one() -> None:

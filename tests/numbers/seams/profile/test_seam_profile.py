@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, SeamProfile
-from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.examples import at_most
 from tests.numbers.seams.profile.blends import SIDE, Blend, blend
@@ -34,12 +33,6 @@ def test_what_a_feather_kept_is_what_pywavelets_says(width: int, ramp: str) -> N
     assert found.low < made.truth(0, STRIP_PX) < found.high
 
 
-@pytest.mark.parametrize("in_common", [0.0, 0.5, 0.9])
-def test_strangers_keep_half_in_the_middle_and_sources_alike_more(in_common: float) -> None:
-    made = blend(200, in_common=in_common)
-    assert profile_of(made).kept[0] == pytest.approx((1 + in_common) / 2, abs=0.05)  # (1 + rho) / 2
-
-
 @pytest.mark.parametrize("level", [2, 3])
 def test_coarser_levels_are_kept_in_strips_twice_and_four_times_as_wide(level: int) -> None:
     made = blend(66)
@@ -56,14 +49,6 @@ def test_each_bin_is_what_pywavelets_says_at_that_distance() -> None:
         assert one.low < one.kept < one.high
 
 
-def test_across_a_feather_the_weights_give_what_is_kept() -> None:
-    """Sources that have nothing in common: w^2 + (1 - w)^2 of their variance."""
-    bins = [one for one in profile_of(blend(100, "linear")).bins if one.level == 1 and one.far_px <= 64]
-    for one in bins:
-        weight = np.clip(0.5 + np.linspace(one.near_px, one.far_px, 50) / 100, 0, 1)
-        assert one.kept == pytest.approx(float(np.mean(weight**2 + (1 - weight) ** 2)), abs=0.07), one.near_px
-
-
 def test_bins_follow_each_other_and_stand_for_all_pixels() -> None:
     found = profile_of(blend(33)).bins
     for level in (1, 2, 3):
@@ -78,14 +63,6 @@ def test_bins_follow_each_other_and_stand_for_all_pixels() -> None:
     ]
 
 
-@pytest.mark.parametrize("width", [33, 100])
-def test_three_sources_that_meet_are_one_seam(width: int) -> None:
-    made = blend(width, count=3)
-    found = profile_of(made)
-    assert found.kept[0] == pytest.approx(made.truth(0, STRIP_PX), abs=0.05)
-    assert found.high < 1
-
-
 # --- the width of the band -------------------------------------------------------------------------------------
 
 
@@ -95,10 +72,6 @@ def test_the_band_is_where_less_than_nine_tenths_are_kept(width: int, ramp: str,
     """Strangers keep w^2 + (1 - w)^2 = 0.9 where w = 0.947."""
     found = profile_of(blend(width, ramp))
     assert found.band_width_px == pytest.approx(share * width, rel=0.12, abs=3)
-
-
-def test_a_hard_cut_has_no_band() -> None:
-    assert profile_of(blend(0)).band_width_px == 0
 
 
 def test_a_band_that_faded_all_at_once_is_as_wide_as_it_is() -> None:
@@ -138,10 +111,6 @@ def without_weak_detail(plane: np.ndarray) -> np.ndarray:
     return around + np.where(np.abs(fine) < 2, 0, fine)
 
 
-def dodged(plane: np.ndarray) -> np.ndarray:
-    return plane * np.linspace(0.7, 1.1, SIDE)[:, np.newaxis]
-
-
 CHANGES: dict[str, Change] = {
     "gain": lambda plane: 0.6 * plane + 20, "negative": lambda plane: 255 - plane, "unsharp": unsharp,
     "blur": lambda plane: ndimage.gaussian_filter(plane, 0.5), "noise": noisy, "gamma": curved, "8 bit": rounded,
@@ -179,13 +148,6 @@ def test_dropping_weak_detail_is_no_loss_of_the_seam() -> None:
     assert before - 0.15 < after < before + 0.03
 
 
-def test_a_gain_that_changes_over_the_window_is_no_loss() -> None:
-    made = blend(0)
-    found = profile_of(made, dodged(made.made))
-    assert found.kept[0] == pytest.approx(1, abs=0.08)
-    assert found.low < 1 < found.high
-
-
 # --- the interval ----------------------------------------------------------------------------------------------
 
 
@@ -214,17 +176,6 @@ def test_a_hard_cut_that_nothing_happened_to_keeps_all_of_it() -> None:
 
 
 # --- where nothing can be told ---------------------------------------------------------------------------------
-
-
-def test_without_a_seam_there_is_no_profile() -> None:
-    made = blend(0)
-    assert made.detail(labels=np.zeros((SIDE, SIDE), np.uint8)).profile is None
-
-
-def test_a_source_beside_unknown_ground_has_no_seam() -> None:
-    made = blend(0)
-    labels = np.where(made.labels == 1, UNKNOWN, 0).astype(np.uint8)
-    assert made.detail(labels=labels).profile is None
 
 
 def test_a_few_pixels_of_seam_are_too_little() -> None:
@@ -269,8 +220,3 @@ def test_noise_over_all_of_a_mosaic_hides_no_loss(width: int, noise_dn: float) -
     found = profile_of(made, made.made + np.random.default_rng(4).normal(0, noise_dn, made.made.shape))
     assert found.by_energy == pytest.approx(made.truth(0, STRIP_PX), abs=0.06)
     assert found.low < made.truth(0, STRIP_PX) < found.high
-
-
-def test_added_everywhere_is_not_added_beside() -> None:
-    made = blend(0)
-    assert profile_of(made, noisy(made.made)).added_beside == pytest.approx(profile_of(made).added_beside, abs=0.03)

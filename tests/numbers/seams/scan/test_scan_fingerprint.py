@@ -83,11 +83,6 @@ def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dic
     assert str(what_changed(before, taken(files))) == what
 
 
-def test_the_version_is_that_in_the_package(repository: Path) -> None:
-    lines = (repository / "metadata.txt").read_text(encoding="utf-8").splitlines()
-    assert f"version={scan_journal.plugin_version()}" in lines
-
-
 def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     files: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

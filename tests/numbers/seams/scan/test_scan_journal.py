@@ -1,7 +1,6 @@
 """What a scan has measured is on disk, whole, whatever ends its process; another scan's is never taken for it."""
 from __future__ import annotations
 
-import os
 import random
 import signal
 import subprocess
@@ -68,18 +67,6 @@ def test_what_was_saved_is_there(path: Path) -> None:
     assert notice.level is INFO
 
 
-def test_a_journal_without_results_has_nothing_to_say(path: Path) -> None:
-    assert reopened(written(path, {})) == ({}, None)
-
-
-def test_a_complete_scan_leaves_nothing(path: Path, tmp_path: Path) -> None:
-    journal, _ = open_journal(path, PRINT)
-    journal.save("block 0 0", b"x")
-    journal.remove()
-    assert os.listdir(tmp_path) == []
-    assert reopened(path) == ({}, None)
-
-
 @pytest.mark.parametrize(
     ("other", "what"),
     [
@@ -129,11 +116,6 @@ def test_what_is_of_somebody_else_is_left_as_it_is(path: Path, kind: str) -> Non
     assert not path.is_file() or path.read_bytes() == b"II*\0 a picture, perhaps the only one"
     assert kind != "folder" or (path / "block 0 0").read_bytes() == b"mine"
     assert not theirs.exists() or reopened(theirs)[0] == RESULTS
-
-
-def test_a_folder_that_is_not_there_gets_a_sentence(tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match=r"can't be written \(No such file or directory\); choose another folder"):
-        open_journal(tmp_path / "gone" / "loss.scan", PRINT)
 
 
 def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> None:

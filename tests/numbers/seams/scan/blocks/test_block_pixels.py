@@ -11,7 +11,6 @@ from seam_inspector.plugin.seams.measure.blocks.block_grid import BlockGrid
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import MOST_HELD, BlockPixels, Planes
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, Scene, as_bytes, images, scene
-from tests.numbers.synthetic import luminance, orthoimage
 
 SHAPE = (300, 420)
 MOSAIC_NUMBER = 5
@@ -90,59 +89,14 @@ def test_patches_are_the_pixels_of_the_files(crowd: Scene) -> None:
         assert (there if source.valid is None else source.valid == there).all()
 
 
-def test_a_strip_of_patches_is_those_patches(crowd: Scene) -> None:
-    pixels = crowd.pixels()
-    rows, columns = np.array([100, 7, 230]), np.array([310, 120, 55])
-    strip = pixels.strip_of_patches(rows, columns, 40)
-    assert strip.mosaic.shape == (120, 40)
-    for place, (row, column) in enumerate(zip(rows, columns)):
-        alone = pixels.patches(np.array([row]), np.array([column]), 40)
-        own = np.s_[40 * place : 40 * (place + 1)]
-        np.testing.assert_array_equal(strip.mosaic[own], alone.mosaic)
-        for number, source in strip.sources.items():
-            np.testing.assert_array_equal(source.plane[own], alone.sources[number].plane)
-
-
 def test_of_many_sources_only_some_are_held(crowd: Scene) -> None:
     strip = crowd.pixels().strip_of_patches(np.array([100]), np.array([100]), 40)
     assert set(strip.sources) == set(range(MOST_HELD)) - {2}
 
 
-def test_sources_without_any_pixels_are_no_longer_asked_for(crowd: Scene) -> None:
-    assert crowd.pixels().numbers == tuple(i for i in range(len(crowd.sources)) if i != 2)
-    assert not crowd.pixels().notices
-
-
-def test_where_the_mosaic_lacks_is_told(crowd: Scene) -> None:
-    for margin_px in (0, 32):
-        valid = crowd.pixels(margin_px=margin_px).valid
-        assert valid is not None
-        assert valid.shape == SHAPE
-        assert not valid[:90, :90].any()
-        assert valid[90:].all()
-        assert valid[:, 90:].all()
-
-
 def test_a_mosaic_that_says_nothing_of_missing_pixels_is_valid_everywhere(tmp_path: Path) -> None:
     given = images((128, 128))
     assert scene(tmp_path, given[0], given, nodata=None).pixels().valid is None
-
-
-def test_three_bands_are_judged_by_their_luminance(tmp_path: Path) -> None:
-    mosaic, source = orthoimage((128, 160), seed=1), orthoimage((128, 160), seed=2)
-    one = scene(tmp_path, mosaic, [source], nodata=None)
-    found = one.pixels().part(PixelWindow(16, 32, 64, 48), (0,))
-    own = np.s_[:, 32:80, 16:80]
-    np.testing.assert_allclose(found.mosaic, luminance(mosaic[own]), rtol=1e-5)
-    np.testing.assert_allclose(found.sources[0].plane, luminance(source[own]), rtol=1e-5)
-    patch = one.pixels().patches(np.array([32]), np.array([16]), 40)
-    np.testing.assert_array_equal(patch.mosaic, found.mosaic[:40, :40])
-
-
-def test_sixteen_bits_are_as_they_are(tmp_path: Path) -> None:
-    mosaic = orthoimage((128, 128), bands=1, dtype=np.uint16)[0]
-    one = scene(tmp_path, mosaic, [mosaic], nodata=None)
-    np.testing.assert_array_equal(one.pixels().part(PixelWindow(0, 0, 128, 128), (0,)).mosaic, mosaic)
 
 
 def test_a_window_without_pixels_of_the_mosaic_is_refused(tmp_path: Path) -> None:

@@ -101,15 +101,6 @@ def test_beside_a_feather_a_part_keeps_less_than_the_ground_whatever_came_over_a
     assert kept(table, 48, 64) / kept(table, 64, 128) == pytest.approx(1, abs=0.08)
 
 
-def test_numbers_of_sources_are_those_of_the_block(tmp_path: Path) -> None:
-    given = images(count=3)
-    made = blended(given[2], given[1], beside(SEAM))
-    part = measured(scene(tmp_path, made, given), (1, 2))
-    seam = (SEAM - WINDOW.column) // LABEL_PX
-    assert (part.labels[:, : seam - 1] == 2).all()
-    assert (part.labels[:, seam + 1 :] == 1).all()
-
-
 def test_what_none_of_the_sources_explains_is_told(tmp_path: Path) -> None:
     given = images()
     made = blended(given[0], as_bytes(120 + 30 * texture(SHAPE, 1.2, 98)), beside(SEAM))
@@ -117,20 +108,6 @@ def test_what_none_of_the_sources_explains_is_told(tmp_path: Path) -> None:
     stranger = 1 - (SEAM - WINDOW.column) / WINDOW.width
     assert part.unexplained == pytest.approx(stranger, abs=0.12)
     assert (part.labels[:, (SEAM - WINDOW.column) // LABEL_PX + 8 :] == UNKNOWN).mean() > 0.8
-
-
-def test_a_part_without_pixels_or_sources_is_nothing(tmp_path: Path) -> None:
-    given = images()
-    made = given[0].copy()
-    made[:, :600] = NODATA
-    one = scene(tmp_path, made, given)
-    part = measured(one)
-    assert not len(part.cells)
-    assert (part.labels == UNKNOWN).all()
-    assert part.unexplained == 0
-    without = measured(one, (), PixelWindow(640, 128, 128, 128))
-    assert not len(without.cells)
-    assert without.unexplained == 1
 
 
 @pytest.mark.parametrize("end", [480, 528, 560])
@@ -145,13 +122,6 @@ def test_where_the_mosaic_ends_nothing_is_measured_and_nothing_is_learned(tmp_pa
     assert kept(part.cells, 16, 32) == pytest.approx(1, abs=0.02)
     labels = part.labels[:, (end - WINDOW.column) // LABEL_PX :]
     assert (labels == UNKNOWN).all()
-
-
-def test_a_part_at_the_corner_of_the_mosaic_is_measured(tmp_path: Path) -> None:
-    given = images()
-    part = measured(scene(tmp_path, given[1], given), window=PixelWindow(0, 0, 128, 128))
-    assert (part.labels == 1).all()
-    assert len(part.cells)
 
 
 def test_parts_that_are_clear_almost_nowhere_are_guesses() -> None:
@@ -210,26 +180,6 @@ def test_even_ground_says_what_dense_parts_say_of_it(tmp_path: Path) -> None:
         found, expected = (sums_by_cell(table, name)[inside] for table in (plain, dense))
         assert found.sum() == pytest.approx(expected.sum(), rel=0.01)
         assert np.corrcoef(found.ravel(), expected.ravel())[0, 1] > 0.995
-
-
-def test_what_is_measured_densely_is_left_out(tmp_path: Path) -> None:
-    given = images()
-    dense = np.zeros((SIDE // UNIT_PX, SIDE // UNIT_PX), bool)
-    dense[4:20, 10:14] = True
-    table = plain_of(scene(tmp_path, given[0], given), dense)
-    times = UNIT_PX // CELL_PX
-    area = sums_by_cell(table, "area") > 0
-    np.testing.assert_array_equal(area, ~dense.repeat(times, axis=0).repeat(times, axis=1))
-
-
-def test_only_cells_with_all_their_pixels_count(tmp_path: Path) -> None:
-    given = images()
-    made = given[0].copy()
-    made[500:600, 500:600] = NODATA
-    area = sums_by_cell(plain_of(scene(tmp_path, made, given)), "area")
-    cells = np.s_[500 // CELL_PX : -(-600 // CELL_PX)]
-    assert not area[cells, cells].any()
-    assert np.count_nonzero(area) == area.size - len(range(*cells.indices(64))) ** 2
 
 
 def test_squares_that_none_of_the_learned_sources_explains_are_left_out(tmp_path: Path) -> None:

@@ -123,24 +123,6 @@ def test_what_no_source_explains_follows_none_for_sure(tmp_path: Path, beta: flo
     assert not len(found.cells)
 
 
-def test_smooth_ground_follows_what_is_nearest(tmp_path: Path) -> None:
-    given = [one.copy() for one in images()]
-    pond = np.s_[2 * SQUARE_PX : 4 * SQUARE_PX, SQUARE_PX : 2 * SQUARE_PX]
-    made = blended(*given, beside(SIDE / 2))
-    for one in (made, *given):
-        one[pond] = 77
-    found = look_at(scene(tmp_path, made, given))
-    assert (found.source[:, : PER_SIDE // 2] == 0).all()
-    assert not found.doubtful.any()
-
-
-def test_a_single_source_is_followed_or_not(tmp_path: Path) -> None:
-    first, second = images()
-    found = look_at(scene(tmp_path, blended(first, second, beside(SIDE / 2)), [first]))
-    assert (found.source[:, : PER_SIDE // 2] == 0).all()
-    assert (found.source[:, PER_SIDE // 2 :] != 0).mean() > 0.8
-
-
 def test_sources_beyond_those_held_in_memory_are_told_from_each_other_too(tmp_path: Path) -> None:
     shape = (256, 256)
     given = images(shape, MOST_HELD + 3)
@@ -151,17 +133,6 @@ def test_sources_beyond_those_held_in_memory_are_told_from_each_other_too(tmp_pa
 
 
 # --- where there are no pixels ----------------------------------------------------------------------------------
-
-
-def test_squares_without_pixels_are_empty_and_follow_nothing(tmp_path: Path) -> None:
-    given = images()
-    made = blended(*given, beside(SIDE / 2))
-    made[: 2 * SQUARE_PX] = NODATA
-    found = look_at(scene(tmp_path, made, given))
-    assert found.empty[:2].all()
-    assert not found.empty[2:].any()
-    assert (found.source[:2] == UNKNOWN).all()
-    assert not found.doubtful[:2].any()
 
 
 def test_a_square_whose_patch_lacks_pixels_follows_its_neighbours(tmp_path: Path) -> None:
@@ -184,16 +155,6 @@ def test_a_source_that_ends_is_not_followed_beyond(tmp_path: Path) -> None:
     assert not (found.source[beyond] == 0)[~found.doubtful[beyond]].any()
 
 
-def test_a_mosaic_without_any_source_there_says_nothing(tmp_path: Path) -> None:
-    given = images()
-    empty = np.full(SHAPE, NODATA, np.uint8)
-    found = look_at(scene(tmp_path, given[0], [empty]))
-    assert (found.source == UNKNOWN).all()
-    assert not found.doubtful.any()
-    assert not found.empty.any()
-    assert not len(found.cells)
-
-
 # --- the ground it samples --------------------------------------------------------------------------------------
 
 
@@ -211,16 +172,6 @@ def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Pat
     for sums in (cells.mm, cells.cc, cells.mc):  # the mosaic is its own hard cut there
         assert sums[0] == pytest.approx(expected, rel=0.02)
         assert not sums[1:].any()
-
-
-def test_a_gain_over_all_is_in_the_composite_and_noise_is_not(tmp_path: Path) -> None:
-    given = images()
-    noise = 6 * np.random.default_rng(3).standard_normal(SHAPE)
-    cells = look_at(scene(tmp_path, as_bytes(0.5 * given[0] + 40.0), given)).cells
-    assert cells.mm[0].sum() == pytest.approx(cells.cc[0].sum(), rel=0.03)
-    cells = look_at(scene(tmp_path, as_bytes(given[0] + noise), given)).cells
-    assert cells.mm[0].sum() > 1.3 * cells.cc[0].sum()
-    assert cells.mc[0].sum() == pytest.approx(cells.cc[0].sum(), rel=0.1)
 
 
 # --- patches midway -------------------------------------------------------------------------------------------

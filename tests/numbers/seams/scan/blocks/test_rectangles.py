@@ -62,14 +62,3 @@ def test_a_slanting_seam_is_not_measured_as_one_square(wanted: np.ndarray) -> No
     found = rectangles(wanted)
     assert covered(found, wanted.shape)[wanted].all()
     assert read_px(found) < 0.4 * (UNITS * UNIT_PX) ** 2
-
-
-def test_a_straight_seam_is_one_rectangle() -> None:
-    wanted = np.zeros((UNITS, UNITS), bool)
-    wanted[:, 20:24] = True
-    assert rectangles(wanted) == [PixelWindow(20 * UNIT_PX, 0, 4 * UNIT_PX, UNITS * UNIT_PX)]
-
-
-def test_nothing_wanted_is_nothing_measured() -> None:
-    assert rectangles(np.zeros((UNITS, UNITS), bool)) == []
-    assert rectangles(np.zeros((0, 0), bool)) == []

@@ -11,11 +11,8 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks import scan_block as scan_block_module
 from seam_inspector.plugin.seams.measure.blocks.block_grid import (
-    BLOCK_PX,
     LABEL_PX,
-    LABELS,
     SQUARE_PX,
-    SQUARES,
     UNIT_PX,
     UNITS,
     BlockGrid,
@@ -23,18 +20,15 @@ from seam_inspector.plugin.seams.measure.blocks.block_grid import (
 from seam_inspector.plugin.seams.measure.blocks.block_parts import DensePart, PartRequest, measure_part
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
 from seam_inspector.plugin.seams.measure.blocks.scan_block import (
-    CELLS,
     EMPTY,
     BlockScan,
     _halves,
-    called_for,
     scan_block,
 )
 from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
     EDGES_PX,
-    PRODUCTS,
     CellTable,
 )
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
@@ -121,42 +115,6 @@ def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scen
     assert mm[INSIDE][measured] == pytest.approx(expected[INSIDE][measured], rel=2e-3)
 
 
-@pytest.mark.parametrize("density", ["seams", "full"])
-def test_a_hard_cut_has_all_of_its_sources_and_its_own_edge_besides(hard: Scene, density: str) -> None:
-    found = scan_block(hard.request(density=density))
-    cells = found.cells
-    beyond = cells.chosen(cells.bin >= EDGES_PX.index(32))
-    for level in range(3):
-        assert beyond.mm[level].sum() == pytest.approx(beyond.cc[level].sum(), rel=0.01)
-        assert beyond.mc[level].sum() == pytest.approx(beyond.cc[level].sum(), rel=0.01)
-        products = dict(zip(PRODUCTS, found.beside.products[:, level].sum(axis=1)))
-        edge = products["kk"] + 2 * products["sk"]
-        assert products["mm"] - edge == pytest.approx(products["ss"], rel=0.02)
-
-
-def test_a_feather_shows_in_the_bins_beside_the_seam_and_nowhere_else(tmp_path: Path) -> None:
-    given = images()
-    cells = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 33)), given).request()).cells
-    near = cells.bin < EDGES_PX.index(8)
-    far = cells.bin >= EDGES_PX.index(32)
-    energies = {name: np.square(placed_wavedec(one, "coif3", 1)[1]).sum(axis=0)
-                for name, one in (("made", blended(*given, beside(SEAM, 33))), ("hard", blended(*given, beside(SEAM))))}
-    strip = np.s_[8:-8, (SEAM - 8) // 2 : (SEAM + 8) // 2]
-    expected = energies["made"][strip].sum() / energies["hard"][strip].sum()
-    assert expected < 0.75
-    assert cells.mm[0, near].sum() / cells.cc[0, near].sum() == pytest.approx(expected, abs=0.05)
-    assert cells.mm[0, far].sum() / cells.cc[0, far].sum() == pytest.approx(1, abs=0.01)
-
-
-def test_mixture_tells_where_two_sources_are_seen(tmp_path: Path) -> None:
-    given = images()
-    found = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 66)), given).request(density="full"))
-    mixture = found.mixture[: SIDE // CELL_PX, : SIDE // CELL_PX]
-    seam = SEAM // CELL_PX
-    assert np.nanmean(mixture[:, seam - 1 : seam + 1]) > 0.5
-    assert np.nanmean(mixture[:, : seam - 6]) < 0.02
-
-
 def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learned(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -197,14 +155,6 @@ def test_a_record_keeps_what_came_over_the_mosaic(hard: Scene) -> None:
     assert again is not None
     assert (again.of, again.filters.came_over_cuts) == ({0, 2}, True)
     assert all((again.filters.taps[number] == learned.filters.taps[number]).all() for number in (0, 2))
-
-
-def test_a_record_of_nothing_is_nothing(hard: Scene) -> None:
-    nothing = BlockScan.nothing(replace(hard.request(), sources=()), ())
-    again = scan_of(record_of(nothing))
-    assert_same(again, nothing)
-    assert again.sources == ()
-    assert not len(again.cells)
 
 
 def test_names_of_sources_may_be_in_any_script(hard: Scene) -> None:
@@ -278,19 +228,6 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     assert (found.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()
 
 
-def test_where_the_mosaic_has_no_pixels_nothing_is_told(tmp_path: Path) -> None:
-    given = images()
-    made = blended(*given, beside(SEAM))
-    made[: SIDE // 2] = NODATA
-    found = scan_block(scene(tmp_path, made, given).request())
-    units, labels = SIDE // 2 // UNIT_PX, SIDE // 2 // LABEL_PX
-    assert (found.ground[:units] == EMPTY).all()
-    assert (found.ground[units : 2 * units, : 2 * units] >= 0).all()
-    assert (found.labels[:labels] == UNKNOWN).all()
-    assert (found.labels[labels : 2 * labels, : 2 * labels] == true_labels()[labels:]).mean() > 0.998
-    assert (found.cells.row >= SIDE // 2 // CELL_PX).all()
-
-
 def test_a_mosaic_of_nothing_is_a_block_of_nothing(tmp_path: Path) -> None:
     found = scan_block(scene(tmp_path, np.full(SHAPE, NODATA, np.uint8), images()).request())
     assert not found.notices
@@ -335,13 +272,6 @@ def test_a_mosaic_that_cannot_be_read_is_told_and_nothing_is_raised(tmp_path: Pa
     assert (found.labels == UNKNOWN).all()
 
 
-def test_without_sources_nothing_is_followed(hard: Scene) -> None:
-    found = scan_block(replace(hard.request(), sources=()))
-    assert (found.labels == UNKNOWN).all()
-    assert not len(found.cells)
-    assert not found.notices
-
-
 # --- what is called for -----------------------------------------------------------------------------------------
 
 
@@ -370,36 +300,6 @@ def test_what_given_seams_call_for_is_measured_beside_what_patches_do(hard: Scen
 def squares(*rows: str) -> np.ndarray:
     """Squares of digits; a dot is unknown."""
     return np.array([[UNKNOWN if one == "." else int(one) for one in row] for row in rows], np.uint8)
-
-
-def test_units_are_called_for_between_squares_that_differ() -> None:
-    per_square = SQUARE_PX // UNIT_PX
-    found = called_for(squares("0011"))
-    assert found.shape == (per_square, 4 * per_square)
-    assert found.all(axis=0).tolist() == [5 <= unit < 11 for unit in range(16)]
-    assert called_for(squares("0", "0", "1", "1")).all(axis=1).tolist() == [5 <= unit < 11 for unit in range(16)]
-
-
-@pytest.mark.parametrize("rows", [["0000", "0000"], ["0..1", "0..1"], ["....", "...."], ["0"]])
-def test_nothing_is_called_for_where_none_differ(rows: list[str]) -> None:
-    assert not called_for(squares(*rows)).any()
-
-
-@pytest.mark.parametrize(("middle", "expected"), [(0, range(7, 11)), (1, range(5, 9)), (UNKNOWN, range(5, 11))])
-def test_a_patch_midway_halves_what_is_called_for(middle: int, expected: range) -> None:
-    middles = np.full((1, 3), UNKNOWN, np.uint8)
-    middles[0, 1] = middle
-    found = called_for(squares("0011"), UNKNOWN, (middles, np.zeros((0, 4), np.uint8)))
-    assert np.flatnonzero(found.all(axis=0)).tolist() == list(expected)
-
-
-def test_the_arrays_of_all_blocks_are_of_one_size(hard: Scene) -> None:
-    found = scan_block(hard.request())
-    assert found.squares.shape == (SQUARES, SQUARES)
-    assert found.labels.shape == (LABELS, LABELS)
-    assert found.mixture.shape == (CELLS, CELLS)
-    assert found.ground.shape == found.dense.shape == (UNITS, UNITS)
-    assert CELLS * CELL_PX == BLOCK_PX
 
 
 @pytest.mark.parametrize("size", [(384, 128), (128, 384), (130, 900), (640, 640), (129, 128)])

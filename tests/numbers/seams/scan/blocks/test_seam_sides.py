@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.seams.measure.blocks.seam_sides import REACH_PX, SeamSides, Sides
+from seam_inspector.plugin.seams.measure.blocks.seam_sides import SeamSides, Sides
 from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece
 
@@ -36,12 +36,6 @@ def test_two_seams_of_the_same_two_sources_have_the_same_parts_and_others_have_t
     others = sides_of((DOWN, (3, 5)), (further, (3, 6))).parts(window)
     assert len(np.unique(same)) == 2
     assert len(np.unique(others)) == 4
-
-
-def test_far_from_all_seams_nothing_is_said() -> None:
-    parts = sides_of((DOWN, (3, 5))).parts(PixelWindow(100, 40, 1024, 64))
-    assert (parts[:, int(REACH_PX) + 4 :] == -1).all()
-    assert (parts[:, : int(REACH_PX) - 4] >= 0).all()
 
 
 def test_sources_are_named_by_the_seams_of_their_place() -> None:

@@ -105,30 +105,7 @@ def test_blocks_hold_their_own_part() -> None:
     assert squares.dense_in((1, 0))[0, 8:].all()
 
 
-def test_without_a_corridor_all_blocks_are_read() -> None:
-    squares = SeamSquares([seam((100, 100), (200, 100))], BLOCKS)
-    assert all(map(squares.is_read, BLOCKS))
-
-
 def test_a_corridor_leaves_out_blocks_that_no_seam_is_near_to() -> None:
     squares = SeamSquares([seam((100, 100), (100, 1900))], BLOCKS, corridor_px=200.0)
     assert [key for key in BLOCKS if squares.is_read(key)] == [(0, 0), (1, 0)]
     assert not SeamSquares([seam((100, 100), (100, 1200))], BLOCKS, 200.0).is_read((1, 0))
-
-
-def test_seams_beyond_the_mosaic_call_for_nothing() -> None:
-    away = [seam((-900, -900), (-200, -800)), seam((COLUMNS + 900, 0), (COLUMNS + 900, ROWS))]
-    for corridor_px in (0.0, 300.0):
-        assert not dense_of(SeamSquares(away, BLOCKS, corridor_px)).any()
-    assert not any(SeamSquares(away, BLOCKS, 300.0).is_read(key) for key in BLOCKS)
-
-
-@pytest.mark.parametrize("places", [[(500, 500), (500, 500)], [(500, 500), (500.1, 500)]])
-def test_a_seam_of_no_length_is_a_place(places: list[tuple[float, float]]) -> None:
-    dense = dense_of(SeamSquares([seam(*places)], BLOCKS))
-    assert dense[500 // UNIT_PX, 500 // UNIT_PX]
-    assert 4 <= dense.sum() <= 25
-
-
-def test_no_seams_call_for_nothing() -> None:
-    assert not dense_of(SeamSquares([], BLOCKS)).any()

@@ -64,11 +64,6 @@ def test_a_seam_is_cut_evenly_and_the_rest_is_spread() -> None:
     np.testing.assert_allclose(pieces[2].vertices, seam((65, 10), (80, 10), (80, 22.5)).vertices)
 
 
-def test_a_cut_at_a_vertex_leaves_no_point_twice() -> None:
-    first, second = cut_in_pieces([seam((10, 10), (35, 10), (35, 35))], 25, GRID)
-    assert len(first.vertices) == len(second.vertices) == 2
-
-
 def test_a_seam_shorter_than_half_a_piece_is_one_piece() -> None:
     assert [piece.length_m for piece in cut_in_pieces([seam((10, 10), (12, 10))], 25, GRID)] == pytest.approx([2.0])
 
@@ -124,19 +119,6 @@ def test_what_is_left_of_a_seam_is_what_gdal_finds_inside(seed: int) -> None:
     assert sum(metres(piece.vertices) for piece in pieces) == pytest.approx(sum(piece.length_m for piece in pieces))
 
 
-def test_seams_inside_the_mosaic_or_on_its_edge_are_kept_whole() -> None:
-    lines = [seam((0, 0), (2000, 0), (2000, 1500)), crooked(1, 40)]
-    pieces = cut_in_pieces(lines, 25, GRID)
-    assert sum(piece.length_m for piece in pieces) == pytest.approx(3500 + metres(lines[1].vertices))
-    assert cut_off(lines, pieces, GRID) is None
-
-
-def test_a_seam_beside_the_mosaic_has_no_pieces() -> None:
-    lines = [seam((-10, -10), (-10, 2000)), seam((-10, 5), (5, -10)), seam((3000, 10), (3000, 20))]
-    assert cut_in_pieces(lines, 25, GRID) == []
-    assert cut_off(lines, [], GRID) is not None
-
-
 @pytest.mark.parametrize("piece_m", [0, -1, float("nan"), float("inf")])
 def test_pieces_of_no_length_are_refused(piece_m: float) -> None:
     with pytest.raises(SettingsError, match="or more"):
@@ -177,24 +159,6 @@ def test_a_part_of_the_index_answers_for_its_block_as_the_whole_does() -> None:
     assert set(np.unique(of_part[0])) - {-1} <= set(part.numbers.tolist())
 
 
-def test_the_side_and_the_station_of_places_are_told() -> None:
-    pieces = cut_in_pieces([seam((100, 100), (200, 100), (200, 180))], 45, GRID)
-    columns = np.array([150, 150, 190, 210, 205, 205]) / GRID.pixel_width
-    rows = np.array([98, 103, 150, 150, 95, 240]) / GRID.pixel_height
-    found = PieceIndex(pieces, GRID).beside(columns, rows, 100)
-    assert found.number.tolist() == [1, 1, 3, 3, 2, -1]
-    assert found.on_left[:5].tolist() == [True, False, False, True, True]
-    np.testing.assert_allclose(found.station_m[:5], [50, 50, 150, 150, 100], atol=0.1)
-    np.testing.assert_allclose(found.distance_px[:4], np.array([2, 3, 10, 10]) / 0.25, atol=0.1)
-
-
-def test_stretches_much_longer_than_a_block_are_found() -> None:
-    pieces = cut_in_pieces([seam((0, 0), (2000, 1500))], 10_000, GRID)
-    number, distance = PieceIndex(pieces, GRID).nearest(np.array([3000.0, 3000]), np.array([2250.0, 2350]), 500)
-    assert number.tolist() == [0, 0]
-    np.testing.assert_allclose(distance, [0, 80], atol=0.1)
-
-
 def test_a_stretch_that_runs_far_beyond_costs_what_is_near_alone() -> None:
     """A stretch on a mosaic whose file says that its pixels are millionths of a metre."""
     index = PieceIndex([seam((0, 100), (5e6, 200))], GRID)
@@ -204,13 +168,6 @@ def test_a_stretch_that_runs_far_beyond_costs_what_is_near_alone() -> None:
     tracemalloc.stop()
     assert number.tolist() == [0, 0, -1]
     np.testing.assert_allclose(distance[:2], [0.06, 79.94], atol=0.01)
-
-
-def test_an_index_without_pieces_finds_none() -> None:
-    number, distance = PieceIndex([], GRID).nearest(np.zeros((2, 3)), np.zeros((2, 3)), 100)
-    assert number.tolist() == [[-1] * 3] * 2
-    assert np.isinf(distance).all()
-    assert len(PieceIndex([], GRID).near(PixelWindow(0, 0, 2048, 2048), 100)) == 0
 
 
 def test_a_hundred_thousand_pieces_cost_a_block_next_to_nothing() -> None:

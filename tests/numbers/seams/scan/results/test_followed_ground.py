@@ -56,16 +56,6 @@ def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
     assert (one.x, one.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
 
 
-def test_a_line_that_ends_tells_of_nothing_beyond() -> None:
-    gap = 5
-    (one,) = ground_of(halves(), [[(20.0, 0.0), (20.0, 18.0)], [(20.0, 18.0 + gap), (20.0, 40.0)]]).unseen
-    assert (gap - 2) * UNIT_PX * GSD <= one.metres + 1e-6 <= gap * UNIT_PX * GSD  # without the units where it ends
-
-
-def test_lines_that_go_on_in_each_other_leave_no_gap() -> None:
-    assert not ground_of(halves(), [[(20.0, 0.0), (20.0, 18.0)], [(20.0, 18.0), (20.0, 40.0)]]).unseen
-
-
 @pytest.mark.parametrize("dash_px", [4, 30, 60])
 def test_dashes_too_short_to_be_measured_tell_of_no_border(dash_px: int) -> None:
     dashes = [[(20.0, row), (20.0, row + dash_px / UNIT_PX)] for row in range(0, 39, 2)]
@@ -81,12 +71,6 @@ def test_an_aslant_strip_without_pixels_hides_a_border(width: int) -> None:
     assert sum(one.metres for one in ground_of(units).unseen) == pytest.approx(60 * 2**0.5 * UNIT_PX * GSD, rel=0.15)
 
 
-def test_an_aslant_border_is_as_long_as_a_line() -> None:
-    row, column = np.indices((60, 60))
-    (one,) = ground_of((column > row).astype(int)).unseen
-    assert one.metres == pytest.approx(60 * 2**0.5 * UNIT_PX * GSD, rel=0.06)
-
-
 @pytest.mark.parametrize("covering", [LACKING, EMPTY])
 @pytest.mark.parametrize("width", [1, 2, 5])
 def test_a_strip_between_two_sources_hides_their_border(covering: int, width: int) -> None:
@@ -98,13 +82,6 @@ def test_a_strip_between_two_sources_hides_their_border(covering: int, width: in
     assert (found.empty > 0) == (covering == EMPTY)
 
 
-@pytest.mark.parametrize("covering", [LACKING, EMPTY])
-def test_a_strip_through_one_source_hides_none(covering: int) -> None:
-    units = np.zeros((40, 40), int)
-    units[:, 20:22] = covering
-    assert ground_of(units).unseen == []
-
-
 def test_a_strip_too_short_for_a_piece_hides_none() -> None:
     units = halves()
     units[10:12, 19:21] = LACKING
@@ -112,36 +89,11 @@ def test_a_strip_too_short_for_a_piece_hides_none() -> None:
     assert ground_of(units, lines).unseen == []
 
 
-def test_what_is_interrupted_is_one_place() -> None:
-    units = halves()
-    units[[8, 9, 13, 14, 18], 20] = LACKING
-    ends = [(0.0, 7.7), (10.3, 12.7), (15.3, 17.7), (19.3, 40.0)]
-    lines = [[(20.0, first), (20.0, last)] for first, last in ends]
-    (one,) = ground_of(units, lines).hidden
-    assert one.metres == pytest.approx(5 * UNIT_PX * GSD)
-
-
 def test_a_lake_between_two_sources_hides_none() -> None:
     units = halves()
     units[:, 18:24] = PLAIN
     found = ground_of(units)
     assert (found.unseen, found.unexplained) == ([], 0)
-
-
-def test_two_parts_far_apart_and_the_corner_of_an_outline_hide_none() -> None:
-    units = halves()
-    units[:, 14:26] = EMPTY
-    apart = ground_of(units)
-    assert (apart.unseen, apart.empty) == ([], 0)
-    units = halves()
-    units[:20] = EMPTY  # the seam ends at the outline
-    assert ground_of(units, [[(20.0, 20.0), (20.0, 40.0)]]).unseen == []
-    row, column = np.indices((40, 40))
-    ell = np.where(row < column, 0, 1)
-    ell[:26, 14:] = EMPTY
-    corner = ground_of(ell, [[(0.0, 0.0), (40.0, 40.0)]])
-    assert corner.unseen == []
-    assert corner.empty == 0
 
 
 def test_a_collar_is_no_hole() -> None:

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, LABELS
@@ -65,14 +64,6 @@ def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
     assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
     mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
     assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)
-
-
-def test_a_feather_is_a_line_and_all_else_is_even() -> None:
-    made = blend(33)
-    kept = pixels_of(33, 32)[KEPT][: SIDE // 32, : SIDE // 32]
-    distance = made.distance.reshape(SIDE // 32, 32, -1, 32).min(axis=(1, 3))
-    assert np.median(kept[distance < 4]) < 0.9
-    assert np.median(kept[distance > 40]) == pytest.approx(1, abs=0.02)
 
 
 def test_pixels_name_the_source_in_their_middle() -> None:
@@ -158,19 +149,6 @@ def test_overviews_are_means_but_for_the_numbers_of_sources(tmp_path: Path, mosa
     assert set(np.unique(source.GetOverview(0).ReadAsArray())) <= {NODATA, 1, 2, 3}
 
 
-def test_a_small_picture_needs_no_overviews(tmp_path: Path, mosaic: Raster) -> None:
-    written(tmp_path / "loss.tif", mosaic, 64)
-    dataset = gdal.Open(str(tmp_path / "loss.tif"))
-    assert not dataset.GetRasterBand(1).GetOverviewCount()
-
-
-def test_a_band_of_which_nothing_is_known_has_no_statistics(tmp_path: Path, mosaic: Raster) -> None:
-    with loss_raster(str(tmp_path / "loss.tif"), mosaic, 128) as raster:
-        raster.close([])
-    dataset = gdal.Open(str(tmp_path / "loss.tif"))
-    assert (dataset.ReadAsArray() == NODATA).all()
-
-
 def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic: Raster) -> None:
     huge = replace(mosaic, columns=10**6, rows=10**6)
     cells = np.full((len(BANDS), 64, 64), NODATA, np.float32)
@@ -195,14 +173,3 @@ def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic
         assert overview.ReadAsArray(column, row, 1, 1) == 2
         pixels = overview.ReadAsArray(*(0, 0) if level > 3 else (column - 90, row - 90), 181, 181)
         assert np.count_nonzero(pixels != NODATA) <= (40 // factor + 2) * (44 // factor + 2)
-
-
-def test_a_picture_that_was_not_finished_is_not_there(tmp_path: Path, mosaic: Raster) -> None:
-    with pytest.raises(KeyboardInterrupt), loss_raster(str(tmp_path / "loss.tif"), mosaic, 32):
-        raise KeyboardInterrupt
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_folder_that_is_not_there_is_told(tmp_path: Path, mosaic: Raster) -> None:
-    with pytest.raises(RasterError, match=r"loss\.tif"), loss_raster(str(tmp_path / "no" / "loss.tif"), mosaic, 32):
-        pass
