@@ -67,9 +67,6 @@ def taken(name: str, function: Callable[..., Any]) -> Iterator[str]:
             yield f"{name} {parameter.name}"
 
 
-# --- what writes ---------------------------------------------------------------------------------------------------
-
-
 @dataclasses.dataclass(frozen=True)
 class Writer:
     """A function that writes, with inputs of its own."""
@@ -194,9 +191,6 @@ def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
         assert not Path(f"{path}.ovr").exists()
 
 
-# --- what can't be written ------------------------------------------------------------------------------------------
-
-
 def test_a_name_that_cannot_be_written_is_refused_before_anything_is_measured(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
@@ -235,9 +229,6 @@ def test_a_scan_is_written_over_a_scan_and_no_other_layers(
         with pytest.raises(SeamInspectorError, match="something else"):
             write()
     assert gdal.OpenEx(str(path)).GetLayerByName("mine") is not None
-
-
-# --- which files belong to an input --------------------------------------------------------------------------------
 
 
 @pytest.fixture

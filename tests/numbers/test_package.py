@@ -21,7 +21,7 @@ from tests.releases import built, cloned, run_tool
 from tools import python_pages
 from tools.check_package import check_package
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.release
 
 ELSEWHERE = {"TZ": "Pacific/Auckland", "LC_ALL": "pl_PL.UTF-8", "LANG": "pl_PL.UTF-8", "QT_HASH_SEED": "7"}
 CHECKED = pytest.mark.skipif(

@@ -19,7 +19,7 @@ from seam_inspector.plugin.toolkit.executors import measuring_modules
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import orthoimage
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.release
 
 IMPORT_ALL = """
 import importlib, pkgutil, sys

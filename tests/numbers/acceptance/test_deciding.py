@@ -81,7 +81,6 @@ def test_exactly_the_limit_passes() -> None:
     found = decide(delivery(pieces), rules(share=1, run=1000))
     assert [found.pieces[number].state for number in (0, 99)] == [PieceState.PASSED, PieceState.FAILED]
     share, longest = found.whole.failed_share, found.longest_failure_m
-    assert share is not None
     assert decide(delivery(pieces), rules(share=share, run=longest)).accepted
     assert decide(delivery(pieces), rules(share=share - 1e-6, run=longest)).outcome is REJECTED
     assert decide(delivery(pieces), rules(share=share, run=longest - 1e-6)).outcome is REJECTED
@@ -152,8 +151,6 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     assert found.whole.failed_m == 30  # by value, as anybody adds it up
     assert "a verdict on the pieces whose intervals hold the limit (30 m, pieces: 3)" in told(found)
     outcome = found.outcomes[0]
-    assert outcome.low is not None
-    assert outcome.high is not None
     assert outcome.low < 0.02 < found.whole.failed_share < outcome.high
     assert decide(delivery(sure(unclear), rest), rules(run=None)).outcome is REJECTED
 
@@ -232,7 +229,6 @@ def test_a_plan_decides_by_its_number(failed: int, accepted: bool) -> None:
     kept = [0.4] * failed + [0.9] * (80 - failed)
     found = decide(delivery(seam(kept)), rules(None, None, sampling=SAMPLING), lot_size=1000)
     assert found.accepted == accepted
-    assert found.plan is not None
     assert (found.plan.plan.sample_size, found.plan.plan.acceptance_number) == (80, 2)
     assert (found.plan.inspected, found.plan.nonconforming) == (80, failed)
     assert f"{failed} of 80 inspected pieces failed" in str(found.sentences[0])
@@ -245,7 +241,6 @@ def test_a_sample_is_drawn_with_its_seed() -> None:
         decide(made, rules(None, None, sampling=SAMPLING), seed=seed) for seed in (1, 1, 2)
     )
     assert first.plan == again.plan
-    assert other.plan is not None
     assert (other.plan.seed, other.plan.inspected) == (2, 80)
     assert first.whole.failed_m == 300  # the figures are of all that was measured
 

@@ -137,7 +137,6 @@ def test_what_was_not_ordered_is_no_part_of_the_mosaic(tmp_path: Path, sound: li
     others = [extra(sheet(tmp_path, f"zz_{number}", 0, overview.astype("uint16"))) for number in range(6)]
     others.append(extra(sheet(tmp_path, "zz_overview", 0, overview // 2)))
     found = checked_sheets([*others, *sound], OrderedForm(), lambda share: True)
-    assert found is not None
     assert [one.sheet.name for one in fitting(found)] == [one.name for one in sound]
     assert {str(one.findings[0]) for one in found[: len(others)]} == {"it was not ordered"}
     assert not any(one.findings for one in found[len(others) :])

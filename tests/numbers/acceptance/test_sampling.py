@@ -22,7 +22,7 @@ from seam_inspector.plugin.acceptance.measure.sampling_plans import (
 )
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_the_characteristic_is_that_of_2000_drawn_lots() -> None:
     random, lots, size = np.random.default_rng(3), 2000, 1000
     plan = single_sampling_plan(size, "1.0")

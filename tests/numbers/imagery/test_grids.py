@@ -28,9 +28,6 @@ def extent(left: float, top: float, right: float, bottom: float, gsd: float = 0.
     return (LEFT + left * gsd, TOP - bottom * gsd, LEFT + right * gsd, TOP - top * gsd)
 
 
-# --- the standard window ---------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("gsd", "side_m", "side_px"),
     [
@@ -75,9 +72,6 @@ def test_a_standard_window_is_centred_on_its_point(right_m: float, down_m: float
     xmin, ymin, xmax, ymax = grid().window_extent(window)
     assert (xmin + xmax) / 2 == pytest.approx(LEFT + right_m, abs=0.05 + 1e-6)
     assert (ymin + ymax) / 2 == pytest.approx(TOP - down_m, abs=0.05 + 1e-6)
-
-
-# --- drawn rectangles ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

@@ -30,8 +30,6 @@ from tests.numbers.clips import (
 )
 from tests.numbers.synthetic import orthoimage
 
-# --- gaps ------------------------------------------------------------------------------------------------------
-
 
 def nodata_in(kind: type, value: float) -> Callable[..., str]:
     def make(make_raster: MakeRaster, image: np.ndarray, gap: np.ndarray) -> str:
@@ -155,9 +153,6 @@ def test_validity_is_checked_from_a_part_of_the_pixels(make_raster: MakeRaster) 
     assert not is_valid(PixelWindow(100, 92, 128, 128))
 
 
-# --- bands -----------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("colours", "names", "order"),
     [
@@ -251,9 +246,6 @@ def test_gaps_of_a_palette(
     colours = np.array(PALETTE)[inside(indices)][..., :3]
     np.testing.assert_array_equal(np.moveaxis(clip.bands, 0, -1)[valid], colours[valid])
     np.testing.assert_allclose(clip.bands[:, ~valid].mean(axis=1), colours[valid].mean(axis=0), atol=1)
-
-
-# --- what a user calls no data ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("gsd", [0.1, 0.05])

@@ -25,8 +25,6 @@ from tests.numbers.clips import (
 )
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
 
-# --- place on the map ------------------------------------------------------------------------------------------
-
 
 @pytest.mark.parametrize(
     "system",
@@ -167,9 +165,6 @@ def test_an_extent_is_carried_to_another_system() -> None:
     assert xmax == pytest.approx(degrees[:, 0].max(), abs=1e-6)
     assert ymin == pytest.approx(degrees[:, 1].min(), abs=1e-6)
     assert ymax == pytest.approx(degrees[:, 1].max(), abs=1e-6)
-
-
-# --- what is no raster to measure ------------------------------------------------------------------------------
 
 
 LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'

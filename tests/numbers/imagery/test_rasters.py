@@ -27,8 +27,6 @@ from tests.numbers.clips import (
 )
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture
 
-# --- pixels as they are ----------------------------------------------------------------------------------------
-
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int16, np.int32, np.float32, np.float64])
 @pytest.mark.parametrize("bands", [1, 3, 4])
@@ -142,9 +140,6 @@ def test_threads_read_the_same_file_at_once(mosaic: Raster) -> None:
     image = orthoimage(SIZE)
     for window, clip in zip(windows, clips):
         np.testing.assert_array_equal(clip.bands, inside(image, window))
-
-
-# --- resampled -------------------------------------------------------------------------------------------------
 
 
 def scene_in_window() -> np.ndarray:

@@ -17,8 +17,6 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from tests.numbers.imagery.conftest import SIDE, WHOLE, WINDOW, expected, read
 from tests.range_server import NONE, Answer, Fault, RangeServer, serving
 
-# --- faults that pass ------------------------------------------------------------------------------------------
-
 
 def first(count: int, fault: Fault, method: str = "") -> Callable[[Answer], Fault]:
     """The fault for so many requests."""
@@ -63,9 +61,6 @@ def one_second(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_no_answer_once_is_asked_again(server: RangeServer, folder: Path) -> None:
     server.fault = first(1, Fault(silent=True), "GET")
     np.testing.assert_array_equal(read(server.vsi("cog.tif")), expected(folder))
-
-
-# --- faults that stay ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.slow

@@ -87,9 +87,6 @@ def assert_same(ones: Sequence[Seam], others: Sequence[Seam]) -> None:
         np.testing.assert_allclose(one.vertices, other.vertices, atol=1e-6)
 
 
-# --- lines -----------------------------------------------------------------------------------------------------
-
-
 @given(st.randoms(use_true_random=False), st.integers(20, 200), st.integers(0, 200))
 def test_pieces_in_any_order_direction_and_number_of_copies_are_one_seam(random, width: int, height: int) -> None:
     path = staircase(width, height) * 0.03 + ORIGIN
@@ -185,9 +182,6 @@ def test_curves_are_followed() -> None:
     assert seam.length == pytest.approx(500 * np.pi, rel=1e-3)
 
 
-# --- polygons --------------------------------------------------------------------------------------------------
-
-
 @given(st.integers(1, 5), st.integers(2, 5), st.floats(5, 300), st.floats(5, 300))
 def test_a_grid_of_cells_has_its_inner_lines_as_seams(rows: int, columns: int, width: float, height: float) -> None:
     cells = [
@@ -262,9 +256,6 @@ def test_every_kind_of_polygon_is_read(text: str) -> None:
     assert seam.length == pytest.approx(50)
 
 
-# --- nothing to find -------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("geometries", "sentence"),
     [
@@ -292,9 +283,6 @@ def test_coordinates_that_are_no_numbers_are_refused() -> None:
     geometry[-8:] = np.array([np.nan]).tobytes()
     with pytest.raises(SeamlineError, match="no numbers"):
         find_seams([bytes(geometry)], 1.0)
-
-
-# --- real layers -----------------------------------------------------------------------------------------------
 
 
 def test_a_polygon_with_corners_that_are_no_numbers_is_refused_before_geos_dies_of_it() -> None:

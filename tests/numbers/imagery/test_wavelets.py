@@ -48,9 +48,6 @@ def assert_curve(curve: Curve, band: np.ndarray, wavelet: str, levels: int) -> N
     assert curve.variance == pytest.approx(expected.energy / band.size, rel=1e-7)
 
 
-# --- equal to PyWavelets ---------------------------------------------------------------------------------------
-
-
 def test_the_wavelets_are_the_orthogonal_ones_of_pywavelets() -> None:
     """dmey's published coefficients are orthonormal to 0.2 % only."""
     discrete = pywt.wavelist(kind="discrete")
@@ -141,9 +138,6 @@ def test_curve_of_a_window_with_every_wavelet_in_float32(wavelet: str, levels: i
                 assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
 
 
-# --- bands together --------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("bands", [3, 4, 5])
 @pytest.mark.parametrize("wavelet", ["coif3", "haar"])
 def test_luminance_is_that_of_the_mixed_bands(bands: int, wavelet: str) -> None:
@@ -197,9 +191,6 @@ def test_coarse_components_hold_the_coefficients_of_pywavelets(levels: int, wave
         np.testing.assert_allclose(found - found.mean(), expected, atol=1e-4)
 
 
-# --- directions ------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("wavelet", ["coif3", "db4", "sym5", "haar", "coif1"])
 def test_placed_components_show_a_point_where_it_is(wavelet: str) -> None:
     """To half of 2^r px, in the mean over places beside the grid; PyWavelets' own, moved by whole coefficients."""
@@ -234,9 +225,6 @@ def test_components_of_float32_planes_with_every_wavelet(wavelet: str, shape: tu
                 np.testing.assert_allclose(np.linalg.norm(mine), np.linalg.norm(theirs), rtol=2e-5)
 
 
-# --- facts -----------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("value", [0, 255, 60000, 0.1, 1e6, -3.3])
 @pytest.mark.parametrize("shape", [(64, 72), LARGE])
 def test_a_constant_clip_has_no_variance_and_no_shares(value: float, shape: tuple[int, int]) -> None:
@@ -255,9 +243,6 @@ def test_a_constant_band_does_not_spoil_the_others() -> None:
     for index in (0, 2):
         assert_curve(curves[index], clip[index], "coif3", 3)
     assert_curve(curves[3], luminance(clip), "coif3", 3)
-
-
-# --- settings --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -282,9 +267,6 @@ def test_other_settings_are_refused_with_the_reason(wavelet: str, levels: int, s
         component_products(band[np.newaxis], wavelet, levels)
     with pytest.raises(SettingsError, match=sentence):
         next(detail_components(band[np.newaxis], wavelet, levels))
-
-
-# --- any memory layout, any thread -----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("side", [96, 1024])

@@ -41,16 +41,13 @@ def measured(band: np.ndarray, wavelet: str = "coif3", levels: int = 3) -> BandN
     return measure_noise(pixels[np.newaxis], ("band_1",), wavelet, levels)["band_1"]
 
 
-# --- the spectrum ----------------------------------------------------------------------------------------------
-
-
 @lru_cache(maxsize=1)
 def scanned_grain(size: float) -> np.ndarray:
     """1024 x 1024 px, as a scanner samples what is finer than its pixels."""
     return grain(1, 4 * size, (4096, 4096))[::4, ::4].copy() if size else grain(1, 0, (1024, 1024))
 
 
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize("wavelet", ["haar", "db4", "coif3", "sym8"])
 @pytest.mark.parametrize("size", [0.0, 0.5, 1.0, 1.5])
 def test_the_spectrum_of_grain_is_what_pywavelets_makes_of_it(wavelet: str, size: float) -> None:
@@ -60,14 +57,10 @@ def test_the_spectrum_of_grain_is_what_pywavelets_makes_of_it(wavelet: str, size
     assert grain_spectrum(wavelet, 4, size) == pytest.approx(expected, rel=0.06)
 
 
-# --- the quiet ground ------------------------------------------------------------------------------------------
-
-
 @at_most(15)
 @given(sigma=st.floats(0.1, 100), seed=st.integers(0, 99))
 def test_pure_noise_is_quiet_ground_of_its_own_strength(sigma: float, seed: int) -> None:
     found = quiet_ground(np.random.default_rng(seed).normal(0, sigma, (3, 120, 120)))
-    assert found is not None
     assert found.quiet == pytest.approx(sigma, rel=0.06)
     assert found.least == pytest.approx(sigma, rel=0.15)
     assert found.unevenness == pytest.approx(1, abs=0.06)
@@ -79,14 +72,10 @@ def test_a_cut_off_sky_does_not_hide_the_noise_of_the_ground() -> None:
     assert measured(pixels).verdict != NoiseVerdict.LOW
 
 
-# --- the verdict -----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("size", [0.5, 0.7, 1.0])
 @pytest.mark.parametrize("sigma", [6.0, 8.0, 15.0])
 def test_grain_on_even_ground_is_recognised_with_its_size_and_strength(size: float, sigma: float) -> None:
     found = measured(120 + 15 * texture((1024, 1024), 4, 2) + grain(sigma, size, (1024, 1024)))
-    assert found.grain is not None
     assert found.grain.size == pytest.approx(size, abs=0.11)
     assert found.grain.sigma == pytest.approx(sigma, rel=0.1)
     assert found.verdict in (NoiseVerdict.MODERATE, NoiseVerdict.STRONG)
@@ -114,6 +103,7 @@ def test_a_window_too_small_to_look_for_grain_is_uncertain_and_says_so() -> None
     assert "too small" in str(found.note)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize("size", [0.0, 0.5, 0.7, 1.0])
 @pytest.mark.parametrize("place", GROUND, ids=lambda place: f"{place[0].stem}-{place[1]}-{place[2]}")
 def test_made_grain_on_real_ground_is_never_low(

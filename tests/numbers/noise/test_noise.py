@@ -33,9 +33,6 @@ def noise(sigma: float, shape: tuple[int, int] = (512, 512), seed: int = 1) -> n
     return np.random.default_rng(seed).normal(0, sigma, shape)
 
 
-# --- the curve, kurtosis and sigma -----------------------------------------------------------------------------
-
-
 def test_figures_are_those_of_pywavelets_and_scipy() -> None:
     bands = orthoimage((512, 512))
     found = measure_noise(bands, RGB)
@@ -70,9 +67,6 @@ def test_natural_textures_rise_with_their_power_law(beta: float, seed: int) -> N
     assert rises == pytest.approx([2 ** (beta - 2)] * 2, rel=0.2)
     assert found.verdict in (NoiseVerdict.LOW, NoiseVerdict.UNCERTAIN)  # all of it alike, and Gaussian: so is grain
     assert found.grain is None
-
-
-# --- the verdict -----------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -144,9 +138,6 @@ def test_a_constant_band_has_no_figures_and_says_why() -> None:
 def test_settings_that_make_no_sense_are_refused(wavelet: str, levels: int) -> None:
     with pytest.raises(SettingsError):
         check_noise_settings(wavelet, levels)
-
-
-# --- filled pixels ---------------------------------------------------------------------------------------------
 
 
 @at_most(8)

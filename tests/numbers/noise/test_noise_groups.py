@@ -40,9 +40,6 @@ def grey(side: tuple[int, int] = (512, 512), seed: int = 0) -> np.ndarray:
     return orthoimage(side, bands=1, seed=seed)
 
 
-# --- the choice ------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def large(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A virtual raster of 20 000 x 12 000 px: one tile over and over, its right third saturated."""
@@ -115,9 +112,6 @@ def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeR
     assert said[1].startswith("empty.tif has no valid part of 64 x 64 px")
 
 
-# --- one group -------------------------------------------------------------------------------------------------
-
-
 def test_a_photograph_without_a_place_on_the_map_is_measured(tmp_path: Path) -> None:
     pixels = orthoimage((256, 256))
     memory = gdal.GetDriverByName("MEM").Create("", 256, 256, 3, gdal.GDT_Byte)
@@ -160,9 +154,6 @@ def test_a_window_with_too_many_invalid_pixels_says_so_and_costs_nothing_else(ma
     assert first.bands == {}
     assert "of the pixels of holes.tif are invalid" in str(first.reason)
     assert second.bands
-
-
-# --- two groups ------------------------------------------------------------------------------------------------
 
 
 def test_the_same_pixels_are_left_out_of_both(make_raster: MakeRaster) -> None:
@@ -284,9 +275,6 @@ def test_the_work_stops_when_it_is_cancelled(make_raster: MakeRaster) -> None:
     assert noise_plan.plan_chosen(images([plan.requests[0].parts[0].member.image.ref.path]), 3, lambda: True) == Plan(
         (), ()
     )
-
-
-# --- what windows tell together --------------------------------------------------------------------------------
 
 
 def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_bright(make_raster: MakeRaster) -> None:

@@ -234,7 +234,6 @@ def test_a_given_place_that_is_off_takes_no_part(tmp_path: Path) -> None:
         assert [mark.status for mark in made.marks] == [
             MarkStatus.MEASURED, status, MarkStatus.MEASURED, MarkStatus.MEASURED
         ]
-        assert made.fitted is not None
         assert made.fitted.marks == 3 + (status is MarkStatus.GIVEN)
     everywhere = {name: GivenPosition((x + 40 * (name == "2"), y), False) for name, (x, y) in frame.places.items()}
     made = measured(frame.pixels, tmp_path, positions=everywhere)
@@ -285,8 +284,6 @@ def test_a_cut_out_of_strong_grain_has_its_centre_in_the_mark(tmp_path: Path) ->
     assert max(errors(made, frame)) < 0.3
 
 
-# --- real photos -----------------------------------------------------------------------------------------------
-
 UNBC = "15BCC02013_114.jpg"
 
 
@@ -310,7 +307,6 @@ def test_a_whole_scanned_frame(unbc: Path, unbc_orientation: PhotoOrientation) -
     assert (made.scan_orientation, made.evidence) == (ScanOrientation(0, False), OrientationEvidence.DOTS)
     distances = [math.dist(mark.place, published[mark.name]) for mark in made.marks if mark.place]
     assert np.mean(distances) < 0.62
-    assert made.fitted is not None
     assert (made.fitted.rms_x, made.fitted.rms_y) < (14, 14.5)
     assert min(mark.correlation or 0 for mark in made.marks) > 0.9
 
@@ -320,10 +316,10 @@ def test_the_published_places_leave_the_residuals_that_are_known_of_them(unbc: P
     published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
     given = [MarkResult(name, calibration[name], MarkStatus.GIVEN, place) for name, place in published.items()]
     fitted = fit_marks(given, PlaneModel.AFFINE)[0]
-    assert fitted is not None
     assert (fitted.rms_x, fitted.rms_y) == pytest.approx((11.6, 14.3), abs=0.05)
 
 
+@pytest.mark.release
 def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:
     calibration = read_calibration(unbc / "MeasuresCamera.xml")
     turned = np.ascontiguousarray(np.rot90(Photo(RasterRef(str(unbc / UNBC))).grey().astype(np.uint8)[:, ::-1], -1))
@@ -333,6 +329,7 @@ def test_the_same_frame_mirrored_and_turned(unbc: Path, tmp_path: Path) -> None:
     assert made.count(MarkStatus.MEASURED) == 4
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     ("strip", "place"), [("T", (894, 290)), ("L", (287, 895)), ("B", (894, 170)), ("R", (159, 894))]
 )

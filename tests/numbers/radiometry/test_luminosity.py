@@ -65,6 +65,7 @@ def test_grey_pixels_keep_their_value() -> None:
         assert (luminosity(np.stack([values] * 3)) == values).all()
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "box"), REAL_WINDOWS)
 def test_figures_of_real_images_are_numpys(data_folder: Path, name: str, box: tuple[int, int, int, int] | None) -> None:
     path = data_folder / name

@@ -29,16 +29,12 @@ def streamed(path: str, given: tuple[float, float] | None = None) -> dict[str, H
     source = OpenRaster(RasterRef(path))
     names = source.raster.band_names
     found = stream_statistics(source, source.raster.whole, names, names, given)
-    assert found is not None
     return found[0]
 
 
 def grey(level: float = 128, sigma: float = 8.0, side: int = 256, seed: int = 0) -> np.ndarray:
     noise = np.random.default_rng(seed).normal(level, sigma, (side, side))
     return np.rint(noise).clip(0, 255).astype(np.uint8)
-
-
-# --- histograms ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int16])
@@ -97,9 +93,6 @@ def test_of_values_without_steps_a_256th_of_the_range_counts_as_one(make_raster:
         assert figure(result, check) == pytest.approx(5 / 256, abs=3e-5)
 
 
-# --- areas -----------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("level", "sigma"), [(128, 4.0), (100, 10.0), (150, 25.0), (128, 40.0)])
 def test_signal_to_noise_recovers_what_is_there(make_raster: MakeRaster, level: float, sigma: float) -> None:
     ratio = figure(checked(make_raster("a.tif", grey(level, sigma))), "signal_to_noise")
@@ -114,9 +107,6 @@ def test_noise_is_taken_where_it_is_uniform_and_of_mid_tone(make_raster: MakeRas
     noisy = np.rint(scene + random.normal(0, np.where(scene == 40, 1.0, 6.0))).clip(0, 255).astype(np.uint8)
     result = checked(make_raster("a.tif", noisy))
     assert figure(result, "signal_to_noise") == pytest.approx(120 / 6, rel=0.15)
-
-
-# --- what can't be measured ------------------------------------------------------------------------------------
 
 
 def test_without_uniform_or_grey_areas_it_says_so(make_raster: MakeRaster) -> None:
@@ -163,9 +153,6 @@ def test_it_stops_when_told_to(make_raster: MakeRaster) -> None:
     assert measure(source, source.raster.whole, default_rules(), progress=stop) is None
     assert len(told) == 1
     assert 0 < told[0] < 1
-
-
-# --- seams -----------------------------------------------------------------------------------------------------
 
 
 def seam(*places: tuple[float, float], number: int = 1) -> Seam:
@@ -217,7 +204,6 @@ def test_the_worst_seam_is_named_with_its_place(make_raster: MakeRaster) -> None
     result = checked(make_raster("a.tif", pixels), seams=seams)
     for band, number, column in (("red", 2, 300), ("green", 1, 150), ("blue", 3, 450)):
         spot = checked_figure(result, "seam_step", band).spot
-        assert spot is not None
         assert str(spot.what) == f"seam {number}"
         assert spot.place[0] == pytest.approx(ORIGIN[0] + 0.1 * column, abs=0.01)
         assert ORIGIN[1] - 30 < spot.place[1] < ORIGIN[1]

@@ -132,6 +132,7 @@ def psnr(scene: np.ndarray, seen: np.ndarray) -> float:
     return 10 * np.log10(255**2 / np.mean((seen.astype(float) - scene)[:, 8:-8, 8:-8] ** 2))
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(
     "path", ["noise/seneca/IMG_0460.jpg", "frames/ngi/3324c_2015_1004_05_0182_RGB.tif",
              "seams/packo/19FD5606Ax00020_16372.tif", "seams/brighton/mosaic_hardseam.tif"],

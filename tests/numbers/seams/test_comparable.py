@@ -23,8 +23,6 @@ from tests.numbers.seams.inspecting import (
 )
 from tests.numbers.synthetic import ORIGIN, orthoimage
 
-# --- bands that fit and bands that don't -----------------------------------------------------------------------
-
 
 def test_near_infrared_is_compared_where_both_have_it(make_raster: MakeRaster) -> None:
     rgb, nir = [gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand], [gdal.GCI_Undefined]
@@ -65,9 +63,6 @@ def test_a_source_of_one_band_takes_no_part_in_a_coloured_mosaic(make_raster: Ma
     assert "grey.tif has no luminance" in str(alone.judgement.reason)
     other_way = inspect(block_of(describe_mosaic(RasterRef(grey)), colour))
     assert "colour.tif has no band_1 (its bands: red, green, blue)" in str(other_way.judgement.reason)
-
-
-# --- windows that can't be compared ----------------------------------------------------------------------------
 
 
 def test_a_rectangle_that_is_no_window_gives_its_reason(make_raster: MakeRaster) -> None:

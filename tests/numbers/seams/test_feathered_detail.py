@@ -156,9 +156,6 @@ def brighton(data_folder: Path) -> list[Pair]:
     return pairs[:: max(len(pairs) // 12, 1)]
 
 
-# --- what is promised ------------------------------------------------------------------------------------------
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("ramp", RAMPS)
 @pytest.mark.parametrize("width", [13, 66])
@@ -169,6 +166,7 @@ def test_the_detail_of_generated_images_is_foretold(generated: list[Pair], width
     assert_promise_kept(window)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "ramp"), [(13, COSINE), (33, GAUSSIAN), (66, LINEAR), (256, COSINE)])
 def test_the_detail_of_brightons_orthoimages_is_foretold(brighton: list[Pair], width: float, ramp: str) -> None:
     assert len(brighton) >= 12
@@ -177,9 +175,6 @@ def test_the_detail_of_brightons_orthoimages_is_foretold(brighton: list[Pair], w
     window, strip = errors(brighton, width, ramp, is_seam_known=False)
     assert_promise_kept(window)
     assert_promise_kept(strip[:, :1])  # coarser detail is too sparse in a strip whose place is not known
-
-
-# --- what follows from arithmetic ------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("ramp", RAMPS)
@@ -208,9 +203,6 @@ def test_without_detail_there_is_no_figure() -> None:
     assert kept == KeptDetail((None,) * LEVELS, (None,) * LEVELS)
 
 
-# --- where the seam runs ---------------------------------------------------------------------------------------
-
-
 WINDOW = PixelWindow(64, 32, 128, 96)
 
 
@@ -235,7 +227,6 @@ def drawn(mosaic: Raster, *lines: str) -> np.ndarray | None:
 
 def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:
     distance = drawn(mosaic, line(mosaic, (48, -20), (48, 150)))
-    assert distance is not None
     expected = 0.1 * (np.arange(128) + 0.5 - 48)
     np.testing.assert_allclose(distance, np.broadcast_to(expected, (96, 128)), atol=0.11)  # to a pixel
     assert (distance[:, 60:] > 0).all()  # the larger part

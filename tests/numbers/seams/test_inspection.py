@@ -31,8 +31,6 @@ from tests.numbers.seams.inspecting import (
 )
 from tests.numbers.synthetic import ORIGIN, decompose, luminance, orthoimage, write_raster
 
-# --- the block -------------------------------------------------------------------------------------------------
-
 
 def test_the_mosaic_among_its_sources_is_dropped_with_a_notice(make_raster: MakeRaster, tmp_path: Path) -> None:
     image = orthoimage((64, 64))
@@ -95,9 +93,6 @@ def test_cells_that_name_other_sources_are_told(make_raster: MakeRaster) -> None
         assert templates(notices) == expected
 
 
-# --- overlap ---------------------------------------------------------------------------------------------------
-
-
 def test_a_source_outside_the_window_is_never_opened(make_raster: MakeRaster) -> None:
     image = orthoimage(SIZE)
     mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image // 2 + 60)  # no copy
@@ -133,9 +128,6 @@ def a_mosaic() -> Raster:
     if gdal.VSIStatL(path) is None:
         write_raster(Path(path), orthoimage(SIZE))
     return describe_mosaic(RasterRef(path))
-
-
-# --- one window ------------------------------------------------------------------------------------------------
 
 
 def test_the_result_of_a_window(make_raster: MakeRaster) -> None:
@@ -203,7 +195,6 @@ def test_the_softer_the_mosaic_the_worse_the_verdict(
     assert result.reference == reference
     reason = result.judgement.reason
     if reference == "seam" and verdict is not Verdict.SIGNIFICANT:  # one source: the sharpness alone is judged
-        assert reason is not None
         assert reason.template == seams_messages.NO_SEAM.template
     else:
         assert reason is None

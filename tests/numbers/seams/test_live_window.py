@@ -69,7 +69,6 @@ def request_of(block: Block, window: PixelWindow = WINDOW, window_id: int = 3) -
 def test_live_curves_and_profile_are_those_of_the_whole_inspection(feathered: Block, lanes: ReadingLanes) -> None:
     request = request_of(feathered)
     whole, pixels = inspect_window(request), read_live(request, lanes)
-    assert pixels is not None
     assert [(clip.raster, clip.role) for clip in pixels.clips.clips] == [(c.raster, c.role) for c in whole.clips]
     for live, clip in zip(pixels.clips.clips, whole.clips):
         assert list(live.curves) == ["luminance"]
@@ -77,11 +76,8 @@ def test_live_curves_and_profile_are_those_of_the_whole_inspection(feathered: Bl
         assert live.curves["luminance"].background == pytest.approx(clip.curves["luminance"].background, rel=1e-4)
     assert pixels.clips.paper.verdict == whole.paper_verdict
     profile = live_profile(pixels)
-    assert profile is not None
-    assert whole.profile is not None
     assert profile.kept == pytest.approx(whole.profile.kept, rel=1e-3)
     assert (profile.low, profile.high) == pytest.approx((whole.profile.low, whole.profile.high), rel=1e-3)
-    assert profile.kept[0] is not None
     assert profile.kept[0] < 0.8
 
 

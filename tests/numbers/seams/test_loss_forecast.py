@@ -71,9 +71,6 @@ def templates(notices: tuple[Message, ...]) -> list[str]:
     return [str(notice) for notice in notices]
 
 
-# --- what is foretold ------------------------------------------------------------------------------------------
-
-
 def test_a_blended_mosaic_keeps_what_was_foretold(make_raster: MakeRaster) -> None:
     a, b = (image.astype(np.float32) for image in images())
     paths = [make_raster(name, image) for name, image in (("a.tif", a), ("b.tif", b))]
@@ -87,7 +84,6 @@ def test_a_blended_mosaic_keeps_what_was_foretold(make_raster: MakeRaster) -> No
         of_a, of_b = (float(one[level] or math.nan) ** 2 for one in contrast)  # the mosaic's energy over each source's
         assert 2 / (1 / of_a + 1 / of_b) == pytest.approx(ratio, rel=1e-3)
     assert found.expected == pair.feather.ratios
-    assert seen.explanation is not None
     assert seen.explanation.expected == pytest.approx(found.expected)
 
 
@@ -112,11 +108,11 @@ def test_a_pixel_grid_that_lies_beside_is_no_shift_on_the_ground(make_raster: Ma
     ]
     for order in (paths, paths[::-1]):
         (pair,) = forecast(*order).pairs
-        assert pair.shift is not None
         assert (pair.shift.x, pair.shift.y) == pytest.approx((0, 0), abs=0.05)
         assert not pair.resampled
 
 
+@pytest.mark.release
 def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_folder: Path) -> None:
     folder = data_folder / "seams" / "brighton"
     paths = [str(folder / f"DJI_{number}_ortho.tif") for number in ("0025", "0034")]
@@ -148,9 +144,6 @@ def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_fo
     assert 0.4 < np.median(lengths) < 1.8  # as measured on these images by others
 
 
-# --- feathers of a width ---------------------------------------------------------------------------------------
-
-
 def test_a_mosaic_feathered_at_that_width_keeps_what_was_foretold(make_raster: MakeRaster) -> None:
     a, b = (image.astype(np.float32) for image in images(shape=(256, 256)))
     weight = np.clip((np.arange(256) + 0.5 - 128) / 20 + 0.5, 0, 1).astype(np.float32)  # 20 px of 0.1 m
@@ -165,7 +158,6 @@ def test_a_mosaic_feathered_at_that_width_keeps_what_was_foretold(make_raster: M
         np.array([np.sum(part**2) for part in decompose(luminance(image[window])).details])
         for image in (weight * b + (1 - weight) * a, cut)
     )
-    assert found.kept is not None
     assert found.kept == found.pairs[0].kept
     assert found.kept.window == pytest.approx(blended / hard, abs=0.02)
     assert all(strip < whole for strip, whole in zip(found.kept.strip, found.kept.window) if strip and whole)
@@ -189,16 +181,12 @@ def test_settings_out_of_range_are_refused(changed: dict[str, Any]) -> None:
         ForecastSettings(**changed).check()
 
 
-# --- whose pixels ----------------------------------------------------------------------------------------------
-
-
 def test_the_window_lies_on_the_first_of_sources_with_pixels_of_one_size(make_raster: MakeRaster) -> None:
     a, b = images()
     aside = make_raster("aside.tif", a, origin=(ORIGIN[0] + 0.04, ORIGIN[1]), gsd=0.1004)
     plain = make_raster("plain.tif", b)
     assert forecast(plain, aside).extent == pytest.approx(box(64, 64))
     found = forecast(aside, plain).extent
-    assert found is not None
     columns = (found[0] - ORIGIN[0] - 0.04) / 0.1004
     assert columns == pytest.approx(round(columns), abs=1e-4)
 
@@ -241,13 +229,9 @@ def test_sources_in_another_reference_system(make_raster: MakeRaster, tmp_path: 
     assert [pair.resampled for pair in found.pairs] == [True]
     assert found.extent == pytest.approx(box(200, 200))
     shift = found.pairs[0].shift
-    assert shift is not None
     assert shift.length < 0.1
     degrees = describe(RasterRef(other)).extent  # windows and footprints in that system, measured on the first's pixels
     assert degrees[0] < found.extent[0]
-
-
-# --- of what nothing is foretold -------------------------------------------------------------------------------
 
 
 def test_without_sources_or_with_one(make_raster: MakeRaster) -> None:

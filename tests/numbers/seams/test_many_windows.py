@@ -30,8 +30,6 @@ from tests.numbers.seams.inspecting import (
 from tests.numbers.synthetic import orthoimage, texture
 from tests.patience import PATIENCE_S
 
-# --- many windows ----------------------------------------------------------------------------------------------
-
 
 class Inline(Executor):
     """Runs a task when it is submitted."""
@@ -94,12 +92,12 @@ class Requests:
 
 @pytest.mark.slow
 def test_every_executor_gives_the_same_results_in_the_order_of_the_requests(block: Block) -> None:
-    alone = [inspect_window(request) for request in Requests(block, 30)]
-    assert [result.window_id for result in alone] == list(range(30))
+    alone = [inspect_window(request) for request in Requests(block, 10)]
+    assert [result.window_id for result in alone] == list(range(10))
     assert {result.judgement.verdict for result in alone} <= {Verdict.SIGNIFICANT, Verdict.REDUCED}
-    assert list(inspect_windows(Requests(block, 30), Inline(), 4)) == alone
+    assert list(inspect_windows(Requests(block, 10), Inline(), 4)) == alone
     with ThreadPoolExecutor(4) as pool:
-        assert list(inspect_windows(Requests(block, 30), pool, 8)) == alone
+        assert list(inspect_windows(Requests(block, 10), pool, 8)) == alone
         assert list(inspect_windows(Requests(block, 3), pool, 100)) == alone[:3]
         assert list(inspect_windows(Requests(block, 0), pool, 4)) == []
 
@@ -127,11 +125,11 @@ def test_a_slow_window_does_not_change_the_order(block: Block) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("ahead", [1, 2, 5])
 def test_no_more_windows_are_under_way_than_asked_for(block: Block, ahead: int) -> None:
-    requests = Requests(block, 12)
+    requests = Requests(block, 6)
     with ThreadPoolExecutor(2) as pool:
         for yielded, result in enumerate(inspect_windows(requests, pool, ahead)):
             assert result.window_id == yielded
-            assert requests.taken == min(yielded + ahead, 12)  # so the first comes before the last is thought of
+            assert requests.taken == min(yielded + ahead, 6)  # so the first comes before the last is thought of
 
 
 def test_a_window_that_fails_costs_no_other(block: Block) -> None:

@@ -60,7 +60,7 @@ def test_half_of_the_operations_are_held_back_and_none_stands_twice() -> None:
         assert {"none", "feathering", "missing source", "balanced"} <= {one.true_causes[0] for one in half}
 
 
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize("operation", OPERATIONS, ids=lambda one: one.name)
 def test_detail_is_lost_along_the_seam_where_an_operation_says_so(operation: Operation, window: KnownWindow) -> None:
     made = operation.make(window)

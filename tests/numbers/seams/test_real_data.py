@@ -45,9 +45,6 @@ def shares(pixels: np.ndarray) -> dict[str, np.ndarray]:
     return {name: decompose(band).shares for name, band in zip(BANDS, [luminance(pixels), *pixels])}
 
 
-# --- Brighton --------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def brighton(data_folder: Path) -> Path:
     """The folder of the eight orthoimages and the two mosaics of them."""
@@ -89,15 +86,14 @@ def sources_by_gdal(folder: Path, window: PixelWindow) -> dict[str, np.ndarray]:
     return found
 
 
-@pytest.mark.parametrize("mosaic", [HARD, FEATHERED])
-def test_brighton_equals_pywavelets(brighton: Path, on_seams: list[PixelWindow], mosaic: str) -> None:
+def test_brighton_equals_pywavelets(brighton: Path, on_seams: list[PixelWindow]) -> None:
     chosen = [on_seams[index] for index in np.linspace(0, len(on_seams) - 1, 6).round().astype(int)]
-    block = block_of(str(brighton / mosaic), sorted(brighton.glob("DJI_*.tif")))
+    block = block_of(str(brighton / HARD), sorted(brighton.glob("DJI_*.tif")))
     pairs = judged = 0
     for window, result in zip(chosen, inspect(block, chosen)):
-        own = shares(read_pixels(str(brighton / mosaic), window.column, window.row, SIDE, SIDE))
+        own = shares(read_pixels(str(brighton / HARD), window.column, window.row, SIDE, SIDE))
         others = {name: shares(pixels) for name, pixels in sources_by_gdal(brighton, window).items()}
-        assert {clip.raster for clip in result.clips} >= {mosaic, *others}  # a few invalid pixels may be filled
+        assert {clip.raster for clip in result.clips} >= {HARD, *others}  # a few invalid pixels may be filled
         for clip in result.clips:
             expected = own if clip.role == "mosaic" else others.get(clip.raster, {})
             for band in expected:
@@ -111,7 +107,7 @@ def test_brighton_equals_pywavelets(brighton: Path, on_seams: list[PixelWindow],
                 ratios = own[pair.band] / others[pair.source][pair.band]
                 assert (*pair.ratios.detail, pair.ratios.background) == pytest.approx(tuple(ratios), rel=1e-4)
                 pairs += 1
-        if {clip.raster for clip in result.clips} == {mosaic, *others}:
+        if {clip.raster for clip in result.clips} == {HARD, *others}:
             largest = max(own["luminance"][0] / other["luminance"][0] for other in others.values())
             assert result.judgement.ratios.detail[0] == pytest.approx(largest, rel=1e-4)
             judged += 1
@@ -199,9 +195,6 @@ def test_brightons_hard_seams_are_sound_and_the_feathered_ones_are_not(
     assert max(kept[1]) < min(kept[0])  # the seam's own measure parts them, all of them
 
 
-# --- PackO -----------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def packo(data_folder: Path) -> list[Path]:
     """The three orthoimages of one tile, 256 x 256 px; the last, 16373, is visibly blurred."""
@@ -224,6 +217,7 @@ def packo_labels(packo: list[Path]) -> np.ndarray:
     return burnt.ReadAsArray().astype(int) - 1
 
 
+@pytest.mark.release
 def test_packo_runs_on_its_own_seams(packo: list[Path], tmp_path: Path) -> None:
     labels = packo_labels(packo)
     assert set(np.unique(labels)) >= {0, 1}
@@ -242,6 +236,7 @@ def test_packo_runs_on_its_own_seams(packo: list[Path], tmp_path: Path) -> None:
                 np.testing.assert_allclose([*curve.detail, curve.background], expected, rtol=1e-4, atol=1e-7)
 
 
+@pytest.mark.release
 def test_the_blurred_image_of_packo_is_found(packo: list[Path], tmp_path: Path) -> None:
     finest = []
     blurred, sharp = (

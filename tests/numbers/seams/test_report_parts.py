@@ -18,9 +18,6 @@ from tests.numbers.synthetic import ORIGIN, orthoimage, texture
 MakeRaster = Callable[..., str]
 
 
-# --- the part that lost most -----------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("row", "column"), [(0, 0), (96, 208), (352, 352), (200, 40)])
 def test_the_blurred_part_is_found(row: int, column: int) -> None:
     scene = 120 + 30 * texture((512, 512), 1.2)
@@ -41,9 +38,6 @@ def test_neither_darkness_nor_what_one_source_alone_shows_is_a_loss() -> None:
     mosaic[:160, 352:] -= 90
     mosaic[352:, 100:260] = gaussian_filter(mosaic, 0.6)[352:, 100:260]
     assert np.abs(np.subtract(greatest_loss(mosaic, sources, 160), (352, 100))).max() <= 16
-
-
-# --- the overview ----------------------------------------------------------------------------------------------
 
 
 def test_the_overview_is_a_small_picture_of_the_place(make_raster: MakeRaster) -> None:

@@ -21,7 +21,7 @@ def window() -> KnownWindow:
     return made_up_window(SIDE)
 
 
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize("making", MAKINGS, ids=lambda one: one.name)
 def test_a_mosaic_is_the_sum_of_its_parts(making: Making, window: KnownWindow) -> None:
     made = making.mix(window, np.random.default_rng(5))
@@ -32,7 +32,7 @@ def test_a_mosaic_is_the_sum_of_its_parts(making: Making, window: KnownWindow) -
         assert sum(part.weight for part in made.parts) == pytest.approx(np.ones((SIDE, SIDE)), abs=1e-5)
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_processes_find_what_one_finds(window: KnownWindow) -> None:
     plain = [one for one in OPERATIONS if one.aftermath is NOTHING and one.making in KINDS[:3]]
     tasks = spread(plain, [window], 1)

@@ -52,9 +52,6 @@ def reason_of(found: SeamProfile | None, sharpness: float | None = 1.0, has_seam
     return reason.template if reason else None
 
 
-# --- what is kept along the seam -------------------------------------------------------------------------------
-
-
 def test_what_is_kept_decides() -> None:
     assert verdict_of(profile(0.3)) is Verdict.SIGNIFICANT
     assert verdict_of(profile(0.85)) is Verdict.REDUCED
@@ -83,7 +80,6 @@ def test_significant_is_said_only_where_the_interval_ends_half_way_to_all(limit:
     assert judged(profile(limit, low, half), limit) == (Verdict.SIGNIFICANT, None)
     verdict, reason = judged(profile(limit, low, half + LITTLE), limit)
     assert verdict is Verdict.REDUCED
-    assert reason is not None
     assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
     assert f"{100 * low:.0f} to {100 * half:.0f} %" in str(reason)
 
@@ -93,7 +89,6 @@ def test_significant_is_said_only_where_the_interval_spans_no_more_than_a_factor
     assert judged(profile(0.5, 0.4, 0.8)) == (Verdict.SIGNIFICANT, None)
     verdict, reason = judged(profile(0.5, 0.4, 0.8 + LITTLE))
     assert verdict is Verdict.REDUCED
-    assert reason is not None
     assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
 
 
@@ -137,7 +132,6 @@ def test_more_than_any_seam_leaves_is_no_verdict() -> None:
 def test_without_a_profile_a_part_from_no_source_is_no_verdict(has_seam: bool) -> None:
     verdict, reason = judged(None, has_seam=has_seam, explained=MIN_EXPLAINED - LITTLE)
     assert verdict is Verdict.NOT_COMPARABLE
-    assert reason is not None
     assert reason.template == seams_messages.SEAM_UNEXPLAINED.template
     assert judged(None, has_seam=False, explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
 
@@ -146,9 +140,6 @@ def test_a_sound_seam_beside_a_part_from_no_source_is_no_verdict() -> None:
     for kept, verdict in ((0.5, Verdict.SIGNIFICANT), (0.85, Verdict.REDUCED), (1.0, Verdict.NOT_COMPARABLE)):
         assert judged(profile(kept), explained=MIN_EXPLAINED - LITTLE)[0] is verdict
     assert judged(profile(1.0), explained=MIN_EXPLAINED)[0] is Verdict.PRESERVED
-
-
-# --- the sharpness of the whole --------------------------------------------------------------------------------
 
 
 def test_without_a_seam_the_sharpness_alone_is_judged_and_that_is_said() -> None:

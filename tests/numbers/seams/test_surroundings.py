@@ -39,9 +39,6 @@ def blended(images: tuple[np.ndarray, np.ndarray], width: float) -> np.ndarray:
     return np.rint((1 - weight) * images[0] + weight * images[1]).astype(np.uint8)
 
 
-# --- where it lies ----------------------------------------------------------------------------------------------
-
-
 @given(
     column=st.integers(0, 900), row=st.integers(0, 900), width=st.integers(8, 100), height=st.integers(8, 100),
     right=st.integers(0, 900), below=st.integers(0, 900), levels=st.integers(1, 6),
@@ -76,9 +73,6 @@ def test_a_large_window_has_ground_enough_of_its_own(mosaic: Raster, side: int) 
     assert surroundings(window, replace(mosaic, columns=4000, rows=4000), 3) == window
 
 
-# --- what is read of it -----------------------------------------------------------------------------------------
-
-
 def request_of(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: float,
                window: PixelWindow = WINDOW, **of_sources: object) -> WindowRequest:
     mosaic = mosaic_of(make_raster, blended(images, width))
@@ -96,7 +90,6 @@ def test_a_window_of_128_px_is_measured_and_its_curves_are_its_own(
     assert request.around == PixelWindow(48, 32, 384, 384)
     result = inspect_window(request)
     assert result.judgement.verdict is verdict
-    assert result.profile is not None
     assert result.profile.by_energy is not None
     own = np.s_[:, 160:288, 176:304]
     for clip, pixels in zip(result.clips, (blended(images, width), *images)):
@@ -116,8 +109,6 @@ def test_a_window_keeps_what_a_larger_one_keeps_there(
         inspect_window(request_of(make_raster, images, 66, window)).profile
         for window in (WINDOW, PixelWindow(48, 32, 384, 384))
     )
-    assert small is not None
-    assert large is not None
     assert small.low <= large.high
     assert large.low <= small.high
     assert small.kept[0] == pytest.approx(large.kept[0], abs=0.06)
@@ -134,9 +125,7 @@ def test_a_source_that_ends_beside_the_window_takes_part_as_far_as_it_goes(
     block = block_of(mosaic, *paths)
     result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
     assert len(result.clips) == 3  # the window itself is covered by both
-    assert result.profile is not None
     whole = inspect_window(request_of(make_raster, images, 33)).profile
-    assert whole is not None
     assert result.profile.kept[0] == pytest.approx(whole.kept[0], abs=0.06)
     assert not result.notices
 

@@ -34,9 +34,6 @@ variances = st.tuples(*[st.floats(0.01, 1000)] * 3)
 greys = st.floats(2, 255)
 
 
-# --- the papers' formulas ---------------------------------------------------------------------------------------
-
-
 def by_integration(kept: tuple[float, ...], variance: tuple[float, ...], grey: float, magnification: float) -> float:
     """Mannos and Sakrison, Legge and Foley, Quick, written out: 96 dpi from 60 cm, gamma 2.2, 1 % flare."""
     luminance_of = lambda value: 0.01 + (value / 255) ** 2.2  # noqa: E731
@@ -70,9 +67,6 @@ def test_it_is_the_integral_of_the_papers_formulas(
     assert found == pytest.approx(by_integration(kept, variance, grey, magnification), rel=1e-3, abs=1e-6)
 
 
-# --- properties -------------------------------------------------------------------------------------------------
-
-
 @given(variances, greys)
 def test_what_is_kept_whole_or_more_is_no_loss(variance: tuple[float, ...], grey: float) -> None:
     assert visibility((1.0, 1.0, 1.0), variance, grey, WHITE) == 0
@@ -86,8 +80,6 @@ def test_the_less_is_kept_the_more_is_seen(
     kept = [[0.8] * 3 for _ in range(2)]
     kept[0][level], kept[1][level] = min(one, other), max(one, other)
     most, least = (visibility(of, variance, grey, WHITE) for of in kept)
-    assert most is not None
-    assert least is not None
     assert most >= least >= 0
     if abs(one - other) > 0.01:
         assert most > least
@@ -129,9 +121,6 @@ def test_white_is_the_brightest_value_that_the_image_can_have(
     assert white_grey(raster(data_type, bits), largest) == white
 
 
-# --- windows ----------------------------------------------------------------------------------------------------
-
-
 WHOLE = slice(0, SIDE), slice(0, SIDE)
 
 
@@ -148,7 +137,6 @@ def test_a_feathers_window_is_seen_and_a_hard_cuts_is_not() -> None:
 def test_a_window_scaled_to_16_bit_shows_the_same() -> None:
     made = blend(66)
     detail = made.detail()
-    assert detail.profile is not None
     scaled = replace(detail.profile, energy=tuple(one * 257**2 for one in detail.profile.energy))
     one = window_visibility(detail.profile, detail.judged, made.made, WHOLE, raster("uint8"))
     other = window_visibility(scaled, detail.judged, made.made * 257, WHOLE, raster("uint16", 16))
@@ -172,9 +160,6 @@ def test_a_window_without_a_profile_has_no_visibility() -> None:
     cells = blend(0).detail().judged
     grey = np.full((SIDE, SIDE), 100, np.float32)
     assert window_visibility(None, cells, grey, WHOLE, raster("uint8")) is None
-
-
-# --- real orthoimages -------------------------------------------------------------------------------------------
 
 
 def windows_of(folder: Path, pattern: str) -> Iterator[np.ndarray]:
@@ -205,7 +190,6 @@ def just_seen(plane: np.ndarray, magnification: float, levels: int) -> float:
 
     def beyond(kept: float) -> float:
         found = visibility([kept] * levels, variance[:levels], grey, WHITE, viewing)
-        assert found is not None
         return found - 1
 
     return float(brentq(beyond, 1e-9, 1))
@@ -218,12 +202,14 @@ def brighton(data_folder: Path) -> list[np.ndarray]:
     return found
 
 
+@pytest.mark.release
 def test_at_2x_one_difference_is_kept_0_62_at_the_finest_level(brighton: list[np.ndarray]) -> None:
     found = [just_seen(plane, 2, 1) for plane in brighton]
     assert np.median(found) == pytest.approx(0.62, abs=0.015)
     assert (min(found), max(found)) == pytest.approx((0.50, 0.68), abs=0.03)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("magnification", "kept"), [(1, 0.67), (2, 0.68), (4, 0.64)])
 def test_pooled_over_levels_it_is_near_the_standard_limit(
     brighton: list[np.ndarray], magnification: int, kept: float
@@ -233,6 +219,7 @@ def test_pooled_over_levels_it_is_near_the_standard_limit(
     assert found == pytest.approx(MAX_SIGNIFICANT_KEPT, abs=0.07)
 
 
+@pytest.mark.release
 def test_averages_of_strangers_are_seen(brighton: list[np.ndarray]) -> None:
     """Windows of other ground, so that nothing but the coarser levels has anything in common."""
     found = []

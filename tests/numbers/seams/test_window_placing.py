@@ -46,9 +46,6 @@ def point_at(vertices: np.ndarray, station: float) -> np.ndarray:
     return np.array([np.interp(station, along, vertices[:, 0]), np.interp(station, along, vertices[:, 1])])
 
 
-# --- even placing ----------------------------------------------------------------------------------------------
-
-
 def test_windows_are_one_spacing_apart_and_centred_on_the_seam() -> None:
     placement = place_windows([seam((200, 500), (1250, 500))], KILOMETRE, STANDARD)
     assert stations(placement) == pytest.approx([125, 325, 525, 725, 925])
@@ -79,9 +76,6 @@ def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
     assert np.diff(stations(placement, 2)) == pytest.approx(200)
     assert len(stations(placement, 1)) == round(0.02 * 55_800 / 200)
     assert len(stations(placement, 2)) == round(0.016 * 111_400 / 200)
-
-
-# --- the mosaic's edge -----------------------------------------------------------------------------------------
 
 
 def test_a_window_that_sticks_out_is_moved_along_the_seam() -> None:
@@ -138,9 +132,6 @@ def test_a_mosaic_smaller_than_the_window_says_both_sizes() -> None:
     )
 
 
-# --- no place twice --------------------------------------------------------------------------------------------
-
-
 def test_a_spacing_shorter_than_half_a_window_gives_fewer_windows_and_says_how_many() -> None:
     placement = place_windows([seam((200, 500), (1200, 500))], KILOMETRE, PlacingSettings(100, 10))
     assert len(placement.windows) == pytest.approx(1000 / 64, abs=1)
@@ -181,8 +172,6 @@ def test_specks_and_seams_outside_are_summed_up() -> None:
     ]
 
 
-# --- any seam --------------------------------------------------------------------------------------------------
-
 coordinate = st.one_of(st.floats(-300, 2300), st.integers(0, 40).map(lambda k: k * 50.0))
 polylines = st.lists(st.tuples(coordinate, coordinate), min_size=2, max_size=8, unique=True)
 
@@ -217,9 +206,6 @@ def test_the_direction_of_a_line_does_not_matter(points: Sequence[tuple[float, f
     assert [placed.window for placed in forth.windows] == [placed.window for placed in back.windows]
 
 
-# --- settings --------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("length", [0, -5, float("nan"), float("inf")])
 def test_lengths_are_positive(length: float) -> None:
     with pytest.raises(SettingsError, match="window side"):
@@ -244,9 +230,6 @@ def test_a_window_too_small_for_the_levels_says_how_long_it_must_be() -> None:
     assert place_windows([one], KILOMETRE, PlacingSettings(32, 200, 3)).windows
 
 
-# --- real mosaics ----------------------------------------------------------------------------------------------
-
-
 def real_placement(vector: Path, layer: str, raster: Path, side: float, spacing: float) -> tuple[Grid, Placement]:
     dataset = gdal.Open(str(raster))
     left, width, _, top, _, height = dataset.GetGeoTransform()
@@ -266,9 +249,6 @@ def test_brighton_lines_and_polygons_give_the_same_windows(data_folder: Path) ->
     assert lines == polygons
     assert len(lines) == 19
     assert seams_messages.SEAMS_COVERED.template in templates(placements[0])
-
-
-# --- a side that fits ------------------------------------------------------------------------------------------
 
 
 def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> None:

@@ -197,9 +197,6 @@ def test_cancelling_leaves_nothing(job: Callable[..., Ortho], tmp_path: Path) ->
         job(dem=terrain_file(tmp_path / "dem.tif"), output=tmp_path / "nowhere" / "ortho.tif")
 
 
-# --- the real image --------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("dem", ["N44E005.hgt", "N44E005_UTM.tif"])
 def test_pleiades_over_srtm_lies_where_the_vendors_rpc_puts_it(data_folder: Path, tmp_path: Path, dem: str) -> None:
     folder = data_folder / "sensors" / "pleiades"

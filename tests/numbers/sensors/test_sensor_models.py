@@ -43,9 +43,6 @@ def largest_px(done: Adjustment) -> float:
     return float(np.abs(done.residuals_px[done.points.check]).max())
 
 
-# --- its own points --------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("order", [1, 2, 3])
 @given(seed=st.integers(0, 10_000))
 def test_rational_recovers_itself(order: int, seed: int) -> None:
@@ -131,9 +128,6 @@ def test_residuals_in_metres_are_those_on_the_ground() -> None:
     done = judged(registry.RATIONAL.request(), image, ground + moved, 30)
     assert done.residuals_m[35] == pytest.approx([-3, 2], abs=0.02)  # model minus given
     assert np.abs(np.delete(done.residuals_m, 35, axis=0)).max() < 1e-5
-
-
-# --- real geometry ---------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

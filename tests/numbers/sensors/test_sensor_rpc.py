@@ -109,7 +109,6 @@ def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: P
     assert np.abs(by_gdal(tmp_path / name, ground) - dimap.project(ground)).max() < 1e-6
     image = open_image(RasterRef(str(data_folder / "sensors" / "worldview3" / "wv3_20.NTF")))
     ntf = rpc.own_rpc(image)
-    assert ntf is not None
     place = np.array([[float(ntf.ground.offset[0]), float(ntf.ground.offset[1]), 40.0]])
     assert np.abs(by_gdal(image.ref.path, place) - ntf.project(place)).max() < 1e-6
     beside = rpc.own_rpc(open_image(RasterRef(str(folder / "left_image.tif"))))
@@ -170,9 +169,6 @@ def test_a_file_that_is_no_rpc_is_refused(tmp_path: Path, content: str) -> None:
         rpc.read_rpc(tmp_path / "lost.txt")
 
 
-# --- model files -----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", [*KINDS, "polynomial_2d"])
 def test_a_model_file_gives_the_model_back(kind: str, tmp_path: Path) -> None:
@@ -209,8 +205,6 @@ def test_a_wrong_model_file_is_refused(tmp_path: Path) -> None:
     with pytest.raises(SensorModelError, match="is not a sensor model file"):
         load_model(path)
 
-
-# --- the georeferencer's points --------------------------------------------------------------------------------
 
 OLD = "mapX,mapY,pixelX,pixelY,enable,dX,dY,residual\n{rows}"
 NEW = '#CRS: GEOGCRS["WGS 84",ID["EPSG",4326]]\nmapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n{rows}'

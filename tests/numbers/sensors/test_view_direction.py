@@ -21,7 +21,6 @@ def test_the_angle_is_that_of_gdals_lines_of_sight() -> None:
     """GDAL's RPC transformer puts the middle of the image at two heights; 45 degrees would move it by as much."""
     rpc = made_rational(3, 4)
     view = view_direction(rpc, WGS84, DOMAIN)
-    assert view is not None
     image = gdal.GetDriverByName("MEM").Create("", int(COLUMNS), int(ROWS), 1)
     image.SetMetadata(to_metadata(rpc), "RPC")
     transformer = gdal.Transformer(image, None, ["METHOD=RPC", "RPC_PIXEL_ERROR_THRESHOLD=1e-6"])
@@ -37,7 +36,6 @@ def test_the_parametric_model_looks_towards_its_orbit() -> None:
     """Straight from the projection centre, without any slope of the model."""
     model = made_pushbroom()
     view = view_direction(model, WGS84, DOMAIN)
-    assert view is not None
     centre = model.orbit.position + (model.unknowns * SIGMAS)[:3] @ model.orbit.track
     place = located(model, WGS84, np.array([[COLUMNS / 2, model.orbit.centre[1], 600.0]]), DOMAIN)
     longitude, latitude = np.radians(place[0, :2])
@@ -53,7 +51,6 @@ def test_an_oblique_photo_has_a_view() -> None:
     camera = FrameCamera(interior, np.array([500_000.0, 5_550_000.0, 520.0]), camera_axes(30, 0, 0))
     domain = Domain((0, 1368), (0, 912), (230, 370), (500_000.0, 5_550_130.0))
     view = view_direction(camera, "EPSG:32651", domain)
-    assert view is not None
     assert view.angle == pytest.approx(30, abs=0.3)
     assert view.azimuth == pytest.approx(180, abs=1)
     assert 65 < view.largest < 75

@@ -46,7 +46,6 @@ def texture_of(
 
 def test_a_mosaic_as_it_is_expected_has_lost_and_gained_nothing(plane: np.ndarray) -> None:
     found = texture_of(plane, plane)
-    assert found is not None
     assert (found.transfer, found.least_transfer, found.most_transfer) == pytest.approx((1, 1, 1), abs=1e-4)
     assert found.noise_dn == pytest.approx(0, abs=1e-3)
     assert found.quantised == 0
@@ -55,7 +54,6 @@ def test_a_mosaic_as_it_is_expected_has_lost_and_gained_nothing(plane: np.ndarra
 @pytest.mark.parametrize("sigma", [2.0, 5.0])
 def test_noise_is_told_in_grey_values_and_does_not_rise_with_detail(plane: np.ndarray, sigma: float) -> None:
     found = texture_of(plane + RNG.normal(0, sigma, SHAPE), plane)
-    assert found is not None
     assert found.noise_dn == pytest.approx(sigma, rel=0.08)
     assert found.noise_rise == pytest.approx(1, abs=0.15)
     assert found.transfer == pytest.approx(1, abs=0.03)
@@ -68,7 +66,6 @@ def test_transfer_is_against_what_was_there_before_any_filter(plane: np.ndarray,
     sharp = plane + (plane - soft)
     for made, is_less in ((soft, True), (sharp, False)):
         found = texture_of(made, made, plane)
-        assert found is not None
         assert (found.transfer < 0.85) if is_less else (found.transfer > 1.15)
         assert found.noise_dn < 0.01  # the filter explains it all
         own, plain = (
@@ -87,8 +84,6 @@ def test_only_what_follows_one_source_for_sure_is_looked_at(plane: np.ndarray) -
     inner = ndimage.binary_erosion(unsure, iterations=12)  # as far as coefficients reach
     spoilt = plane + inner * RNG.normal(0, 40, SHAPE)
     after = texture_of(spoilt, plane, None, labels, sure)
-    assert found is not None
-    assert after is not None
     assert after.noise_dn == pytest.approx(found.noise_dn, abs=0.3)
     assert after.transfer == pytest.approx(1, abs=0.01)
 
@@ -102,10 +97,8 @@ def test_compression_leaves_its_grid_wherever_that_begins(
     large = np.pad(bands, ((0, 0), (corner[0], 8), (corner[1], 8)), mode="reflect")
     made = aftermaths.jpeg(quality)(large, RNG)[1, corner[0] :, corner[1] :][: SHAPE[0], : SHAPE[1]]
     found = texture_of(made, plane)
-    assert found is not None
     assert found.quantised > MIN_VANISHED
     deep = texture_of(257 * made.astype(np.float32), 257 * plane, unit_dn=257)  # the same in 16 bit
-    assert deep is not None
     assert deep.quantised == pytest.approx(found.quantised, abs=0.01)
 
 
@@ -117,7 +110,6 @@ def test_nothing_else_leaves_such_a_grid(plane: np.ndarray, change: str) -> None
         "blur": ndimage.gaussian_filter(plane + noise, 0.8), "gain": np.rint(0.3 * plane),
     }[change]
     found = texture_of(np.rint(made), plane)
-    assert found is not None
     assert found.quantised < MIN_VANISHED
 
 
@@ -125,11 +117,7 @@ def test_what_compressed_the_sources_is_none_of_the_mosaics(plane: np.ndarray) -
     bands = np.repeat(plane[np.newaxis], 3, axis=0).clip(0, 255).astype(np.uint8)
     source = aftermaths.jpeg(60)(bands, RNG)[1].astype(np.float32)
     found = texture_of(source + RNG.normal(0, 2, SHAPE), source)
-    assert found is not None
     assert found.quantised < MIN_VANISHED
-
-
-# --- tones -----------------------------------------------------------------------------------------------------
 
 
 def raster(mosaic: Raster, data_type: str, bits: int | None = None) -> Raster:

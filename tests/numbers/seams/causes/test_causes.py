@@ -126,8 +126,6 @@ def test_images_mixed_by_no_weights_are_another_mixture() -> None:
     assert Cause.OTHER_MIXTURE not in find_causes(cut)  # of a border that is known no better
 
 
-# --- limits ----------------------------------------------------------------------------------------------------
-
 AT_LIMITS: list[tuple[str, float, int, dict[str, Any], Cause]] = [
     ("missing", rules.MIN_MISSING_SHARE, 1, {}, Cause.MISSING_SOURCE),
     ("kept", rules.MAX_FEATHERED_KEPT, -1, {"kept_high": 0.99}, Cause.FEATHERING),
@@ -210,9 +208,6 @@ def test_tones_are_judged_source_by_source() -> None:
     assert Cause.COLOUR_SHIFT not in find_causes(two_tones(colour_shift=1.4))
     assert Cause.GAMMA in find_causes(two_tones(gamma=1.5))
     assert find_causes(two_tones(gain=None)) == (Cause.NONE,)
-
-
-# --- what rules another one out --------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -308,8 +303,6 @@ def test_a_loss_that_may_be_none_is_no_feathering(kept: float, high: float) -> N
     assert find_causes(evidence(kept=kept, kept_high=high, feather_width_px=20.0)) == (Cause.NONE,)
 
 
-# --- several at once -------------------------------------------------------------------------------------------
-
 EVERYTHING: dict[str, Any] = {
     "missing": 0.5, **FEATHERED, "lost": 0.4, "misfit": Misfit(1.0, 0.4), "least_transfer": 0.3,
     "strong_transfer": 0.3, "most_transfer": 1.5, "noise_dn": 6.0, "quantised": 1.0, "clipped": 0.02,
@@ -397,9 +390,6 @@ def test_whatever_was_measured_there_is_a_cause_or_none_alone(
     assert len(set(found)) == len(found) > 0
     assert Cause.UNCLEAR not in found
     assert (Cause.NONE in found) is (found == (Cause.NONE,))
-
-
-# --- what the guide says of the limits ------------------------------------------------------------------------------
 
 
 def percent(share: float) -> str:

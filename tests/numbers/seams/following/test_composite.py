@@ -59,7 +59,6 @@ def test_where_no_source_explains_nothing_is_gained_or_lost(sources: list[np.nda
     unknown = labels == UNKNOWN
     np.testing.assert_array_equal(composite.levelled[:, unknown], mosaic[:, unknown])
     tone = tones[main]["red"]
-    assert tone is not None
     back = (mosaic[:, unknown] - tone.bias) / tone.gain
     np.testing.assert_allclose(composite.bands[:, unknown], np.clip(back, 0, 255), atol=0.51)
     known = ~unknown

@@ -111,9 +111,6 @@ def test_sources_that_show_the_same_are_not_mixed() -> None:
     assert 0.3 < found.shares[0] < 0.7
 
 
-# --- labels that are known ---------------------------------------------------------------------------------------
-
-
 def test_known_labels_decide_what_is_followed_and_where_sources_are_mixed(
     sources: list[np.ndarray], labels: np.ndarray
 ) -> None:

@@ -94,9 +94,6 @@ def test_what_follows_no_source_for_sure_says_nothing_of_the_gain(source: np.nda
     assert fine(found)[~west].std() / fine(source)[~west].std() == pytest.approx(0.7, rel=0.02)
 
 
-# --- how even a tone is ----------------------------------------------------------------------------------------
-
-
 def unevenness(mosaic: np.ndarray, source: np.ndarray) -> float:
     means = [coarse_means(plane, 3) for plane in (mosaic, source)]
     curve, local = left_over(*means, np.ones(means[0].shape, bool))

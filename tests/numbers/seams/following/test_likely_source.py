@@ -76,9 +76,6 @@ def test_in_a_feather_the_border_is_where_both_weigh_the_same(width: int) -> Non
     assert np.mean(found) == pytest.approx(BORDER, abs=2)
 
 
-# --- a source that is not among those given --------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("side", [64, 120])
 def test_a_part_from_no_given_source_is_found(side: int) -> None:
     first, second, missing = plane(9, 1), plane(9, 2), plane(9, 3)
@@ -210,9 +207,6 @@ def test_ground_without_texture_is_not_unexplained() -> None:
     assert not found_in(cut_at(BORDER, first, second), [first, second]).unexplained.any()
 
 
-# --- a source that covers the window only partly ---------------------------------------------------------------
-
-
 def test_a_source_is_followed_only_where_it_has_pixels() -> None:
     first, second = plane(9, 1), plane(9, 2)
     valid = np.broadcast_to(np.arange(SHAPE[1]) >= 90, SHAPE)
@@ -234,9 +228,6 @@ def test_where_no_source_has_pixels_nothing_explains() -> None:
     neither = ~west & ~east
     assert found.unexplained[neither].mean() > 0.95
     assert found.unexplained[~neither].mean() < 0.02
-
-
-# --- islands ---------------------------------------------------------------------------------------------------
 
 
 def test_a_part_begins_at_its_least_size() -> None:

@@ -107,7 +107,6 @@ def test_the_nearest_place_is_the_nearest_of_all_by_all_pixels(make_raster: Make
     cells, grid = cells_of(raster.ref.path, raster), CellGrid.of(raster.grid)
     window = PixelWindow(100, 150, 64, 64)
     found = nearest_judgeable(grid, cells, window)
-    assert found is not None
     assert hole[found.row : found.row + 64, found.column : found.column + 64].mean() > 0.999
     best = min(
         np.hypot(column - 100, row - 150)
@@ -117,12 +116,12 @@ def test_the_nearest_place_is_the_nearest_of_all_by_all_pixels(make_raster: Make
     assert np.hypot(found.column - 100, found.row - 150) <= best + 1
     along = np.array([[300.0, float(row)] for row in range(0, 400, 4)])
     on_line = nearest_judgeable(grid, cells, window, along)
-    assert on_line is not None
     assert on_line.column + 32 == 300
     assert hole[on_line.row : on_line.row + 64, on_line.column : on_line.column + 64].mean() > 0.999
     assert nearest_judgeable(grid, cells, PixelWindow(0, 0, 512, 512)) is None
 
 
+@pytest.mark.release
 def test_what_is_promised_on_brighton_takes_part(data_folder: Path) -> None:
     folder = data_folder / "seams" / "brighton"
     if not folder.is_dir():

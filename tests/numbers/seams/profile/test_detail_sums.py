@@ -106,9 +106,6 @@ def test_what_sticks_out_of_whole_cells_is_in_none(shape: tuple[int, int]) -> No
     assert found.mm[0].sum() == pytest.approx((own**2).sum(), rel=1e-3)
 
 
-# --- distances -------------------------------------------------------------------------------------------------
-
-
 def of_marked(details: list[np.ndarray], labels: np.ndarray) -> CellTable:
     return detail_sums(details, MeetingSources(labels.astype(np.uint8)))[0]
 
@@ -156,9 +153,6 @@ def test_distances_are_those_of_scipy(level: int) -> None:
     assert max(within) < 0.06 * side / 2 + 0.02
 
 
-# --- what no source explains -----------------------------------------------------------------------------------
-
-
 def with_gap(gap: Sequence[slice]) -> np.ndarray:
     labels = halves().copy()
     labels[tuple(gap)] = UNKNOWN
@@ -188,9 +182,6 @@ def test_the_border_of_what_is_unknown_is_no_seam() -> None:
     assert set(np.unique(found.bins)) == {FARTHEST, len(EDGES_PX)}
     labels[:, 96:] = 1  # two sources, and between them ground that neither explains
     assert not seam_samples(labels)[0].any()
-
-
-# --- beside a seam ---------------------------------------------------------------------------------------------
 
 
 def test_beside_a_seam_each_source_meets_the_other(planes: np.ndarray) -> None:

@@ -64,7 +64,7 @@ def test_detail_that_no_mixture_explains_makes_it_less_sure() -> None:
     assert profile.high / profile.low > 1.02 * ratio(alone)
 
 
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize("width", [0, 13, 33, 66])
 def test_of_sixty_windows_nine_in_ten_intervals_hold_the_truth(width: int) -> None:
     """Each of the two measures', and what is judged by both."""
@@ -74,7 +74,6 @@ def test_of_sixty_windows_nine_in_ten_intervals_hold_the_truth(width: int) -> No
         detail, truth = made.detail(afterwards(made, seed)), made.truth()
         mixture = mixture_of(detail)
         profile = detail.profile
-        assert profile is not None
         held += (
             profile.low <= truth <= profile.high, holds(mixture.kept, truth), holds(energy_of(detail, mixture), truth)
         )
@@ -108,7 +107,7 @@ def test_the_mixture_of_uneven_ground_is_less_sure() -> None:
     assert even.low[0] <= made.truth() <= even.high[0]
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_a_long_seam_is_surer_than_a_short_one() -> None:
     """Surer in the mean over many seams: a jackknife of eight groups is itself uncertain."""
     widths = np.zeros((2, 2))

@@ -22,9 +22,6 @@ def beside(made: Blend, changed: np.ndarray) -> SeamProfile:
     return made.profile(np.where(made.distance < BAND_PX, changed, made.made))
 
 
-# --- which of them judges ---------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("width", [0, 13, 33, 100])
 def test_of_a_feather_both_say_the_same(width: int) -> None:
     found = blend(width).profile()
@@ -96,9 +93,6 @@ def test_detail_that_came_along_the_seam_hides_no_mixture() -> None:
         assert one.high < 0.9
 
 
-# --- the cut's own edge -----------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("other_years", [10.0, 25.0, 60.0])
 @pytest.mark.parametrize("seed", [0, 5])
 def test_a_hard_cut_of_images_of_different_years_keeps_all(other_years: float, seed: int) -> None:
@@ -121,12 +115,8 @@ def test_a_sound_window_is_even_up_to_its_edges_whatever_lies_at_the_other_one()
     ground = made.detail().ground
     energies = np.geomspace(5, 500, 9)
     for level in ground:
-        assert level is not None
         assert level.amplitude(energies) == pytest.approx(1, abs=0.01)
         assert level.scatter < 0.05
-
-
-# --- what two measures say together -----------------------------------------------------------------------------
 
 
 def kept(value: float, low: float, high: float) -> Kept:
@@ -189,9 +179,6 @@ def test_where_they_agree_the_surer_one_weighs_more(a: float, b: float, narrow: 
         assert value in (a, b)
 
 
-# --- where nothing can be told ----------------------------------------------------------------------------------
-
-
 def test_a_window_without_ground_is_measured_by_its_mixture() -> None:
     """A window of 128 px, with nothing 32 px from all seams."""
     for width in (0, 33):
@@ -218,11 +205,9 @@ def test_what_is_read_around_a_window_is_ground_and_is_not_judged() -> None:
     hard, soft = blend(0), blend(33)
     half = replace(hard, weights=np.where(np.arange(SIDE)[:, np.newaxis] < SIDE // 2, soft.weights, hard.weights))
     found = half.detail(inside=(slice(SIDE // 2 + 32, SIDE - 32), slice(128, 384))).profile
-    assert found is not None
     assert found.kept[0] == pytest.approx(1, abs=0.03)
     assert found.feather_width_px == pytest.approx(0, abs=1)
     other = half.detail(inside=(slice(32, SIDE // 2 - 32), slice(128, 384))).profile
-    assert other is not None
     assert other.kept[0] < 0.7
 
 

@@ -20,8 +20,6 @@ from tests.numbers.seams.profile.blends import Blend, blend
 Change = Callable[[np.ndarray], np.ndarray]
 MIDDLES = np.array([(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])])
 
-# --- sums of products that are known ------------------------------------------------------------------------------
-
 
 def products_of(
     other: np.ndarray, edge: float = 0.0, gain: float = 1.0, noise: float = 0.0, rho: float = 0.3
@@ -92,9 +90,6 @@ def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
     np.testing.assert_allclose(found.other[:, MIXED_BINS:], 0, atol=1e-3)
     assert np.isfinite(found.other).all()
     assert np.isfinite(found.left_over).all()
-
-
-# --- mosaics ----------------------------------------------------------------------------------------------------
 
 
 def shares_of(made: Blend, mosaic: np.ndarray | None = None) -> np.ndarray:

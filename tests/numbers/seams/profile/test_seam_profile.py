@@ -21,9 +21,6 @@ def profile_of(made: Blend, mosaic: np.ndarray | None = None) -> SeamProfile:
     return made.profile(mosaic)
 
 
-# --- known blends ----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("ramp", ["cosine", "linear"])
 @pytest.mark.parametrize("width", [13, 33, 66, 200])
 def test_what_a_feather_kept_is_what_pywavelets_says(width: int, ramp: str) -> None:
@@ -63,9 +60,6 @@ def test_bins_follow_each_other_and_stand_for_all_pixels() -> None:
     ]
 
 
-# --- the width of the band -------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("ramp", "share"), [("cosine", 0.705), ("linear", 0.894)])
 @pytest.mark.parametrize("width", [33, 66, 150])
 def test_the_band_is_where_less_than_nine_tenths_are_kept(width: int, ramp: str, share: float) -> None:
@@ -83,9 +77,6 @@ def test_a_band_that_faded_all_at_once_is_as_wide_as_it_is() -> None:
     found = profile_of(made, faded)
     assert found.kept == pytest.approx([0.36] * 3, abs=0.01)
     assert 2 * 40 <= found.band_width_px <= 2 * 80
-
-
-# --- whatever was done to the whole mosaic ---------------------------------------------------------------------
 
 
 def unsharp(plane: np.ndarray) -> np.ndarray:
@@ -143,15 +134,10 @@ def test_dropping_weak_detail_is_no_loss_of_the_seam() -> None:
     # What the feather weakened falls below the limit more often, so it looks somewhat worse, and never better.
     after = profile_of(feathered, without_weak_detail(feathered.made)).kept[0]
     before = profile_of(feathered).kept[0]
-    assert after is not None
-    assert before is not None
     assert before - 0.15 < after < before + 0.03
 
 
-# --- the interval ----------------------------------------------------------------------------------------------
-
-
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize(("side", "count"), [(256, 40), (512, 6)])
 def test_a_sound_hard_cut_is_held_by_its_interval(side: int, count: int) -> None:
     """What came afterwards differs from place to place: noise whose strength follows the ground's brightness."""
@@ -175,9 +161,6 @@ def test_a_hard_cut_that_nothing_happened_to_keeps_all_of_it() -> None:
     assert found.added_beside > 0.1
 
 
-# --- where nothing can be told ---------------------------------------------------------------------------------
-
-
 def test_a_few_pixels_of_seam_are_too_little() -> None:
     made = blend(0)
     labels = np.zeros((SIDE, SIDE), np.uint8)
@@ -185,9 +168,6 @@ def test_a_few_pixels_of_seam_are_too_little() -> None:
     assert made.detail(labels=labels).profile is None
     labels[:40, :40] = 1
     assert made.detail(labels=labels).profile is not None
-
-
-# --- what was added in the band alone --------------------------------------------------------------------------
 
 
 def test_detail_that_was_added_beside_the_seam_is_told_from_what_was_kept() -> None:

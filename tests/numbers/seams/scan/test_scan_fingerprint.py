@@ -134,7 +134,7 @@ print(taken({files!r}))
     assert found.stdout.strip() == taken(files)
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_a_thousand_sources_cost_some_calls_each_and_no_remote_one_is_opened(
     make_raster: MakeRaster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

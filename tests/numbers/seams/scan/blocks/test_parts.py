@@ -65,8 +65,6 @@ def true_cells(made: np.ndarray, given: Sequence[np.ndarray], labels: np.ndarray
 
 LABELS_TRUE = (np.indices(SHAPE)[1] + 0.5 > SEAM).astype(np.uint8)
 
-# --- dense parts ------------------------------------------------------------------------------------------------
-
 
 @pytest.mark.parametrize("width", [0, 13, 33, 66])
 def test_a_part_finds_what_the_whole_mosaic_at_once_says_with_known_labels(tmp_path: Path, width: int) -> None:
@@ -138,9 +136,6 @@ def test_parts_that_are_clear_almost_nowhere_are_guesses() -> None:
     labels[:, 32:] = UNKNOWN
     clear[:, 32:] = False
     assert not guesses(labels, clear).any()
-
-
-# --- the ground between -----------------------------------------------------------------------------------------
 
 
 def plain_of(one: Scene, dense: np.ndarray | None = None, levels: int = LEVELS) -> CellTable:

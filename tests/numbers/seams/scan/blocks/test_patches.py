@@ -56,9 +56,6 @@ def crooked() -> np.ndarray:
     return labels
 
 
-# --- which source is followed -----------------------------------------------------------------------------------
-
-
 def test_a_patch_within_one_source_names_it_and_one_over_a_seam_is_doubtful(tmp_path: Path) -> None:
     labels, given = crooked(), images(count=3)
     found = look_at(scene(tmp_path, np.choose(labels, given), given))
@@ -132,9 +129,6 @@ def test_sources_beyond_those_held_in_memory_are_told_from_each_other_too(tmp_pa
     assert found.source.tolist() == [[0, MOST_HELD + 2]] * 2
 
 
-# --- where there are no pixels ----------------------------------------------------------------------------------
-
-
 def test_a_square_whose_patch_lacks_pixels_follows_its_neighbours(tmp_path: Path) -> None:
     given = images()
     made = given[1].copy()
@@ -155,9 +149,6 @@ def test_a_source_that_ends_is_not_followed_beyond(tmp_path: Path) -> None:
     assert not (found.source[beyond] == 0)[~found.doubtful[beyond]].any()
 
 
-# --- the ground it samples --------------------------------------------------------------------------------------
-
-
 def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Path) -> None:
     given = images()
     made = blended(*given, beside(SIDE / 2))
@@ -172,9 +163,6 @@ def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Pat
     for sums in (cells.mm, cells.cc, cells.mc):  # the mosaic is its own hard cut there
         assert sums[0] == pytest.approx(expected, rel=0.02)
         assert not sums[1:].any()
-
-
-# --- patches midway -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("axis", [0, 1])

@@ -69,9 +69,6 @@ def true_labels() -> np.ndarray:
     return np.broadcast_to((middles > SEAM).astype(np.uint8), (SIDE // LABEL_PX, SIDE // LABEL_PX))
 
 
-# --- what it holds ----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("density", ["seams", "full"])
 @pytest.mark.parametrize("width", [0, 33])
 def test_labels_are_true_and_measured_densely_along_the_seam(tmp_path: Path, width: int, density: str) -> None:
@@ -121,7 +118,6 @@ def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learne
     given = images(count=3)
     request = scene(tmp_path, blended(*given[:2], beside(SEAM)), given).request()
     first = scan_block(request)
-    assert first.learned is not None
     looks: list[PartRequest] = []
 
     def noted(pixels: BlockPixels, part: PartRequest, *decomposition: Any) -> DensePart:
@@ -137,9 +133,6 @@ def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learne
                                   first.labels[first.dense.repeat(8, 0).repeat(8, 1)])
 
 
-# --- records ----------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("density", ["seams", "full"])
 def test_a_record_gives_back_the_same_block(hard: Scene, density: str) -> None:
     found = scan_block(hard.request(density=density))
@@ -152,7 +145,6 @@ def test_a_record_keeps_what_came_over_the_mosaic(hard: Scene) -> None:
     taps = np.random.default_rng(5).normal(size=(2, 5, 5)).astype(np.float32)
     learned = Learned(Filters(dict(zip((0, 2), taps)), True), frozenset({0, 2}))
     again = scan_of(record_of(replace(BlockScan.nothing(hard.request(), ()), learned=learned))).learned
-    assert again is not None
     assert (again.of, again.filters.came_over_cuts) == ({0, 2}, True)
     assert all((again.filters.taps[number] == learned.filters.taps[number]).all() for number in (0, 2))
 
@@ -166,9 +158,6 @@ def test_names_of_sources_may_be_in_any_script(hard: Scene) -> None:
 
 def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
     assert record_of(scan_block(hard.request())) == record_of(scan_block(hard.request()))
-
-
-# --- blocks and their borders -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("columns", "rows"), [(2049, 150), (150, 2049), (2052, 130), (2048 + 127, 128), (65, 65)])
@@ -203,9 +192,6 @@ def test_blocks_side_by_side_measure_as_one(tmp_path: Path) -> None:
     assert near[1:] == pytest.approx([near[0]] * 2, abs=0.04)
 
 
-# --- pixels that lack -------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("density", ["seams", "full"])
 @pytest.mark.parametrize("side", [16, 24, 100])
 def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str) -> None:
@@ -233,9 +219,6 @@ def test_a_mosaic_of_nothing_is_a_block_of_nothing(tmp_path: Path) -> None:
     assert not found.notices
     assert not len(found.cells)
     assert (found.labels == UNKNOWN).all()
-
-
-# --- files that can't be read -----------------------------------------------------------------------------------
 
 
 def test_a_source_that_is_gone_costs_no_more_than_itself(tmp_path: Path) -> None:
@@ -270,9 +253,6 @@ def test_a_mosaic_that_cannot_be_read_is_told_and_nothing_is_raised(tmp_path: Pa
     assert len(found.notices) == 1
     assert one.mosaic.ref.name in str(found.notices[0])
     assert (found.labels == UNKNOWN).all()
-
-
-# --- what is called for -----------------------------------------------------------------------------------------
 
 
 def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:

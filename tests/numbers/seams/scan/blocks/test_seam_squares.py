@@ -84,6 +84,7 @@ def test_a_corridor_reaches_as_far_as_the_distance_to_the_nearest_unit(
         assert squares.is_read(key) == (distance[place_of(key, UNITS)].min() <= corridor_px)
 
 
+@pytest.mark.release
 def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
     """A country's, of 10^12 pixels."""
     side = 1_000_000

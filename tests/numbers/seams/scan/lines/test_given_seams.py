@@ -56,9 +56,6 @@ def told(given: GivenSeams) -> str:
     return " ".join(map(str, given.notices))
 
 
-# --- polygons --------------------------------------------------------------------------------------------------
-
-
 def test_borders_of_polygons_part_the_sources_they_name() -> None:
     given = given_seams([box(0, 0, 100, 200, source="a.tif"), box(100, 0, 400, 200, source="b.tif")], GRID)
     (seam,) = given.seams
@@ -154,9 +151,6 @@ def test_dates_beside_names_are_kept_and_name_nothing() -> None:
     assert [notice.values for notice in given.notices] == [{"fields": "image"}]
 
 
-# --- lines -----------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("names", [("left_src", "right_src"), ("Left", "Right"), ("ImgLeft", "imgRight"), ("L", "R")])
 def test_lines_tell_left_and_right(names: tuple[str, str]) -> None:
     given = given_seams([line((100, 0), (100, 200), **dict(zip(names, ("a", "b"))))], GRID)
@@ -196,9 +190,6 @@ def test_a_name_of_a_line_is_not_taken_for_a_source() -> None:
     given = given_seams([line((10, 10), (100, 100), name="seam 1")], GRID)
     assert (given.seams[0].left, given.cells) == (None, ())
     assert "names no orthoimages" in told(given)
-
-
-# --- what is no use --------------------------------------------------------------------------------------------
 
 
 def test_one_broken_feature_costs_itself_alone() -> None:
@@ -244,9 +235,6 @@ def test_metres_in_a_geojson_of_degrees_lie_elsewhere(tmp_path: Path) -> None:
     path.write_text(json.dumps({"type": "Feature", "properties": {}, "geometry": geometry}))
     with pytest.raises(SeamlineError, match=r"None of the 1 features .* check the reference systems"):
         read_seam_features(str(path), wkt(UTM33))
-
-
-# --- fields ----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -303,9 +291,6 @@ def test_a_field_can_be_chosen() -> None:
     assert seam_fields(rows, "von, bis") == SeamFields(left="von", right="bis")
     with pytest.raises(SettingsError, match=r"no field 'block'.*: source, BLOCK, von, bis"):
         seam_fields(rows, "block")
-
-
-# --- files of producers ----------------------------------------------------------------------------------------
 
 
 def features_of(path: Path, layer: str = "") -> list[SeamFeature]:

@@ -200,9 +200,6 @@ def test_gaps_are_closed_that_no_disk_finds_room_in(labels: np.ndarray) -> None:
     assert ((_gaps_closed(labels) == -1) == (empty & ~narrow)).all()
 
 
-# --- Brighton --------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def brighton(data_folder: Path) -> np.ndarray:
     """Which source each pixel is from, -1 outside."""
@@ -210,6 +207,7 @@ def brighton(data_folder: Path) -> np.ndarray:
     return read_pixels(str(path), 0, 0, 3423, 2987)[0].astype(np.int16) - 1
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("seed", "right_near", "right_far"), [(None, 1, 1), (1, 0.94, 0.995), (2, 0.9, 0.99)])
 def test_seams_of_brighton_lie_where_the_true_ones_do(
     brighton: np.ndarray, seed: int | None, right_near: float, right_far: float

@@ -21,8 +21,6 @@ from tests.numbers.seams.scan.results.test_gathering import GSD, SEAM, given_sea
 PIECE_M = 25.0
 SIDE_M = SIDE * GSD
 
-# --- mosaics of a few units -------------------------------------------------------------------------------------
-
 
 def ground_of(units: np.ndarray, lines: list[list[tuple[float, float]]] | None = None) -> FollowedGround:
     """Units as they are given; ``lines``: columns and rows of their vertices, in units."""
@@ -127,9 +125,6 @@ def test_a_border_in_ground_that_was_not_read_is_told_as_that() -> None:
     units[:, 18:22] = NOT_LOOKED
     found = ground_of(units)
     assert (found.unseen, found.looked) == ([], pytest.approx(36 / 40))
-
-
-# --- scans ------------------------------------------------------------------------------------------------------
 
 
 def metres(result: ScanResult, name: str) -> float:

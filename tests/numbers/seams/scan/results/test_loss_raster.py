@@ -23,8 +23,6 @@ from tests.numbers.synthetic import GeoTransform, write_raster
 COUNT = SIDE // CELL_PX
 KEPT, CONTRAST, ADDED, SOURCE, MIXTURE = range(len(BANDS))
 
-# --- what the pixels say ----------------------------------------------------------------------------------------
-
 
 def pixels_of(width: int, cell_px: int) -> np.ndarray:
     made = blend(width)
@@ -38,7 +36,6 @@ def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> N
     """Energy over that which ground of the same energy has."""
     table = blend(width).detail().cells
     (finest, *_) = grounds(table)
-    assert finest is not None
     mm, cc = (spread(table, one[0], COUNT).sum(axis=0) for one in (table.mm, table.cc))
     expected = mm / (cc * finest.amplitude(cc / CELL_PX**2))
     found = pixels_of(width, CELL_PX)[KEPT]
@@ -82,8 +79,6 @@ def test_without_ground_there_is_contrast_and_no_kept() -> None:
     assert (found[CONTRAST][: SIDE // 32, : SIDE // 32] > 0).all()
     assert (found[SOURCE] == NODATA).all()
 
-
-# --- the file ---------------------------------------------------------------------------------------------------
 
 GEOTRANSFORM: GeoTransform = (400000.0, 0.25, 0.0, 5500000.0, 0.0, -0.25)
 

@@ -25,8 +25,6 @@ from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of,
 
 WIDTHS = [0, 13, 33, 66, 100]
 
-# --- one seam in one window -------------------------------------------------------------------------------------
-
 
 @pytest.mark.parametrize("seed", [0, 3])
 @pytest.mark.parametrize("width", WIDTHS)
@@ -35,8 +33,6 @@ def test_a_seam_of_one_piece_keeps_what_its_window_keeps(width: int, seed: int) 
     detail = made.detail()
     expected = detail.profile
     (found,) = profiles_of(detail, pieces_of(made))
-    assert expected is not None
-    assert found.profile is not None
     assert found.profile.kept == pytest.approx(expected.kept, rel=0.01)
     assert (found.profile.low, found.profile.high) == pytest.approx((expected.low, expected.high), rel=0.03)
     assert found.profile.band_width_px == pytest.approx(expected.band_width_px, abs=2)
@@ -49,12 +45,8 @@ def test_a_seam_of_one_piece_keeps_what_its_window_keeps(width: int, seed: int) 
 def test_a_mean_of_two_images_is_seen_in_pieces_too() -> None:
     made = blend(0).with_mosaic_of(np.full((SIDE, SIDE), 0.5))
     (found,) = profiles_of(made.detail(), pieces_of(made))
-    assert found.profile is not None
     assert found.profile.measure is Measure.MIXTURE
     assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.03)
-
-
-# --- more pieces, more blocks -----------------------------------------------------------------------------------
 
 
 def test_pieces_share_the_strip_and_their_mean_is_the_whole() -> None:
@@ -66,7 +58,6 @@ def test_pieces_share_the_strip_and_their_mean_is_the_whole() -> None:
     areas = np.array([part.area_px for part in parts])
     assert areas.min() > 0.15 * areas.sum()
     kept = np.array([part.profile.kept[0] for part in parts if part.profile])
-    assert whole.profile is not None
     assert kept.min() < whole.profile.kept[0] < kept.max()
     assert np.average(kept, weights=areas) == pytest.approx(whole.profile.kept[0], abs=0.04)
     widths = [part.profile.high / part.profile.low for part in parts if part.profile]
@@ -128,8 +119,6 @@ def test_a_piece_that_ends_above_a_row_of_blocks_waits_for_the_cells_below() -> 
     assert areas[0] == areas[1] > 0
 
 
-# --- what an eye sees of it -------------------------------------------------------------------------------------
-
 MOSAIC = Raster(RasterRef("mosaic.tif"), SIDE, SIDE, None, "", ("band_1",), "uint8")
 
 
@@ -146,7 +135,6 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     grey, brightest = sums.grey
     (found,) = visibilities(sums.profiles(), grey, white_grey(MOSAIC, brightest))
     assert found == pytest.approx(expected, rel=0.03, abs=0.03)
-    assert found is not None
     assert (found > 1) == (width > 0)
 
 
@@ -159,9 +147,6 @@ def test_a_piece_on_ground_of_unknown_brightness_is_not_said_to_be_seen() -> Non
     assert visibilities(sums.profiles(), sums.grey[0], 255.0) == [None]
 
 
-# --- too little -------------------------------------------------------------------------------------------------
-
-
 def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> None:
     made = blend(33)
     detail = made.detail()
@@ -169,14 +154,10 @@ def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> No
     assert grounds(beside.cells) == [None] * LEVELS
     mixture = detail.mixture.chosen(detail.mixture.bin < EDGES_PX.index(24))
     (found,) = profiles_of(replace(beside, mixture=mixture), pieces_of(made))
-    assert found.profile is not None
     assert found.profile.measure is Measure.MIXTURE
     assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.05)
     (nothing,) = profiles_of(replace(beside, mixture=MixtureTable.empty(LEVELS)), pieces_of(made))
     assert nothing.profile is None
-
-
-# --- the ground -------------------------------------------------------------------------------------------------
 
 
 def test_a_block_with_little_ground_takes_its_neighbours() -> None:
@@ -184,8 +165,6 @@ def test_a_block_with_little_ground_takes_its_neighbours() -> None:
     few = table.chosen((table.row < 1) & (table.column < 20))
     assert grounds(few)[0] is None
     (own, around) = (grounds(one, around=lambda: table)[0] for one in (table, few))
-    assert own is not None
-    assert around is not None
     energies = np.geomspace(1, 500, 20)
     assert around.amplitude(energies) == pytest.approx(own.amplitude(energies), rel=1e-6)
 
@@ -196,7 +175,6 @@ def test_a_line_far_off_the_seam_does_not_take_its_loss_over() -> None:
     (piece,) = pieces_of(made)
     moved = [replace(piece, vertices=piece.vertices + (by * GRID.pixel_width, 0)) for by in (30.0, 90.0)]
     near, far = (profiles_of(detail, [one])[0].profile for one in moved)
-    assert near is not None
     assert near.kept[0] == pytest.approx(profiles_of(detail, [piece])[0].profile.kept[0], abs=0.1)
     assert far is None
 

@@ -51,9 +51,6 @@ def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
     return describe_mosaic(RasterRef(write_raster(tmp_path_factory.mktemp("m") / "mosaic.tif", pixels, gsd=GSD)))
 
 
-# --- verdicts ---------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("kept", "low", "high", "verdict"), [
     (1.0, 0.9, 1.1, Verdict.PRESERVED), (0.95, 0.85, 1.02, Verdict.PRESERVED), (0.9, 0.83, 0.97, Verdict.REDUCED),
     (0.5, 0.42, 0.6, Verdict.SIGNIFICANT), (0.9, 0.4, 1.9, Verdict.NOT_COMPARABLE),
@@ -97,9 +94,6 @@ def test_ground_without_detail_has_nothing_to_lose() -> None:
         one = judge_piece(PieceFigures(piece(), found, grain=grain), ("a.tif", "b.tif"), GSD)
         assert one.state is state
         assert (one.verdict is Verdict.NOT_COMPARABLE) == (state is not PieceState.FAILED)
-
-
-# --- windows ----------------------------------------------------------------------------------------------------
 
 
 def everywhere(window: PixelWindow) -> bool:
