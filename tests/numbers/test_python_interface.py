@@ -106,16 +106,6 @@ def test_importing_costs_nothing_and_no_name_brings_qgis() -> None:
     assert {entry.name for entry in python_pages.entries()} == {*public}
 
 
-def test_an_unknown_name_is_no_attribute() -> None:
-    assert not hasattr(seam_inspector, "serverClassFactory")
-    with pytest.raises(ImportError, match="nothing_like_it"):
-        from seam_inspector import nothing_like_it  # type: ignore[attr-defined] # noqa: F401
-
-
-def test_the_version_is_that_of_the_metadata(repository: Path) -> None:
-    assert f"version={seam_inspector.__version__}" in (repository / "metadata.txt").read_text("utf-8").splitlines()
-
-
 @pytest.mark.parametrize("entry", python_pages.entries(), ids=lambda entry: entry.name)
 def test_a_name_is_typed_and_documented(entry: python_pages.Entry) -> None:
     assert getattr(seam_inspector, entry.name).__name__ == entry.name
@@ -278,18 +268,6 @@ def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], o
         call(block)
 
 
-def test_numbers_of_numpy_are_numbers(block: Block) -> None:
-    settings = InspectionSettings(levels=np.int64(2), min_kept=np.float32(0.5))
-    assert block.window_at(*np.float32([0, 0]), settings=settings).settings == settings
-
-
-@pytest.mark.parametrize("order", [(2, 1, 0, 3), (0, 3, 2, 1), (0, 4, 2, 3)])
-def test_a_rectangle_whose_corners_are_none_is_told(block: Block, order: tuple[int, ...]) -> None:
-    sides = (*block.mosaic.extent, math.nan)
-    (found,) = inspect_windows([[sides[place] for place in order]], block)
-    assert "smaller ones first" in str(found.judgement.reason)
-
-
 @pytest.mark.parametrize("table", [window_rows, profile_rows, curve_rows, pair_rows])
 def test_a_table_without_rows_has_its_columns(block: Block, table: Callable[..., TableRows]) -> None:
     pytest.importorskip("pandas")
@@ -314,26 +292,6 @@ def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
     assert [source.ref.name for source in found.sources] == ["strip1_0141.tif"]
     with pytest.raises(SeamInspectorError, match="does not exist"):
         open_block(tmp_path / "none.tif")
-
-
-@pytest.mark.slow
-def test_a_copy_of_the_mosaic_takes_part_only_if_it_is_asked_for(folder: Path, tmp_path: Path) -> None:
-    sources, copy = sorted(folder.glob("strip*.tif")), tmp_path / "copy.tif"
-    gdal.Translate(str(copy), str(folder / "mosaic.tif"))
-    with pytest.warns(SeamInspectorWarning, match=r"copy\.tif goes with the mosaic") as told:
-        found = open_block(folder / "mosaic.tif", [*sources, copy])
-    assert len(told) == 1
-    assert [source.ref.name for source in found.sources] == [path.name for path in sources]
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        kept = open_block(folder / "mosaic.tif", [*sources, copy], keep_copies=True)
-    assert [source.ref.name for source in kept.sources] == [*(path.name for path in sources), "copy.tif"]
-
-
-def test_cells_say_which_source_is_where(folder: Path) -> None:
-    sources, cells = sorted(folder.glob("strip*.tif")), f"{folder}/seamlines.gpkg|layername=cells"
-    found = open_block(folder / "mosaic.tif", sources, cells)
-    assert len(found.cells) == len(found.sources)
 
 
 @pytest.mark.parametrize("has_sources", [True, False])

@@ -117,10 +117,6 @@ def test_an_outline_that_gdal_can_not_read_is_told(tmp_path: Path) -> None:
     assert findings([replace(one, outline=one.outline[:40])])["bent"] == [str(messages.MISSING_UNKNOWN())]
 
 
-def test_it_can_be_stopped(sound: list[OrderedSheet]) -> None:
-    assert checked_sheets(sound, OrderedForm(), lambda share: share < 0.5) is None
-
-
 def states(sheets: list[OrderedSheet]) -> dict[str, str]:
     found = checked_sheets(sheets, OrderedForm(), lambda share: True)
     assert found is not None

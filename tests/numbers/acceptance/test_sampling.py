@@ -87,12 +87,6 @@ def test_an_isolated_lot_as_bad_as_its_limiting_quality_is_hardly_ever_accepted(
         assert rejected[1] > 0.05
 
 
-def test_a_whole_lot_has_no_risk() -> None:
-    plan = single_sampling_plan(40, "0.10")
-    assert operating_characteristic(plan).producers_risk == 0
-    assert limiting_quality(plan) == pytest.approx(1 / 40)
-
-
 @given(st.lists(st.integers(1, 60), min_size=1, max_size=8), st.integers(0, 200), st.integers(0, 2**31))
 def test_a_sample_is_in_proportion_and_repeats(sizes: list[int], count: int, seed: int) -> None:
     strata = [number for number, size in enumerate(sizes) for _ in range(size)]

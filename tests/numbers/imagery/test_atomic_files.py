@@ -78,11 +78,6 @@ def test_the_file_behind_a_link_is_replaced_and_keeps_its_rights(tmp_path: Path)
     assert target.stat().st_mode & 0o777 == 0o640
 
 
-def test_a_device_takes_what_is_written(tmp_path: Path) -> None:
-    save_text("page", Path(os.devnull))
-    assert not Path(os.devnull).is_file()
-
-
 @pytest.mark.skipif(os.name == "nt", reason="links of POSIX")
 def test_what_is_left_of_killed_writings_goes_and_nothing_that_it_links_to(tmp_path: Path) -> None:
     path, outside = tmp_path / "a.html", tmp_path / "outside"

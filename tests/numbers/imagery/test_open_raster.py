@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
-from seam_inspector.plugin.imagery import open_raster
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
@@ -101,14 +100,6 @@ def test_blocks_cover_a_window_once_and_keep_to_their_size(
     assert seen.sum() == window.width * window.height
     inside = seen[window.row : window.row + window.height, window.column : window.column + window.width]
     assert (inside == 1).all()
-
-
-def test_a_huge_tile_is_worked_on_row_by_row(make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(open_raster, "_MOST_OF_A_TILE", 210 * 40)
-    path = make_raster("whole.tif", orthoimage((300, 210)), options=["TILED=YES", "BLOCKXSIZE=224", "BLOCKYSIZE=304"])
-    blocks = list(OpenRaster(RasterRef(path)).blocks(PixelWindow(5, 10, 200, 200), 100))
-    assert [(block.row, block.height) for block in blocks] == [(10, 40), (50, 40), (90, 40), (130, 40), (170, 40)]
-    assert {(block.column, block.width) for block in blocks} == {(5, 200)}
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal, osr
+from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import NotCoveredError, RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow, standard_side_px
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic, describe_placed
@@ -20,7 +20,6 @@ from tests.numbers.clips import (
     clip_of,
     inside,
     metres_by_arcs,
-    reference,
     scene_raster,
 )
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
@@ -150,21 +149,6 @@ def test_rasters_in_degrees_are_compared_as_they_are(make_raster: MakeRaster) ->
     assert clip.offset_x == pytest.approx(-0.25, abs=1e-3)
     assert abs(clip.offset_y) == pytest.approx(0.5, abs=1e-3)
     assert clip.bands.shape == (3, 64, 64)
-
-
-def test_an_extent_is_carried_to_another_system() -> None:
-    extent = (499000.0, 4990000.0, 509000.0, 5000000.0)
-    assert extent_on(extent, wkt(UTM33), wkt(UTM33)) == extent
-    xmin, ymin, xmax, ymax = extent_on(extent, wkt(UTM33), wkt(4326))
-    to_degrees = osr.CoordinateTransformation(reference(UTM33), reference(4326))
-    edge = np.linspace(0, 1, 11)
-    border = [(499000 + 10000 * s, y) for s in edge for y in (extent[1], extent[3])]
-    border += [(x, 4990000 + 10000 * s) for s in edge for x in (extent[0], extent[2])]
-    degrees = np.array(to_degrees.TransformPoints(border))
-    assert xmin == pytest.approx(degrees[:, 0].min(), abs=1e-6)
-    assert xmax == pytest.approx(degrees[:, 0].max(), abs=1e-6)
-    assert ymin == pytest.approx(degrees[:, 1].min(), abs=1e-6)
-    assert ymax == pytest.approx(degrees[:, 1].max(), abs=1e-6)
 
 
 LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'

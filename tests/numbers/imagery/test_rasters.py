@@ -244,15 +244,6 @@ def test_gaps_of_a_warped_source_count(make_raster: MakeRaster, mosaic: Raster) 
         np.testing.assert_allclose(filled[hole], band[~hole].mean(), atol=1.5)
 
 
-def test_nodata_in_one_band_of_a_warped_source_stays_valid(make_raster: MakeRaster, mosaic: Raster) -> None:
-    image = orthoimage((512, 512), 3)
-    image[2, ::2, 1::2] = 0  # a quarter of the blue pixels, one in each pixel of the window
-    clip = clip_of(make_raster("source.tif", image, gsd=0.05, nodata=0), mosaic)
-    assert clip.invalid_share == 0
-    averaged = image.reshape(3, 256, 2, 256, 2).mean(axis=(2, 4))
-    np.testing.assert_allclose(clip.bands, inside(averaged), atol=0.51)
-
-
 def test_a_warped_source_that_ends_in_the_window_does_not_cover_it(make_raster: MakeRaster, mosaic: Raster) -> None:
     with pytest.raises(NotCoveredError, match=r"source.tif"):
         clip_of(scene_raster(make_raster, 0.2, side_m=6.0), mosaic)

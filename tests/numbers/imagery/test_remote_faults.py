@@ -45,12 +45,6 @@ def test_a_fault_while_reading_that_passes_costs_nothing(
     np.testing.assert_array_equal(raster.read(WINDOW).bands, expected(folder))
 
 
-@pytest.mark.parametrize("fault", PASSING, ids=["503", "500", "429", "dropped", "cut"])
-def test_a_fault_while_opening_that_passes_costs_nothing(server: RangeServer, folder: Path, fault: Fault) -> None:
-    server.fault = first(2, fault)
-    np.testing.assert_array_equal(read(server.vsi("cog.tif")), expected(folder))
-
-
 @pytest.fixture
 def one_second(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without an answer is long enough."""

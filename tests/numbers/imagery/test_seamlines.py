@@ -103,17 +103,6 @@ def test_a_raster_staircase_has_the_length_of_its_line(width: int, height: int) 
     assert seam.length == pytest.approx(0.05 * np.hypot(width, height), rel=0.02)
 
 
-def test_ends_that_differ_by_rounding_meet() -> None:
-    path = np.column_stack([np.arange(0, 100, 0.03), np.zeros(3334)]) + ORIGIN
-    jittered = [line(part) for part in np.stack([path[:-1], path[1:] + 0.001], axis=1)]
-    assert len(find_seams(jittered, 0.03)) == 1
-
-
-def test_doubled_lines_with_other_vertices_count_once() -> None:
-    seams = find_seams([line([(0, 0), (100, 0)]), line([(160, 0), (70, 0), (40, 0)])], 1.0)
-    assert [seam.length for seam in seams] == pytest.approx([160])
-
-
 def test_a_ring_stays_closed() -> None:
     ring = np.array([*box(0, 0, 40, 30), (0, 0)], dtype=float)
     (seam,) = find_seams(pieces(ring), 1.0)
@@ -224,21 +213,10 @@ def test_cells_digitised_apart_have_their_common_lines_as_seams(seed: int) -> No
     assert total(find_seams(cells, 1.0)) == pytest.approx(700, rel=0.02)
 
 
-def test_parts_of_one_source_have_no_seam_between_them() -> None:
-    two_parts = wkb("MULTIPOLYGON (((0 0, 50 0, 50 50, 0 50, 0 0)), ((50 0, 100 0, 100 50, 50 50, 50 0)))")
-    (seam,) = find_seams([two_parts, polygon(box(0, 50, 100, 90))], 1.0)
-    assert seam.length == pytest.approx(100)
-
-
 def test_the_outline_of_the_block_is_no_seam_even_when_a_polygon_is_there_twice() -> None:
     left, right = polygon(box(0, 0, 50, 50)), polygon(box(50, 0, 90, 50))
     (seam,) = find_seams([left, right, left, right], 1.0)
     assert seam.length == pytest.approx(50)
-
-
-def test_an_invalid_polygon_is_repaired() -> None:
-    bow_tie = polygon([(0, 0), (100, 100), (100, 0), (0, 100)])
-    assert total(find_seams([bow_tie, polygon(box(100, 0, 150, 100)), polygon(box(-50, 0, 0, 100))], 1.0)) == 200
 
 
 @pytest.mark.parametrize(

@@ -119,15 +119,6 @@ def test_the_bands_are_judged_and_not_the_luminance_that_averages_their_noise() 
     assert noisiest_band(found) in RGB
 
 
-def test_the_noisiest_band_stands_for_a_clip() -> None:
-    clean = np.stack([120 + 25 * patchy_texture((512, 512), 2.8, 1)] * 3)
-    clean[2] += noise(12)
-    assert noisiest_band(measure_noise(clean, RGB)) == "blue"
-    assert noisiest_band(measure_noise(clean[2:], ("band_1",))) == "band_1"
-    clean[:2] = 7  # nothing can be measured there
-    assert noisiest_band(measure_noise(clean, RGB)) == "blue"
-
-
 def test_a_constant_band_has_no_figures_and_says_why() -> None:
     found = measure_noise(np.full((1, 64, 64), 7, np.uint8), ("band_1",), raster="flat.tif")["band_1"]
     assert (found.verdict, found.sigma, set(found.kurtosis)) == (NoiseVerdict.NOT_MEASURABLE, None, {None})

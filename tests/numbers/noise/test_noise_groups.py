@@ -4,14 +4,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.clips import DrawnWindow
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock, describe
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, noise_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
@@ -75,31 +74,11 @@ def test_up_to_25_windows_of_1024_are_spread_and_the_least_saturated_come_first(
         assert any(window.row + 512 in edge for window in found)
 
 
-def test_a_large_raster_is_looked_at_by_few_pixels(large: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    read: list[int] = []
-    real = OpenRaster.read
-
-    def counted(self: OpenRaster, window: PixelWindow, *size: Any) -> PixelBlock:
-        block = real(self, window, *size)
-        read.append(block.bands.size)
-        return block
-
-    monkeypatch.setattr(OpenRaster, "read", counted)
-    chosen(str(large))
-    assert sum(read) <= 100 * 128 * 128  # of 240 million pixels
-    assert len(read) <= 100
-
-
 def test_invalid_parts_are_avoided(make_raster: MakeRaster) -> None:
     pixels = grey((1500, 2600))
     pixels[:, :, :1400] = 0
     for window in chosen(make_raster("half.tif", pixels, nodata=0)):
         assert window.column >= 1400
-
-
-@pytest.mark.parametrize(("side", "expected"), [(1023, 512), (300, 256), (64, 64)])
-def test_small_rasters_get_smaller_windows(make_raster: MakeRaster, side: int, expected: int) -> None:
-    assert {window.width for window in chosen(make_raster("small.tif", grey((side, side))))} == {expected}
 
 
 def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeRaster) -> None:
@@ -194,28 +173,6 @@ def test_a_pair_is_cut_to_what_both_show_and_who_shows_less_than_half_takes_no_p
         assert found == [(1, shared), (2, theirs)]
 
 
-@pytest.mark.parametrize(("beside", "rows", "columns"), [
-    ((0.0, 0.0), (200, 200), (300, 300)),
-    ((0.2, 0.2), (199, 200), (300, 301)),  # a fifth of a pixel of the others beside: an edge is enough
-    ((-0.2, -0.2), (200, 201), (299, 300)),
-    ((0.0004, 0.0004), (200, 200), (300, 300)),  # what rounding of coordinates leaves is no edge
-])
-def test_pixels_that_touch_an_invalid_one_with_an_edge_are_left_out(
-    make_raster: MakeRaster, beside: tuple[float, float], rows: tuple[int, int], columns: tuple[int, int]
-) -> None:
-    origin = (ORIGIN[0] + 0.1 * (beside[0] - 40), ORIGIN[1] + 0.1 * (beside[1] + 30))  # right and up, in pixels
-    first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
-    middle = DrawnWindow(1, (ORIGIN[0] + 6.4, ORIGIN[1] - 44.8, ORIGIN[0] + 44.8, ORIGIN[1] - 6.4), wkt(32633))
-    (request,) = noise_plan.plan_drawn([*images([first]), *images([second], 2)], [middle], 3).requests
-    ours, theirs = (part.window for part in request.parts)
-    invalid = np.zeros((theirs.height, theirs.width), bool)
-    invalid[200 + 30 - theirs.row, 300 + 40 - theirs.column] = True
-    mask, _ = group_noise._joined_masks(request.parts, [np.zeros((ours.height, ours.width), bool), invalid])
-    found = np.argwhere(mask) + (ours.row, ours.column)
-    assert found.min(axis=0).tolist() == [rows[0], columns[0]]
-    assert found.max(axis=0).tolist() == [rows[1], columns[1]]
-
-
 def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster: MakeRaster) -> None:
     pixels = grey()
     holes = np.ones((512, 512), bool)
@@ -233,16 +190,6 @@ def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster:
     alone, _ = measure(noise_plan.plan_drawn([*images([third]), *images([second], 2)], [window], 3))
     assert not alone.bands
     assert "0.6% of the window is invalid" in str(alone.reason)
-
-
-def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeRaster) -> None:
-    first = make_raster("first.tif", grey((1100, 2300)))
-    second = make_raster("second.tif", grey((1100, 1100), seed=3), origin=(ORIGIN[0] + 120, ORIGIN[1]))
-    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
-    assert [request.paired for request in plan.requests] == [True]
-    ours, theirs = (part.window for part in plan.requests[0].parts)
-    assert ours.column - theirs.column == 1200
-    assert ours.row == theirs.row
 
 
 def test_groups_without_common_ground_are_measured_apart_and_that_is_said(make_raster: MakeRaster) -> None:

@@ -20,7 +20,6 @@ from seam_inspector.plugin.photos.measure.mark_templates import (
     MarkKind,
     MarkShape,
     all_shapes,
-    chosen_shapes,
     cut_out,
     draw,
 )
@@ -83,13 +82,6 @@ def test_a_drawn_mark_is_the_area_that_it_covers(shape: MarkShape) -> None:
     else:
         assert np.abs(covered - drawn).mean() < 0.03
         assert np.corrcoef(covered.ravel(), drawn.ravel())[0, 1] > 0.96
-
-
-def test_shapes_are_chosen_by_words() -> None:
-    assert chosen_shapes(None, None, None) == all_shapes()
-    assert {(shape.kind, shape.diagonal) for shape in chosen_shapes("cross", True, None)} == {(MarkKind.CROSS, True)}
-    assert [shape.interrupted for shape in chosen_shapes("ring with cross", None, True)] == [True, True]
-    assert [shape.kind for shape in chosen_shapes("dot", True, True)] == [MarkKind.DOT]
 
 
 def window(pixels: np.ndarray) -> PhotoView:

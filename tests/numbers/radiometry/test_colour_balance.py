@@ -90,11 +90,3 @@ def test_areas_too_small_too_bright_or_beside_the_image_are_no_measure(make_rast
     mixed = checked(path, rules=RULES, grey_areas=[area(1, 0, 0, 60, 200), area(2, 70, 0, 120, 60)])
     assert figure(mixed, "colour_balance", "all") < 0.01
     assert [tone.number for tone in mixed.balance.tones] == [2]
-
-
-def test_one_band_has_no_colours_and_needs_none(make_raster: MakeRaster) -> None:
-    result = checked(make_raster("a.tif", fields(ROOF)[0]), rules=RuleSet("own", (
-        *RULES.rules, Rule("clipped_low", None, 0.5, "s"))), grey_areas=[area(1, 0, 0, 60, 200)])  # fmt: skip
-    said = str(checked_figure(result, "colour_balance", "all").reason)
-    assert said == "not measurable: it has no red, green and blue."
-    assert outcome(result) is RadiometricOutcome.ACCEPTED

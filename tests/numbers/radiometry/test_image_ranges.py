@@ -6,12 +6,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import Message
-from seam_inspector.plugin.radiometry.measure.assessment import RadiometricOutcome, decide_image, judge
+from seam_inspector.plugin.radiometry.measure.assessment import RadiometricOutcome, decide_image
 from seam_inspector.plugin.radiometry.measure.image_statistics import LargestValue, range_of_set
 from seam_inspector.plugin.radiometry.measure.rules import RuleSet
 
 from tests.numbers.radiometry.jrc import default_rules
-from tests.numbers.radiometry.judging import checked, checked_figure, checked_set, figure, measured, reasons
+from tests.numbers.radiometry.judging import checked, checked_figure, checked_set, figure, reasons
 
 MakeRaster = Callable[..., str]
 RANGE_CHECKS = {"clipped_high", "peak", "contrast", "signal_to_noise"}
@@ -67,14 +67,6 @@ def test_the_set_says_it_where_its_values_end_at_a_depth(make_raster: MakeRaster
     assert alone[0].available is None
     assert [one.available for one in beside] == [(0, 4095)] * 2
     assert checked_figure(beside[0], "peak").passed is False
-
-
-def test_bands_that_end_at_different_values(make_raster: MakeRaster) -> None:
-    colours = np.stack([sheet(380, 150, 1000), sheet(2500, 900, 4095, 1), sheet(800, 150, 1500, 2)])
-    found = measured(make_raster("a.tif", colours), default_rules())
-    assert found.trimmed().largest_value == found.largest_value == LargestValue(4095, True)
-    kept, whole = (judge(one, default_rules(), (0, 4095)) for one in (found.trimmed(), found))
-    assert kept.checked_figures == whole.checked_figures
 
 
 @pytest.mark.parametrize(

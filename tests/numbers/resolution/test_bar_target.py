@@ -10,10 +10,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
-from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_north_up
-from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.resolution.measure.bars import BarLine, measure_line
-from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 
 from tests.numbers.resolution.bar_targets import (
@@ -182,16 +178,6 @@ def test_five_bars(make_raster: MakeRaster) -> None:
     assert five.resolved
     assert not three.resolved
     assert "5 bars stand out and a group has 3" in str(three.reason)
-
-
-def test_one_band_of_three(make_raster: MakeRaster) -> None:
-    shape, groups = row_of_groups([8.0], 0.0, np.random.default_rng(7))
-    path = make_raster("rgb.tif", np.stack([image(shape, groups, 0.8)] * 3), gsd=0.1)
-    raster, ends = describe_north_up(RasterRef(path)), groups[0].line()
-    third = OpenRaster(raster.ref).band_index(3)
-    line = measure_line(raster, BarLine(1, "along", Segment(ends[:2], ends[2:])), 3, 3.0, third)
-    assert list(line.readings) == ["blue"]
-    assert line.shifts["blue"] == pytest.approx(0, abs=0.01)  # green is looked at all the same
 
 
 @given(group=st.integers(-40, 40), reference=st.integers(-20, 20), grd=st.floats(0.1, 1000))

@@ -114,19 +114,6 @@ def test_malvar_is_the_published_filters(pattern: str) -> None:
     assert np.allclose(bayer.interpolated(chip, pattern, "malvar"), filtered_as_published(chip, pattern), atol=1e-10)
 
 
-def test_malvar_in_whole_numbers() -> None:
-    """One red pixel of 80 on black: green gets half of it there and a quarter beside it, blue six eighths."""
-    chip = np.zeros((9, 9), np.uint8)
-    chip[4, 4] = 80
-    red, green, blue = bayer.interpolated(chip, "RGGB", "malvar").astype(int)
-    assert (red[4, 4], green[4, 4], blue[4, 4]) == (80, 40, 60)
-    assert red[4].tolist() == [0, 0, 0, 40, 80, 40, 0, 0, 0]
-    assert red[3].tolist() == [0, 0, 0, 20, 40, 20, 0, 0, 0]
-    assert green[4].tolist() == [0] * 4 + [40] + [0] * 4  # 80 x -1/8 two pixels off is below black
-    assert blue[3].tolist() == [0] * 9
-    assert bayer.interpolated(np.full((8, 8), 255, np.uint8), "RGGB", "malvar").min() == 255
-
-
 def psnr(scene: np.ndarray, seen: np.ndarray) -> float:
     """dB, of 8 bit."""
     return 10 * np.log10(255**2 / np.mean((seen.astype(float) - scene)[:, 8:-8, 8:-8] ** 2))

@@ -40,14 +40,6 @@ def test_near_infrared_is_compared_where_both_have_it(make_raster: MakeRaster) -
     assert "nir" not in [pair.band for pair in fewer.pairs]
 
 
-def test_infrared_is_no_part_of_the_luminance(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 4)
-    four = [gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand, gdal.GCI_Undefined]
-    mosaic = mosaic_of(make_raster, np.concatenate([scene[:3], 255 - scene[3:]]), colours=four)
-    result = inspect(block_of(mosaic, make_raster("a.tif", scene, colours=four)))
-    assert result.judgement.ratios.detail == (1.0, 1.0, 1.0)
-
-
 def test_a_source_of_one_band_takes_no_part_in_a_coloured_mosaic(make_raster: MakeRaster) -> None:
     scene = orthoimage(SIZE, 3)
     mosaic, colour = mosaic_of(make_raster, scene), make_raster("colour.tif", scene)

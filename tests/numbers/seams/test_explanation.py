@@ -14,7 +14,6 @@ from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands, measure
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause
 from seam_inspector.plugin.seams.measure.judgement.explanation import explain
-from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import Scene, blur, explained, whole_values
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of
@@ -82,18 +81,6 @@ def detail_of_composite(mosaic: Raster, bands: np.ndarray, sources: Sequence[np.
     own, *others = (MeasuredClip(clip, *measure_clip(clip, DEFAULT_WAVELET, DEFAULT_LEVELS)) for clip in clips)
     found = explain(own, others, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
     return found.curves[LUMINANCE]
-
-
-def test_pixels_that_no_cell_covers_follow_what_they_show(
-    mosaic: Raster, sharp_and_soft: tuple[np.ndarray, np.ndarray]
-) -> None:
-    east = np.arange(256) >= 128
-    bands = np.where(east, sharp_and_soft[1], sharp_and_soft[0])
-    known = np.full((256, 256), UNKNOWN, np.uint8)
-    known[:, :100] = 0
-    found = detail_of_composite(mosaic, bands, sharp_and_soft, known)
-    expected = measure_bands(bands, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS)[0][LUMINANCE]
-    assert found.detail == pytest.approx(expected.detail, rel=0.01)
 
 
 def test_cells_are_believed_even_where_the_mosaic_shows_another_source(

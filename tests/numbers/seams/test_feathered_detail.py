@@ -197,12 +197,6 @@ def test_widths_are_metres_on_the_ground() -> None:
         np.testing.assert_allclose(slopes, 1 / 6.0, rtol=1e-3)
 
 
-def test_without_detail_there_is_no_figure() -> None:
-    flat = np.full((64, 64), 7.0)
-    kept = foretold(flat, flat, assumed_seams(64, 64, PIXEL), 9, COSINE)
-    assert kept == KeptDetail((None,) * LEVELS, (None,) * LEVELS)
-
-
 WINDOW = PixelWindow(64, 32, 128, 96)
 
 
@@ -230,15 +224,6 @@ def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:
     expected = 0.1 * (np.arange(128) + 0.5 - 48)
     np.testing.assert_allclose(distance, np.broadcast_to(expected, (96, 128)), atol=0.11)  # to a pixel
     assert (distance[:, 60:] > 0).all()  # the larger part
-
-
-def test_the_border_of_a_polygon_and_a_line_in_pieces_are_the_same_seam(mosaic: Raster) -> None:
-    whole = drawn(mosaic, line(mosaic, (48, -20), (48, 150)))
-    assert whole is not None
-    corners = vertices(mosaic, (-30, -20), (48, -20), (48, 150), (-30, 150), (-30, -20))
-    pieces = [line(mosaic, (48, row), (48, row + 1)) for row in range(-5, 100)]
-    np.testing.assert_array_equal(drawn(mosaic, f"POLYGON (({corners}))"), whole)
-    np.testing.assert_array_equal(drawn(mosaic, *pieces), whole)
 
 
 def test_lines_that_do_not_divide_the_window_are_no_seam(mosaic: Raster) -> None:

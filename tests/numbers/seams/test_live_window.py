@@ -4,7 +4,6 @@ from __future__ import annotations
 import os
 import threading
 import time
-import weakref
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +12,6 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.raster_pool import ReadingLanes, close_rasters, one_by_one
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.window.inspection import (
@@ -106,20 +104,6 @@ def test_each_raster_has_its_thread_and_stays_open_until_it_is_let_go(feathered:
     assert len({one[0] for one in first if isinstance(one, tuple)}) == 3
     lanes.let_go()
     assert all(opened not in first for opened in lanes(readings))
-
-
-def test_files_are_closed_by_the_threads_that_read_them(feathered: Block, lanes: ReadingLanes) -> None:
-    """A file of many parts takes long to be closed, and the interface must not wait for it."""
-    closed: list[int] = []
-
-    def opened(raster: OpenRaster) -> int:
-        weakref.finalize(raster, lambda: closed.append(threading.get_ident()))
-        return threading.get_ident()
-
-    (reader,) = lanes([(feathered.mosaic.ref, opened)])
-    lanes.let_go()
-    wait_until(lambda: closed)
-    assert closed == [reader]
 
 
 @pytest.mark.skipif(not os.path.isdir("/proc/self/fd"), reason="open files are counted on Linux")

@@ -30,9 +30,6 @@ from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoim
 
 MakeRaster = Callable[..., str]
 SIZE = (320, 256)
-ROTATED = (ORIGIN[0] - 5, 0.1, 0.001, ORIGIN[1] + 5, 0.001, -0.1)
-
-
 def box(column: float, row: float, width: float = 128, height: float = 128) -> Extent:
     """A rectangle of pixels of 0.1 m."""
     left, top = ORIGIN[0] + 0.1 * column, ORIGIN[1] - 0.1 * row
@@ -85,17 +82,6 @@ def test_a_blended_mosaic_keeps_what_was_foretold(make_raster: MakeRaster) -> No
         assert 2 / (1 / of_a + 1 / of_b) == pytest.approx(ratio, rel=1e-3)
     assert found.expected == pair.feather.ratios
     assert seen.explanation.expected == pytest.approx(found.expected)
-
-
-def test_every_pair_in_the_order_of_the_sources(make_raster: MakeRaster) -> None:
-    names = ["c.tif", "a.tif", "b.tif"]
-    found = forecast(*(make_raster(name, image) for name, image in zip(names, images(3))))
-    assert [(pair.source, pair.other) for pair in found.pairs] == [
-        ("c.tif", "a.tif"), ("c.tif", "b.tif"), ("a.tif", "b.tif"),
-    ]
-    assert found.sources == 3
-    ratios = [pair.feather.ratios for pair in found.pairs]
-    assert found.expected == tuple(min(level) for level in zip(*ratios) if None not in level)
 
 
 def test_a_pixel_grid_that_lies_beside_is_no_shift_on_the_ground(make_raster: MakeRaster) -> None:
@@ -181,16 +167,6 @@ def test_settings_out_of_range_are_refused(changed: dict[str, Any]) -> None:
         ForecastSettings(**changed).check()
 
 
-def test_the_window_lies_on_the_first_of_sources_with_pixels_of_one_size(make_raster: MakeRaster) -> None:
-    a, b = images()
-    aside = make_raster("aside.tif", a, origin=(ORIGIN[0] + 0.04, ORIGIN[1]), gsd=0.1004)
-    plain = make_raster("plain.tif", b)
-    assert forecast(plain, aside).extent == pytest.approx(box(64, 64))
-    found = forecast(aside, plain).extent
-    columns = (found[0] - ORIGIN[0] - 0.04) / 0.1004
-    assert columns == pytest.approx(round(columns), abs=1e-4)
-
-
 def test_the_finest_source_gives_the_pixels_whatever_the_order(make_raster: MakeRaster) -> None:
     a, _ = images()
     fine = make_raster("fine.tif", np.kron(a, np.ones((1, 2, 2), np.uint8)), gsd=0.05)
@@ -199,15 +175,6 @@ def test_the_finest_source_gives_the_pixels_whatever_the_order(make_raster: Make
         found = forecast(*order, extent=box(64.5, 64.5))  # whole pixels of the finer one only
         assert found.extent == pytest.approx(box(64.5, 64.5))
         assert [pair.resampled for pair in found.pairs] == [True]
-
-
-def test_a_rotated_source_takes_part_but_gives_no_pixels(make_raster: MakeRaster) -> None:
-    a, b = images(shape=(512, 512))
-    turned, plain = make_raster("turned.tif", a, geotransform=ROTATED), make_raster("plain.tif", b)
-    found = forecast(turned, plain)
-    assert found.extent == pytest.approx(box(64, 64))
-    assert [(pair.source, pair.other, pair.resampled) for pair in found.pairs] == [("turned.tif", "plain.tif", True)]
-    assert_nothing_foretold(forecast(turned), "turned.tif is rotated, mirrored or south-up; warp it")
 
 
 def test_a_source_with_a_hole_gives_its_place_to_the_next(make_raster: MakeRaster) -> None:
@@ -268,11 +235,3 @@ def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path
     assert_nothing_foretold(alone, "Only one source can be compared here: text.tif is not a raster")
     none = foretold(lost, box(64, 64), ForecastSettings(), wkt(UTM33))
     assert_nothing_foretold(none, "No source can be compared here: text.tif is not a raster")
-
-
-def test_sources_without_detail(make_raster: MakeRaster) -> None:
-    coarse = np.kron(orthoimage((80, 64), bands=1), np.ones((1, 4, 4), np.uint8))
-    paths = [make_raster(f"{i}.tif", one) for i, one in enumerate((coarse, coarse[:, ::-1]))]
-    found = forecast(*paths, wavelet="haar")
-    assert "No source has detail at level 1" in str(found.reason)
-    assert found.expected[2] is not None

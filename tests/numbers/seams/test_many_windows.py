@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import pickle
-import threading
 from collections.abc import Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import replace
@@ -28,7 +27,6 @@ from tests.numbers.seams.inspecting import (
     softened,
 )
 from tests.numbers.synthetic import orthoimage, texture
-from tests.patience import PATIENCE_S
 
 
 class Inline(Executor):
@@ -102,26 +100,6 @@ def test_every_executor_gives_the_same_results_in_the_order_of_the_requests(bloc
         assert list(inspect_windows(Requests(block, 0), pool, 4)) == []
 
 
-def test_a_slow_window_does_not_change_the_order(block: Block) -> None:
-    others_done = threading.Event()
-
-    class FirstIsLast(ThreadPoolExecutor):
-        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
-            def task(request: WindowRequest) -> WindowResult:
-                if request.window_id == 0:
-                    assert others_done.wait(PATIENCE_S)
-                if request.window_id == 3:
-                    others_done.set()
-                result: WindowResult = fn(request)
-                return result
-
-            return super().submit(task, *args, **kwargs)
-
-    with FirstIsLast(2) as pool:
-        results = inspect_windows(Requests(block, 8), pool, 4)
-        assert [result.window_id for result in results] == list(range(8))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("ahead", [1, 2, 5])
 def test_no_more_windows_are_under_way_than_asked_for(block: Block, ahead: int) -> None:
@@ -158,22 +136,6 @@ def test_cancelling_does_not_wait_for_windows_that_are_not_ready(block: Block) -
     assert list(inspect_windows(Requests(block, 50), executor, 3, cancelled)) == []
     assert len(executor.futures) == 3
     assert all(future.cancelled() for future in executor.futures)
-
-
-def test_whoever_stops_listening_leaves_nothing_running(block: Block) -> None:
-    class OneThenNone(Stalled):
-        def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
-            future = super().submit(fn, *args, **kwargs)
-            if len(self.futures) == 1:
-                future.set_result(fn(*args, **kwargs))
-            return future
-
-    executor = OneThenNone()
-    results = inspect_windows(Requests(block, 50), executor, 4)
-    assert next(results).window_id == 0
-    results.close()  # type: ignore[attr-defined]
-    assert len(executor.futures) == 4
-    assert all(future.cancelled() for future in executor.futures[1:])
 
 
 def test_requests_and_results_cross_processes(block: Block) -> None:

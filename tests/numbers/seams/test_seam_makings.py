@@ -7,8 +7,8 @@ import pytest
 from benchmarks.campaign import outcomes, spread
 from benchmarks.detail import luminance_of
 from benchmarks.known_windows import KnownWindow, misfit_of
-from benchmarks.misfit_cases import CASES, PREFIX, is_right, misfit_tasks, twin
-from benchmarks.operations import HARD, KINDS, NOTHING, OPERATIONS, OTHERS, STRANGE_MAKINGS
+from benchmarks.misfit_cases import CASES, twin
+from benchmarks.operations import KINDS, NOTHING, OPERATIONS, OTHERS, STRANGE_MAKINGS
 from benchmarks.production import Making
 from tests.numbers.seams.made_up_window import made_up_window
 
@@ -50,16 +50,3 @@ def test_a_twin_lies_where_its_image_lies_and_moved_where_the_case_says(window: 
         first, second = window.main
         planes = case.making("cut hard", 0.0).mix(case.window(window), np.random.default_rng(0)).planes
         assert np.hypot(*misfit_of(planes[first], planes[second])) == pytest.approx(case.misfit, abs=0.15)
-
-
-def test_a_misfit_is_to_be_named_where_it_was_feathered_alone() -> None:
-    fits, off = (next(one for one in CASES if one.name == name) for name in ("fits", "2 px off as placed"))
-    named, first, silent = ("feathering", "misregistration"), ("misregistration",), ("none",)
-    assert [is_right(off, causes) for causes in (named, first, silent)] == [True, True, False]
-    assert [is_right(fits, causes) for causes in (named, first, silent)] == [False, False, True]
-
-
-def test_cases_of_misfit_are_asked_for_by_their_name(window: KnownWindow) -> None:
-    assert len(misfit_tasks([window], 1)) == 2 * len(CASES)
-    assert len(misfit_tasks([window], 1, f"{PREFIX}fits")) == 2
-    assert not misfit_tasks([window], 1, HARD.name)

@@ -60,12 +60,6 @@ def test_what_is_kept_decides() -> None:
     assert reason_of(profile(0.3)) is reason_of(profile(0.85)) is reason_of(profile(1.0)) is None
 
 
-def test_the_limit_of_a_significant_loss() -> None:
-    limit = limits.MAX_SIGNIFICANT_KEPT
-    assert verdict_of(profile(limit)) is Verdict.SIGNIFICANT
-    assert verdict_of(profile(limit + LITTLE)) is Verdict.REDUCED
-
-
 @pytest.mark.parametrize("limit", [0.3, 0.5, 0.9])
 def test_the_user_may_move_that_limit(limit: float) -> None:
     assert judged(profile(limit), limit) == (Verdict.SIGNIFICANT, None)

@@ -1,8 +1,6 @@
 """The ground around a small window: where it lies, that it is read, and that it changes nothing but what it is for."""
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -65,12 +63,6 @@ def test_it_lies_inside_the_mosaic_around_the_window_in_whole_steps(
         for margin, there in zip((place.start, length - place.stop), room):
             assert margin % step == 0
             assert margin == min(wanted, there) // step * step
-
-
-@pytest.mark.parametrize("side", [512, 1024])
-def test_a_large_window_has_ground_enough_of_its_own(mosaic: Raster, side: int) -> None:
-    window = PixelWindow(300, 300, side, side)
-    assert surroundings(window, replace(mosaic, columns=4000, rows=4000), 3) == window
 
 
 def request_of(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: float,

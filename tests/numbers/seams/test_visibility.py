@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -67,12 +66,6 @@ def test_it_is_the_integral_of_the_papers_formulas(
     assert found == pytest.approx(by_integration(kept, variance, grey, magnification), rel=1e-3, abs=1e-6)
 
 
-@given(variances, greys)
-def test_what_is_kept_whole_or_more_is_no_loss(variance: tuple[float, ...], grey: float) -> None:
-    assert visibility((1.0, 1.0, 1.0), variance, grey, WHITE) == 0
-    assert visibility((1.3, 1.0, 2.0), variance, grey, WHITE) == 0
-
-
 @given(variances, greys, shares, shares, st.sampled_from([0, 1, 2]))
 def test_the_less_is_kept_the_more_is_seen(
     variance: tuple[float, ...], grey: float, one: float, other: float, level: int
@@ -132,34 +125,6 @@ def test_a_feathers_window_is_seen_and_a_hard_cuts_is_not() -> None:
         found[width] = window_visibility(detail.profile, detail.judged, made.made, WHOLE, raster("uint8"))
     assert found[0] < 0.25
     assert found[66] > found[0] + 0.8
-
-
-def test_a_window_scaled_to_16_bit_shows_the_same() -> None:
-    made = blend(66)
-    detail = made.detail()
-    scaled = replace(detail.profile, energy=tuple(one * 257**2 for one in detail.profile.energy))
-    one = window_visibility(detail.profile, detail.judged, made.made, WHOLE, raster("uint8"))
-    other = window_visibility(scaled, detail.judged, made.made * 257, WHOLE, raster("uint16", 16))
-    assert other == pytest.approx(one, rel=1e-3)
-
-
-def test_what_was_read_around_a_window_changes_nothing() -> None:
-    """Cells have their places in all that was read, pixels in the window."""
-    made = blend(66)
-    detail = made.detail()
-    grey = np.broadcast_to(np.linspace(60, 200, SIDE, dtype=np.float32), (SIDE, SIDE))  # brighter to the right
-    part = slice(0, SIDE), slice(SIDE // 4, SIDE)
-    one, other = (
-        window_visibility(detail.profile, detail.judged, grey[inside], inside, raster("uint8"))
-        for inside in (WHOLE, part)
-    )
-    assert one == pytest.approx(other, rel=0.05)
-
-
-def test_a_window_without_a_profile_has_no_visibility() -> None:
-    cells = blend(0).detail().judged
-    grey = np.full((SIDE, SIDE), 100, np.float32)
-    assert window_visibility(None, cells, grey, WHOLE, raster("uint8")) is None
 
 
 def windows_of(folder: Path, pattern: str) -> Iterator[np.ndarray]:

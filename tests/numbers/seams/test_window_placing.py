@@ -12,7 +12,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.lines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.planning.window_placing import (
@@ -60,13 +60,6 @@ def test_a_seam_shorter_than_the_spacing_has_one_window_at_its_middle() -> None:
     assert stations(place_windows([seam((300, 300), (450, 300))], KILOMETRE, STANDARD)) == [75]
 
 
-def test_stations_follow_the_seam_around_corners() -> None:
-    placement = place_windows([seam((300, 300), (700, 300), (700, 700))], KILOMETRE, STANDARD)
-    assert stations(placement) == pytest.approx([100, 300, 500, 700])
-    turned = placement.windows[2].window
-    assert (turned.column + 128, turned.row + 128) == (1400, 2 * (1000 - 400))
-
-
 def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
     degrees = Grid(15.0, 60.0, 1e-5, 5e-6, 4000, 4000, metres_x=55_800.0, metres_y=111_400.0)
     east = Seam(1, np.array([(15.005, 59.99), (15.025, 59.99)]))
@@ -96,31 +89,11 @@ def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
     )
 
 
-def test_a_moved_window_does_not_double_its_neighbour() -> None:
-    placement = place_windows([seam((0, 500), (600, 500))], KILOMETRE, PlacingSettings(100, 70))
-    assert stations(placement)[:2] == pytest.approx([90, 160])
-    assert [str(message) for message in placement.dropped] == [
-        ("Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
-        "1, on seam 1 (20.0 m).")
-    ]
-
-
 def test_only_what_lies_inside_the_mosaic_is_divided() -> None:
     block_wide = seam((-5000, 500), (9000, 500))
     placement = place_windows([block_wide], KILOMETRE, STANDARD)
     assert stations(placement) == pytest.approx(5100 + 200 * np.arange(10))
     assert placement.dropped == ()
-
-
-def test_a_seam_that_leaves_and_comes_back_has_windows_on_both_stretches() -> None:
-    placement = place_windows([seam((200, 720), (200, 1500), (1000, 1500), (1000, 720))], KILOMETRE, STANDARD)
-    assert stations(placement) == pytest.approx([140, 780 + 800 + 780 - 140])
-
-
-def test_a_mosaic_as_small_as_the_window_still_has_one() -> None:
-    small = Grid(0, 25.6, 0.1, 0.1, 256, 256)
-    placement = place_windows([Seam(1, np.array([(0, 3), (25.6, 22.6)]))], small, PlacingSettings(25, 200))
-    assert [placed.window for placed in placement.windows] == [PixelWindow(0, 0, 256, 256)]
 
 
 def test_a_mosaic_smaller_than_the_window_says_both_sizes() -> None:
@@ -212,12 +185,6 @@ def test_lengths_are_positive(length: float) -> None:
         place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(length, 200))
     with pytest.raises(SettingsError, match="spacing"):
         place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(100, length))
-
-
-@pytest.mark.parametrize("levels", [0, 9, -1])
-def test_levels_are_one_to_eight(levels: int) -> None:
-    with pytest.raises(SettingsError, match="levels"):
-        place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(100, 200, levels))
 
 
 def test_a_window_too_small_for_the_levels_says_how_long_it_must_be() -> None:

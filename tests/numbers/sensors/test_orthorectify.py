@@ -136,13 +136,6 @@ def test_heights_above_sea_level_are_brought_to_the_ellipsoid(job: Callable[...,
         job(dem=terrain_file(tmp_path / "ahd.tif", "EPSG:4326+5711"), datum="auto")
 
 
-def test_a_constant_height_is_a_plane(job: Callable[..., Ortho], tmp_path: Path) -> None:
-    ortho = job(height=650.0, target_wkt="EPSG:4326", pixel_size=3e-6)
-    places, seen = came_from(ortho)
-    expected = small_rpc().project(np.column_stack([places, np.full(len(places), 650.0)]))
-    assert np.abs(seen - expected).max() < 0.02
-
-
 def test_crop_size_format_and_extent(job: Callable[..., Ortho], tmp_path: Path) -> None:
     dem = terrain_file(tmp_path / "dem.tif")
     whole = job(dem=dem, target_wkt="EPSG:32632")

@@ -186,11 +186,6 @@ def test_with_noise_the_parametric_model_is_better_and_the_others_come_in_the_pa
     assert np.median(np.array(errors["pushbroom"]) / errors["rational"]) < 0.5
 
 
-def test_points_weigh_by_their_standard_deviations_and_those_without_by_the_median() -> None:
-    given = replace(points(np.zeros((5, 2)), np.zeros((5, 3))), sigma_px=np.array([0.1, 0.5, 2, 0, np.nan]))
-    np.testing.assert_allclose(given.weights, (10, 2, 0.5, 2, 2))
-
-
 def test_a_standard_deviation_beyond_all_measure_still_gives_a_fit() -> None:
     """1e-300 px, whose square is no number, is as good as the smallest that says anything."""
     ground, truth = places(16, 5), made_pushbroom()

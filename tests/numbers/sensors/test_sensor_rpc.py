@@ -82,18 +82,6 @@ def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path
     assert np.abs(by_gdal(tmp_path / "image.tif", ground[inside]) - seen[inside]).max() < 0.01
 
 
-def test_an_rpc_is_fitted_to_a_hundred_metres_of_height_at_least() -> None:
-    for heights, fitted in (((700, 702), (651, 751)), ((0, 900), (0, 900)), ((-20, 79), (-20.5, 79.5))):
-        assert rpc.rpc_heights(Domain((0, COLUMNS), (0, ROWS), heights, (0, 0))) == fitted
-
-
-def test_a_plane_model_has_none() -> None:
-    ground = places(20, 1)
-    model = adjust(registry.POLYNOMIAL_2D.request(), points(made_rational(1, 2).project(ground), ground)).fitted.model
-    with pytest.raises(SensorModelError, match="knows no heights"):
-        rpc.rpc_of(model, WGS84, DOMAIN)
-
-
 def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: Path) -> None:
     folder = data_folder / "sensors" / "pleiades"
     ground = np.array([[5.25, 44.15, 900.0], [5.3, 44.1, 1500.0], [5.2, 44.2, 400.0]])
@@ -227,15 +215,6 @@ def test_points_files_old_and_new(tmp_path: Path, layout: str, wkt: str) -> None
     if not wkt:
         with pytest.raises(SensorModelError, match="names no coordinate reference system"):
             file_points(path, "", None)
-
-
-def test_columns_of_a_points_file_may_stand_in_any_order(tmp_path: Path) -> None:
-    path = tmp_path / "image.points"
-    path.write_text("enable,sourceY,sourceX,mapY,mapX\n1,-30.25,120.5,43.6,7.1\n0,-60,50,43.7,7.2\n")
-    points, _ = file_points(path, WGS84, None)
-    assert points.ids == ("1",)
-    np.testing.assert_array_equal(points.ground[:, :2], [[7.1, 43.6]])
-    np.testing.assert_array_equal(points.image, [[120.5, 30.25]])
 
 
 def test_a_wrong_points_file_is_refused(tmp_path: Path) -> None:

@@ -74,20 +74,6 @@ def test_transfer_is_against_what_was_there_before_any_filter(plane: np.ndarray,
         assert found.transfer == pytest.approx(float(np.sqrt((own**2).sum() / (plain**2).sum())), rel=1e-3)
 
 
-def test_only_what_follows_one_source_for_sure_is_looked_at(plane: np.ndarray) -> None:
-    sure = EVERYWHERE.copy()
-    sure[:, 130:160] = False
-    labels = halves().copy()
-    labels[:64] = UNKNOWN
-    found = texture_of(plane, plane, None, labels, sure)
-    unsure = ~sure | (labels == UNKNOWN)
-    inner = ndimage.binary_erosion(unsure, iterations=12)  # as far as coefficients reach
-    spoilt = plane + inner * RNG.normal(0, 40, SHAPE)
-    after = texture_of(spoilt, plane, None, labels, sure)
-    assert after.noise_dn == pytest.approx(found.noise_dn, abs=0.3)
-    assert after.transfer == pytest.approx(1, abs=0.01)
-
-
 @pytest.mark.parametrize("quality", [50, 75, 90])
 @pytest.mark.parametrize("corner", [(0, 0), (3, 5)])
 def test_compression_leaves_its_grid_wherever_that_begins(

@@ -279,22 +279,11 @@ def test_compression_is_not_called_noise_too() -> None:
     assert find_causes(evidence(**NOISY)) == (Cause.NOISE_ADDED,)
 
 
-def test_blur_needs_unmixed_ground_or_hardly_any_mixture() -> None:
-    blurred = replace(SOUND, texture=None, sharpness=0.6)
-    assert find_causes(blurred) == (Cause.BLUR,)
-    assert find_causes(replace(blurred, mixed=rules.MIN_MIXED)) == (Cause.NONE,)
-
-
 def test_what_is_left_over_everywhere_is_no_other_mixture() -> None:
     other = {**FEATHERED, "left_by_mixture": 0.5}
     for everywhere in (NOISY, COMPRESSED):
         assert Cause.OTHER_MIXTURE not in find_causes(evidence(**other, **everywhere))
     assert find_causes(replace(evidence(**other), texture=None)) == (Cause.FEATHERING,)
-
-
-def test_without_a_profile_much_that_is_mixed_is_a_feather() -> None:
-    assert find_causes(replace(SOUND, profile=None)) == (Cause.NONE,)
-    assert find_causes(replace(SOUND, profile=None, mixed=rules.MIN_MIXED, lost=0.3)) == (Cause.FEATHERING,)
 
 
 @pytest.mark.parametrize(("kept", "high"), [(0.5, 1.0), (0.5, 1.4), (0.98, 0.99)])
@@ -322,26 +311,6 @@ def test_all_that_took_part_are_ranked_by_what_each_took_in_one_unit() -> None:
         (Cause.MISREGISTRATION, pytest.approx(0.16)), (Cause.CLIPPING, 0.05), (Cause.SHARPENED, 0.0),
         (Cause.COMPRESSED, 0.0), (Cause.GAMMA, 0.0), (Cause.COLOUR_SHIFT, 0.0),
     )  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    "spoilt",
-    [{"most_transfer": 3.0}, NOISY, {"gain": 0.4}, {"gamma": 2.5}, {"colour_shift": 2.0}, {"unevenness": 1.0},
-     {"unevenness": 1.0, "clipped": 0.3}],
-)  # fmt: skip
-def test_what_took_nothing_comes_after_all_that_did(spoilt: dict[str, Any]) -> None:
-    for least in ({"clipped": 0.01, "clipped_lost": LITTLE}, {**FEATHERED, "lost": LITTLE}):
-        found = causes_taken(evidence(**{**least, **spoilt}))
-        shares = [share for _, share in found]
-        assert len(found) > 1
-        assert shares == sorted(shares, reverse=True)
-        assert min(shares) == 0
-
-
-def test_what_came_over_the_whole_goes_before_a_seam_that_took_less() -> None:
-    for lost, first in ((0.05, Cause.BLUR), (0.3, Cause.FEATHERING)):
-        own = evidence(**FEATHERED, lost=lost, least_transfer=0.8, sharpness=np.sqrt(1 - 0.2 - lost))
-        assert find_causes(own)[0] is first
 
 
 @given(sharpness=st.floats(0.1, 1.5), lost=st.floats(0, 1), clipped=st.floats(0, 1))

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.border import BORDER_PX, to_the_pixel
-from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.synthetic import texture
 
@@ -57,14 +56,6 @@ def test_tones_that_are_off_beside_it_do_not_move_it(planes: dict[int, np.ndarra
     rough = ndimage.shift(labels, (2, -2), order=0, mode="nearest")
     found = to_the_pixel(cut(planes, labels), off, rough, {})
     assert np.mean(found != labels) < 0.01
-
-
-def test_what_is_unknown_stays_unknown(planes: dict[int, np.ndarray]) -> None:
-    labels = crooked()
-    known = labels.copy()
-    known[20:60, 60:110] = UNKNOWN
-    found = to_the_pixel(cut(planes, labels), planes, known, {})
-    np.testing.assert_array_equal(found == UNKNOWN, known == UNKNOWN)
 
 
 def test_a_source_gets_no_pixel_that_it_does_not_have(planes: dict[int, np.ndarray]) -> None:

@@ -1,8 +1,6 @@
 """The hard-cut composite: each pixel from the source that its label names, as it is and in the mosaic's tones."""
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from seam_inspector.plugin.seams.measure.following.followed_source import FollowedSource, follow_planes, high_pass
@@ -11,7 +9,7 @@ from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.tone import Tone
 
 from benchmarks.scenes import cut
-from tests.numbers.seams.following.cuts import SHAPE, made_sources, three_cells
+from tests.numbers.seams.following.cuts import made_sources, three_cells
 
 NAMES = ("red", "green", "blue")
 LABELS = three_cells()
@@ -63,13 +61,6 @@ def test_where_no_source_explains_nothing_is_gained_or_lost(sources: list[np.nda
     np.testing.assert_allclose(composite.bands[:, unknown], np.clip(back, 0, 255), atol=0.51)
     known = ~unknown
     np.testing.assert_array_equal(composite.bands[:, known], cut(LABELS, sources)[:, known])
-
-
-def test_squares_that_no_source_wins_clearly_do_not_count(followed: FollowedSource) -> None:
-    clear = followed.clear & (np.arange(SHAPE[0]) < 160)[:, np.newaxis]
-    whole = follows_at(replace(followed, clear=clear), 0, 3)
-    assert whole[:20].any()
-    assert not whole[20:].any()
 
 
 def test_only_squares_of_one_source_count(followed: FollowedSource) -> None:

@@ -78,13 +78,6 @@ def test_a_feather_is_found_as_a_mixture(sources: list[np.ndarray], labels: np.n
     assert found.clear[zone].mean() < 0.3
 
 
-def test_a_blur_is_no_mixture(sources: list[np.ndarray], labels: np.ndarray) -> None:
-    blurred = ndimage.gaussian_filter(cut(labels, sources).astype(np.float32), (0, 0.8, 0.8))
-    found = followed(blurred, sources)
-    assert right(found, labels) >= 0.97
-    assert found.mixed_share < MOST_MIXED
-
-
 def test_a_blurred_mosaic_follows_areas_and_no_specks(sources: list[np.ndarray], labels: np.ndarray) -> None:
     blurred = ndimage.gaussian_filter(cut(labels, sources).astype(np.float32), (0, 2, 2))
     found = followed(blurred, sources)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.following.followed_source import highest, is_sure, local_correlation, mixtures
+from seam_inspector.plugin.seams.measure.following.followed_source import is_sure, mixtures
 
 COUNT = 20_000  # samples, which chance makes differ by 1 %
 
@@ -27,23 +27,6 @@ def mixed(weight: float, noise: float, alike: float = 0.0, contrast: float = 1.0
         lambda i, j: np.array([first @ second]),
     )
     return bool(found[0]), float(explained[0])
-
-
-def test_correlation_is_that_of_the_samples_whatever_their_contrast() -> None:
-    rng = np.random.default_rng(2)
-    first = rng.standard_normal(COUNT)
-    second = 7 * (0.6 * first + 0.8 * rng.standard_normal(COUNT))
-    found = local_correlation(*(np.array([a @ b]) for a, b in ((first, first), (second, second), (first, second))))
-    assert found == pytest.approx(0.6, abs=0.02)
-
-
-def test_the_highest_leads_by_what_it_has_over_the_next() -> None:
-    found, lead = highest([np.array([0.2, 0.9]), np.array([0.7, 0.1]), np.array([0.4, 0.85])])
-    np.testing.assert_array_equal(found, [1, 0])
-    np.testing.assert_allclose(lead, [0.3, 0.05])
-    alone, value = highest([np.array([0.2, -0.9])])
-    np.testing.assert_array_equal(alone, [0, 0])
-    np.testing.assert_allclose(value, [0.2, -0.9])
 
 
 @pytest.mark.parametrize(("first", "second", "expected"), [

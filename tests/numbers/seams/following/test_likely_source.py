@@ -8,8 +8,6 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
 from seam_inspector.plugin.seams.measure.following.likely_source import (
-    FINE,
-    SMALLEST_PART_PX,
     FineDetail,
     LikelySource,
     likely_source,
@@ -190,16 +188,6 @@ def test_a_step_of_tones_is_no_source_that_is_missing(step: float, contrast: flo
     assert not found_in(mosaic, [first, second]).unexplained.any()
 
 
-@pytest.mark.parametrize("step", [0, 24])
-def test_what_is_missing_is_found_beside_a_step_of_tones(step: float) -> None:
-    first, second, missing = (plane(6, seed) for seed in (1, 2, 3))
-    mosaic = cut_at(BORDER, first, second + np.float32(step))
-    mosaic[150:] = missing[150:] - np.float32(step)
-    found = found_in(mosaic, [first, second]).unexplained
-    assert found[160:].mean() > 0.9
-    assert found[:140].mean() < 0.02
-
-
 def test_ground_without_texture_is_not_unexplained() -> None:
     first, second = plane(9, 1), plane(9, 2)
     for one in (first, second):
@@ -215,32 +203,6 @@ def test_a_source_is_followed_only_where_it_has_pixels() -> None:
     assert not (found.labels[~valid] == 1).any()
     assert np.mean(borders(found)) == pytest.approx(BORDER, abs=2)
     assert not found.unexplained.any()
-
-
-def test_where_no_source_has_pixels_nothing_explains() -> None:
-    first, second = plane(9, 1), plane(9, 2)
-    west, east = (np.broadcast_to(one, SHAPE) for one in (np.arange(256) < 100, np.arange(256) >= 160))
-    mosaic = cut_at(BORDER, first, second)
-    found = found_in(
-        mosaic, [np.where(west, first, first[west].mean()), np.where(east, second, second[east].mean())],
-        {0: west, 1: east},
-    )
-    neither = ~west & ~east
-    assert found.unexplained[neither].mean() > 0.95
-    assert found.unexplained[~neither].mean() < 0.02
-
-
-def test_a_part_begins_at_its_least_size() -> None:
-    """24 px a side at 2 px a sample."""
-    first, second = plane(9, 1), plane(9, 2)
-    for side, stays in ((14, False), (48, True)):
-        mosaic = cut_at(200, first, second)
-        mosaic[96 : 96 + side, 64 : 64 + side] = second[96 : 96 + side, 64 : 64 + side]
-        found = found_in(mosaic, [first, second]).labels
-        assert (found[96 + side // 2, 64 + side // 2] == 1) is np.bool_(stays)
-        sizes = np.bincount(ndimage.label(found == 1)[0].ravel())[1:]
-        assert sizes.min() >= SMALLEST_PART_PX
-    assert SMALLEST_PART_PX % FINE.grid_px**2 == 0
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.imagery import raster_pool
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
@@ -201,21 +200,6 @@ def test_an_orthoimage_that_the_mosaic_was_cut_from_stays_and_is_told(
     assert told(cut, paths[:2]) == (["a.tif", "b.tif"], {"a.tif": messages.MAY_BE_COPY.template})
 
 
-def test_one_image_s_mosaic_keeps_it_though_its_neighbours_are_alike(make_raster: MakeRaster) -> None:
-    """In the west the one is nearer to it than the other two, in the east the second."""
-    rng = np.random.default_rng(5)
-    scene = orthoimage((384, 768), seed=4).astype(float)
-    mosaic, other, *near = (np.clip(scene + rng.normal(0, dn, scene.shape), 1, 255) for dn in (5, 30, 5, 5))
-    whole = {"mosaic": mosaic, "image": mosaic, "other": other}
-    paths = {name: make_raster(f"{name}.tif", one.astype(np.uint8), nodata=0) for name, one in whole.items()}
-    for name, one, start in zip(("west", "east"), near, (0, 384)):
-        one[..., 384 - start : 768 - start] = 0
-        paths[name] = make_raster(f"{name}.tif", one.astype(np.uint8), nodata=0)
-    kept, notices = told(paths.pop("mosaic"), list(paths.values()))
-    assert kept == ["image.tif", "other.tif", "west.tif", "east.tif"]
-    assert notices == {"image.tif": messages.MAY_BE_COPY.template}
-
-
 @pytest.fixture
 def canvas(make_raster: MakeRaster) -> list[str]:
     """Three orthoimages on one canvas, each with pixels on a part of it; in the mosaic the last lies on top."""
@@ -236,14 +220,6 @@ def test_the_orthoimage_on_top_of_a_canvas_is_no_copy(canvas: list[str], tmp_pat
     assert kept[:3] == ["p.tif", "q.tif", "r.tif"]
     assert "r.tif" not in notices
     assert notices.keys() == {"copy.tif"}
-
-
-def test_the_last_of_four_that_lies_on_top_takes_part(data_folder: Path) -> None:
-    folder = data_folder.parent / "cases" / "6_last_on_top"
-    if not folder.is_dir():
-        pytest.skip(f"no real data at {folder}")
-    sources = [str(folder / f"{name}.tif") for name in "PQRS"]
-    assert told(str(folder / "mosaic.tif"), sources) == (["P.tif", "Q.tif", "R.tif", "S.tif"], {})
 
 
 @pytest.mark.slow
@@ -275,29 +251,10 @@ def test_a_part_of_the_mosaic_stays_and_is_told(
     assert notices == {"part.tif": messages.MAY_BE_COPY.template}
 
 
-def test_a_finer_orthoimage_and_one_in_another_system_stay(make_raster: MakeRaster, images: list[np.ndarray]) -> None:
-    mosaic = make_raster("mosaic.tif", images[0].reshape(3, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8), gsd=0.2)
-    fine = make_raster("fine.tif", images[0])
-    elsewhere = make_raster("elsewhere.tif", images[0], system=32634)
-    assert told(mosaic, [fine, elsewhere])[0] == ["fine.tif", "elsewhere.tif"]
-
-
 def test_ground_without_content_proves_nothing(make_raster: MakeRaster) -> None:
     flat = np.full((3, 256, 256), 7, np.uint8)
     mosaic, other = make_raster("mosaic.tif", flat), make_raster("other.tif", flat)
     assert told(mosaic, [other]) == (["other.tif"], {})
-
-
-def test_only_those_that_lie_where_the_mosaic_lies_are_opened(
-    paths: list[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    raster = describe_mosaic(RasterRef(paths[2]))
-    x, y, right, top = raster.extent
-    wide = right - x
-    others = [(x, y, x + 0.09 * wide, top), (x + 500, y, right + 500, top)]
-    sources = [Source(RasterRef(f"{number}.tif"), extent) for number, extent in enumerate(others)]
-    monkeypatch.setattr(raster_pool.RasterPool, "open", None)
-    assert leave_out_copies(raster, sources) == (sources, [])
 
 
 def test_one_that_can_not_be_read_is_left_to_the_scan(paths: list[str]) -> None:

@@ -86,21 +86,6 @@ def test_a_raster_that_says_of_no_pixel_that_it_is_none_is_not_read(
     assert shares(cells_of(path, mosaic), mosaic) == pytest.approx(expected, abs=0.02)
 
 
-def test_a_large_raster_is_read_piece_by_piece(
-    make_raster: MakeRaster, mosaic: Raster, hole: np.ndarray, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    pixels = np.where(hole, np.maximum(orthoimage((400, 400)), 1), 0).astype(np.uint8)
-    path = make_raster("source.tif", pixels, nodata=0)
-    at_once = cells_of(path, mosaic)
-    monkeypatch.setattr("seam_inspector.plugin.seams.measure.inputs.valid_cells.MOST_READ", 700)
-    read, sizes = OpenRaster.read, []
-    monkeypatch.setattr(OpenRaster, "read", lambda *given: sizes.append(given[1].height) or read(*given))
-    piece_by_piece = cells_of(path, mosaic)
-    assert len(sizes) > 10
-    assert max(sizes) < 40
-    assert (piece_by_piece.valid == at_once.valid).mean() > 0.99
-
-
 def test_the_nearest_place_is_the_nearest_of_all_by_all_pixels(make_raster: MakeRaster, hole: np.ndarray) -> None:
     pixels = np.where(hole, np.maximum(orthoimage((400, 400)), 1), 0).astype(np.uint8)
     raster = describe_mosaic(RasterRef(make_raster("holes.tif", pixels, nodata=0)))

@@ -96,16 +96,6 @@ def test_sums_are_those_of_the_mosaic_and_of_the_source_that_is_followed(planes:
             )
 
 
-@pytest.mark.parametrize("shape", [(72, 88), (64, 104), (120, 64)])
-def test_what_sticks_out_of_whole_cells_is_in_none(shape: tuple[int, int]) -> None:
-    planes = np.stack([20 * texture(shape, 1.0, seed) for seed in (1, 2)]).astype(np.float32)
-    found = sums_of(planes, halves(shape, 32), ())[0]
-    rows, columns = (length // CELL_PX for length in shape)
-    assert (spread(found, found.area, (rows, columns)).sum(axis=1) == CELL_PX**2).all()
-    own = np.array(wavedec(planes[0], WAVELET, LEVELS)[-1])[:, : rows * 8, : columns * 8]
-    assert found.mm[0].sum() == pytest.approx((own**2).sum(), rel=1e-3)
-
-
 def of_marked(details: list[np.ndarray], labels: np.ndarray) -> CellTable:
     return detail_sums(details, MeetingSources(labels.astype(np.uint8)))[0]
 
@@ -201,23 +191,6 @@ def test_beside_a_seam_each_source_meets_the_other(planes: np.ndarray) -> None:
                 assert found == pytest.approx(expected, rel=1e-3, abs=1e-3 * own[1]), (r, source, name)
             assert own[0] == planes_of["m"][0].size * 4 ** (r + 1)
             assert own[-1] == 0
-
-
-def test_a_mosaic_with_traces_of_a_codec_has_them_wherever_its_sources_meet(planes: np.ndarray) -> None:
-    details = list(detail_components(planes, WAVELET, LEVELS))
-    products = detail_sums(details, MeetingSources(halves().astype(np.uint8), (0, 1), was_compressed=True))[1].products
-    np.testing.assert_array_equal(products[PRODUCTS.index("codec")], products[PRODUCTS.index("area")])
-
-
-def test_sources_before_anything_came_over_them_are_summed_beside_those_as_shown(planes: np.ndarray) -> None:
-    labels = halves().astype(np.uint8)
-    details = list(detail_components(np.concatenate([planes, 2 * planes[2:]]), WAVELET, LEVELS))
-    found = detail_sums(details, MeetingSources(labels, (0, 1), is_filtered=True))[1].products
-    plain = sums_of(planes, labels)[1].products
-    before = [PRODUCTS.index(name) for name in ("pp", "pq", "qq")]
-    shown = [number for number in range(len(PRODUCTS)) if number not in before]
-    np.testing.assert_allclose(found[shown], plain[shown], rtol=1e-5)
-    np.testing.assert_allclose(found[before], 4 * plain[before], rtol=1e-4)
 
 
 def test_where_three_meet_each_cell_names_its_neighbour() -> None:

@@ -45,14 +45,6 @@ def holds(kept: Kept, truth: float) -> bool:
     return bool(kept.low[0] <= truth <= kept.high[0])
 
 
-def test_another_error_widens_an_interval_by_its_square() -> None:
-    """Deviations of 3 and 4 % are one of 5 %."""
-    value, freedom = np.array([0.8]), np.array([np.inf])
-    kept = Kept.of(value, np.array([0.03]), freedom)
-    np.testing.assert_allclose(kept.less_sure(np.array([0.04])), Kept.of(value, np.array([0.05]), freedom))
-    np.testing.assert_allclose(kept.less_sure(np.array([0.0])), kept)
-
-
 def test_detail_that_no_mixture_explains_makes_it_less_sure() -> None:
     """Noise everywhere, and more along the strip: the interval reaches farther than by the mixture's own error."""
     feathered = blend(13)
@@ -98,15 +90,6 @@ def test_each_measure_alone_is_sure_enough_to_judge(width: int) -> None:
         assert ratio(measure) < most
 
 
-def test_the_mixture_of_uneven_ground_is_less_sure() -> None:
-    """The jackknife says so: what is mixed differs from block to block along the seam."""
-    made, hard = blend(33), blend(0)
-    weights = np.where(np.arange(512)[:, np.newaxis] // 96 % 2, made.weights, hard.weights)
-    even, uneven = (mixture_of(one.detail()).kept for one in (made, replace(made, weights=weights)))
-    assert np.log(ratio(uneven)) > 1.25 * np.log(ratio(even))
-    assert even.low[0] <= made.truth() <= even.high[0]
-
-
 @pytest.mark.release
 def test_a_long_seam_is_surer_than_a_short_one() -> None:
     """Surer in the mean over many seams: a jackknife of eight groups is itself uncertain."""
@@ -148,11 +131,3 @@ def test_rows_of_another_piece_say_nothing_of_this_one() -> None:
     for name in ("value", "low", "high"):
         assert getattr(other.kept, name) == pytest.approx(getattr(one.kept, name), rel=1e-6)
     assert other.feather_widths_px == pytest.approx(one.feather_widths_px, abs=1e-3)
-
-
-def test_a_piece_with_hardly_any_pixels_beside_another_source_has_no_mixture() -> None:
-    detail = blend(33).detail()
-    sums = MixtureSums(2, LEVELS)
-    rows = detail.mixture.row
-    sums.add(detail.mixture, np.where(rows == 5, 0, np.where(rows > 8, 1, -1)))
-    assert np.isnan(sums.result().kept.value).tolist() == [True, False]

@@ -5,8 +5,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
 from seam_inspector.plugin.seams.measure.profile.intervals import MOST_KEPT, Kept, together
@@ -73,14 +71,6 @@ def test_the_mean_of_two_images_all_over_the_window_is_seen_by_the_mixture(side:
     assert found.feather_width_px >= min(2 * sum(widths), 0.85 * 2 * EDGES_PX[-3])
 
 
-def test_detail_that_came_along_a_cut_says_nothing_of_what_is_kept() -> None:
-    made = blend(0)
-    found = beside(made, made.made + np.random.default_rng(2).normal(0, 16, made.labels.shape))
-    assert found.by_energy is None or found.by_energy > 1.1
-    assert found.measure is Measure.MIXTURE
-    assert found.kept[0] == pytest.approx(1, abs=0.06)
-
-
 def test_detail_that_came_along_the_seam_hides_no_mixture() -> None:
     """Twice as much as the images have; one time in five the energies still say too much."""
     made = blend(33)
@@ -107,16 +97,6 @@ def test_a_hard_cut_of_images_of_different_years_keeps_all(other_years: float, s
     assert found.added_beside > 0.1
     near = made.detail().cells.chosen(made.detail().cells.bin < EDGES_PX.index(STRIP_PX))
     assert near.mm[0].sum() > 1.01 * near.cc[0].sum()  # what it would keep with its edge
-
-
-def test_a_sound_window_is_even_up_to_its_edges_whatever_lies_at_the_other_one() -> None:
-    """Periodic wavelets see a cut at the window's edge where left and right follow different sources."""
-    made = blend(0, other_years=60)
-    ground = made.detail().ground
-    energies = np.geomspace(5, 500, 9)
-    for level in ground:
-        assert level.amplitude(energies) == pytest.approx(1, abs=0.01)
-        assert level.scatter < 0.05
 
 
 def kept(value: float, low: float, high: float) -> Kept:
@@ -164,19 +144,6 @@ def test_where_they_agree_each_weighs_by_its_precision() -> None:
     assert share[0] == pytest.approx(expected)
     for end, first, second in zip(found, energy, mixture):
         assert np.log(end[0]) == pytest.approx(expected * np.log(first[0]) + (1 - expected) * np.log(second[0]))
-
-
-@given(
-    a=st.floats(0.3, 1.2), b=st.floats(0.3, 1.2), narrow=st.floats(1.02, 1.2), wide=st.floats(1.2, 2.0)
-)
-def test_where_they_agree_the_surer_one_weighs_more(a: float, b: float, narrow: float, wide: float) -> None:
-    one, other = kept(a, a / narrow, a * narrow), kept(b, b / wide, b * wide)
-    value, measure = judged(one, other)
-    if measure is Measure.BOTH:
-        assert min(a, b) - 1e-9 <= value <= max(a, b) + 1e-9
-        assert abs(np.log(value / a)) <= abs(np.log(value / b)) + 1e-9
-    else:
-        assert value in (a, b)
 
 
 def test_a_window_without_ground_is_measured_by_its_mixture() -> None:

@@ -56,13 +56,6 @@ def test_shares_are_found_whatever_gain_and_noise_came_after(gain: float, noise:
     np.testing.assert_allclose(found.left_over[0, 0], gain**2 * noise * 1000, atol=gain**2 * 10)
 
 
-def test_a_whole_edge_is_a_cut_that_mixes_nothing_and_its_energy_is_taken_out() -> None:
-    products = products_of(np.zeros(SLOTS), edge=1.0)
-    found = fitted(products)
-    np.testing.assert_allclose(found.other, 0, atol=1e-3)
-    np.testing.assert_allclose(products[..., 1] - found.edge[:, 0], products[..., PRODUCTS.index("ss")], rtol=1e-3)
-
-
 @pytest.mark.parametrize("has_traces", [False, True])
 def test_coarser_levels_tell_a_mixture_where_a_codec_rounded_the_finest(has_traces: bool) -> None:
     """What is left over in a feather alone is a codec's where the mosaic shows traces of one."""
@@ -77,19 +70,6 @@ def test_coarser_levels_tell_a_mixture_where_a_codec_rounded_the_finest(has_trac
     assert found.other[0, :MIXED_BINS][near] == pytest.approx(expected[:MIXED_BINS][near], abs=0.05)
     assert bool(found.rounded[:, 0].any()) is has_traces
     assert not found.rounded[:, 1:].any()
-
-
-@pytest.mark.parametrize("without", ["s", "o"])
-def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
-    """The black border of an image that does not say that it is one."""
-    products = products_of(np.zeros(SLOTS))
-    for number, name in enumerate(PRODUCTS):
-        if without in name and name != "codec":
-            products[:, :MIXED_BINS, number] = 0
-    found = fitted(products)
-    np.testing.assert_allclose(found.other[:, MIXED_BINS:], 0, atol=1e-3)
-    assert np.isfinite(found.other).all()
-    assert np.isfinite(found.left_over).all()
 
 
 def shares_of(made: Blend, mosaic: np.ndarray | None = None) -> np.ndarray:

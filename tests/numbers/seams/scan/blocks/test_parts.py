@@ -162,24 +162,3 @@ def test_even_ground_has_pywavelets_energies_at_the_finest_level_alone(tmp_path:
     tolerance = 1e-2 * expected.mean()
     for name in ("cc", "mc"):
         assert sums_by_cell(table, name, 0)[inside] == pytest.approx(found, rel=0.02, abs=tolerance)
-
-
-def test_even_ground_says_what_dense_parts_say_of_it(tmp_path: Path) -> None:
-    given = images()
-    made = 60 + 0.6 * given[1].astype(float)
-    made += 0.7 * (made - ndimage.gaussian_filter(made, 1.0))
-    one = scene(tmp_path, as_bytes(made), given)
-    plain, dense = plain_of(one), measured(one).cells
-    inside = np.s_[9:47, 17:35]
-    for name in ("mm", "cc", "mc"):
-        found, expected = (sums_by_cell(table, name)[inside] for table in (plain, dense))
-        assert found.sum() == pytest.approx(expected.sum(), rel=0.01)
-        assert np.corrcoef(found.ravel(), expected.ravel())[0, 1] > 0.995
-
-
-def test_squares_that_none_of_the_learned_sources_explains_are_left_out(tmp_path: Path) -> None:
-    given = images()
-    made = blended(given[0], as_bytes(120 + 30 * texture(SHAPE, 1.2, 98)), beside(SIDE / 2))
-    area = sums_by_cell(plain_of(scene(tmp_path, made, given)), "area")
-    assert (area[:, : SIDE // CELL_PX // 2] > 0).all()
-    assert (area[:, -SIDE // CELL_PX // 2 :] > 0).mean() < 0.2

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.blocks.block_grid import SQUARE_PX
-from seam_inspector.plugin.seams.measure.blocks.block_pixels import MOST_HELD
 from seam_inspector.plugin.seams.measure.blocks.patches import (
     PATCH_PX,
     PATCH_START_PX,
@@ -104,13 +103,6 @@ def test_what_the_mosaic_s_jpeg_rounded_anew_is_no_other_image(tmp_path: Path) -
     assert right.mean() > 0.95
 
 
-def test_a_mixture_of_two_is_doubtful_and_so_asks_for_a_closer_look(tmp_path: Path) -> None:
-    given = images()
-    found = look_at(scene(tmp_path, blended(*given, np.full(SHAPE, 0.5)), given))
-    assert found.doubtful.all()
-    assert not len(found.cells)
-
-
 @pytest.mark.parametrize("beta", [0.0, 1.2, 2.0])
 def test_what_no_source_explains_follows_none_for_sure(tmp_path: Path, beta: float) -> None:
     stranger = as_bytes(120 + 30 * texture(SHAPE, beta, 99))
@@ -118,25 +110,6 @@ def test_what_no_source_explains_follows_none_for_sure(tmp_path: Path, beta: flo
     assert (found.source[~found.doubtful] == UNKNOWN).all()
     assert found.doubtful.mean() < 0.3
     assert not len(found.cells)
-
-
-def test_sources_beyond_those_held_in_memory_are_told_from_each_other_too(tmp_path: Path) -> None:
-    shape = (256, 256)
-    given = images(shape, MOST_HELD + 3)
-    made = given[0].copy()
-    made[:, 128:] = given[-1][:, 128:]
-    found = look_at(scene(tmp_path, made, given))
-    assert found.source.tolist() == [[0, MOST_HELD + 2]] * 2
-
-
-def test_a_square_whose_patch_lacks_pixels_follows_its_neighbours(tmp_path: Path) -> None:
-    given = images()
-    made = given[1].copy()
-    hole = 3 * SQUARE_PX + PATCH_START_PX
-    made[hole : hole + 30, hole : hole + 30] = NODATA
-    found = look_at(scene(tmp_path, made, given))
-    assert not found.empty.any()
-    assert (found.source == 1).all()
 
 
 def test_a_source_that_ends_is_not_followed_beyond(tmp_path: Path) -> None:
@@ -178,12 +151,6 @@ def test_a_patch_midway_tells_in_which_half_the_seam_lies(
     assert (differing == expected).all()
     others = np.delete(found, 2, axis=axis)
     assert (others == UNKNOWN).all()
-
-
-def test_a_patch_midway_that_lies_on_the_seam_tells_nothing(tmp_path: Path) -> None:
-    given = images()
-    one = scene(tmp_path, blended(*given, beside(2 * SQUARE_PX + 64 + PATCH_START_PX + PATCH_PX / 2)), given)
-    assert (middle_sources(one.pixels(), look_at(one), 1) == UNKNOWN).all()
 
 
 @pytest.mark.parametrize("width", [0.0, 66.0])

@@ -8,24 +8,19 @@ from typing import Any
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks import scan_block as scan_block_module
 from seam_inspector.plugin.seams.measure.blocks.block_grid import (
     LABEL_PX,
-    SQUARE_PX,
     UNIT_PX,
     UNITS,
-    BlockGrid,
 )
 from seam_inspector.plugin.seams.measure.blocks.block_parts import DensePart, PartRequest, measure_part
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
 from seam_inspector.plugin.seams.measure.blocks.scan_block import (
     EMPTY,
     BlockScan,
-    _halves,
     scan_block,
 )
-from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
     EDGES_PX,
@@ -33,7 +28,6 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
 )
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
-from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, SHAPE, SIDE, Scene, beside, blended, images, scene
 from tests.numbers.synthetic import placed_wavedec
@@ -141,39 +135,8 @@ def test_a_record_gives_back_the_same_block(hard: Scene, density: str) -> None:
     assert record_of(scan_of(record_of(found))) == record_of(found)
 
 
-def test_a_record_keeps_what_came_over_the_mosaic(hard: Scene) -> None:
-    taps = np.random.default_rng(5).normal(size=(2, 5, 5)).astype(np.float32)
-    learned = Learned(Filters(dict(zip((0, 2), taps)), True), frozenset({0, 2}))
-    again = scan_of(record_of(replace(BlockScan.nothing(hard.request(), ()), learned=learned))).learned
-    assert (again.of, again.filters.came_over_cuts) == ({0, 2}, True)
-    assert all((again.filters.taps[number] == learned.filters.taps[number]).all() for number in (0, 2))
-
-
-def test_names_of_sources_may_be_in_any_script(hard: Scene) -> None:
-    paths = "/żółć/b ö.tif", "/x/ソース.tif"
-    odd = tuple(Source(RasterRef(path), source.extent) for path, source in zip(paths, hard.sources))
-    nothing = BlockScan.nothing(replace(hard.request(), sources=odd), ())
-    assert scan_of(record_of(nothing)).sources == paths
-
-
 def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
     assert record_of(scan_block(hard.request())) == record_of(scan_block(hard.request()))
-
-
-@pytest.mark.parametrize(("columns", "rows"), [(2049, 150), (150, 2049), (2052, 130), (2048 + 127, 128), (65, 65)])
-def test_narrow_blocks_at_the_edge_are_scanned_too(tmp_path: Path, columns: int, rows: int) -> None:
-    given = images((rows, columns))
-    one = scene(tmp_path, given[0], given)
-    for key in BlockGrid(one.mosaic.grid):
-        window = BlockGrid(one.mosaic.grid).window(key)
-        found = scan_block(one.request(key))
-        assert not found.notices, (key, [str(notice) for notice in found.notices])
-        inside = [max(0, -(-(length - LABEL_PX // 2) // LABEL_PX)) for length in (window.height, window.width)]
-        labels = found.labels[: inside[0], : inside[1]]
-        assert (labels == 0).all(), key
-        assert (found.labels == 0).sum() == labels.size
-        assert found.cells.row.max(initial=-1) < -(-rows // CELL_PX)
-        assert found.cells.column.max(initial=-1) < -(-columns // CELL_PX)
 
 
 def test_blocks_side_by_side_measure_as_one(tmp_path: Path) -> None:
@@ -232,14 +195,6 @@ def test_a_source_that_is_gone_costs_no_more_than_itself(tmp_path: Path) -> None
     assert (found.labels[: SIDE // LABEL_PX, left + 40 :] == UNKNOWN).mean() > 0.9
 
 
-def test_a_source_without_the_judged_band_is_told(tmp_path: Path) -> None:
-    given = images((256, 256))
-    one = scene(tmp_path, given[0], [given[0], np.stack(given * 2)[:3]])
-    found = scan_block(one.request())
-    assert len(found.notices) <= 1
-    assert (found.labels[:64, :64] == 0).all()
-
-
 @pytest.mark.parametrize("broken", ["gone", "cut off"])
 def test_a_mosaic_that_cannot_be_read_is_told_and_nothing_is_raised(tmp_path: Path, broken: str) -> None:
     given = images((256, 256))
@@ -280,18 +235,3 @@ def test_what_given_seams_call_for_is_measured_beside_what_patches_do(hard: Scen
 def squares(*rows: str) -> np.ndarray:
     """Squares of digits; a dot is unknown."""
     return np.array([[UNKNOWN if one == "." else int(one) for one in row] for row in rows], np.uint8)
-
-
-@pytest.mark.parametrize("size", [(384, 128), (128, 384), (130, 900), (640, 640), (129, 128)])
-def test_a_part_that_is_too_much_is_halved_across_its_longer_side(size: tuple[int, int]) -> None:
-    """In whole squares, the first half the larger one, and nothing is lost between them."""
-    first, second = _halves(PixelWindow(256, 512, *size))
-    along = 0 if size[0] >= size[1] else 1
-    lengths = [(one.width, one.height)[along] for one in (first, second)]
-    assert sum(lengths) == size[along]
-    assert lengths[0] % SQUARE_PX == 0
-    assert 0 < lengths[1] <= lengths[0] < lengths[1] + 2 * SQUARE_PX
-    assert [(one.width, one.height)[1 - along] for one in (first, second)] == [size[1 - along]] * 2
-    start = (first.column, first.row), (second.column, second.row)
-    assert start[0] == (256, 512)
-    assert start[1] == ((256 + lengths[0], 512) if along == 0 else (256, 512 + lengths[0]))

@@ -66,14 +66,6 @@ def test_borders_of_polygons_part_the_sources_they_name() -> None:
     assert [notice.values for notice in given.notices] == [{"fields": "source"}], "it is said which field was taken"
 
 
-def test_each_seam_parts_two_sources_only() -> None:
-    given = given_seams(
-        [box(0, 0, 100, 200, source="a"), box(100, 0, 400, 90, source="b"), box(100, 90, 400, 200, source="c")], GRID
-    )
-    pairs = {frozenset((seam.left, seam.right)): length(seam) for seam in given.seams}
-    assert pairs == pytest.approx({frozenset("ab"): 90, frozenset("ac"): 110, frozenset("bc"): 300})
-
-
 def test_an_island_has_a_ring_with_its_source_inside() -> None:
     hole = wkb("POLYGON ((0 0, 400 0, 400 200, 0 200, 0 0), (50 50, 50 90, 90 90, 90 50, 50 50))")
     given = given_seams([({"source": "sea"}, hole), box(50, 50, 90, 90, source="island")], GRID)
@@ -169,27 +161,6 @@ def test_pieces_are_joined_as_far_as_they_part_the_same_sources() -> None:
     given = given_seams(pieces, GRID)
     assert [(seam.left, seam.right) for seam in given.seams] == [("a", "b"), ("a", "c")]
     assert [length(seam) for seam in given.seams] == pytest.approx([120, 80])
-
-
-def test_lines_without_sides_go_on_through_branches() -> None:
-    given = given_seams([line((0, 100), (200, 100)), line((200, 100), (400, 100)), line((200, 100), (200, 0))], GRID)
-    assert [(seam.left, seam.right, length(seam)) for seam in given.seams] == [(None, None, 400), (None, None, 100)]
-
-
-@pytest.mark.parametrize("apart", [0.0, 0.02, 0.04])
-def test_outlines_up_to_half_a_pixel_apart_are_one(apart: float) -> None:
-    outlines = [
-        [(left, 20), (right, 20), (right, 150), (left, 150), (left, 20)]
-        for left, right in ((20, 100 + apart / 2), (100 - apart / 2, 300))
-    ]
-    given = given_seams([line(*places) for places in outlines], GRID)
-    assert sum(map(length, given.seams)) == pytest.approx(2 * 280 + 3 * 130, abs=0.1)
-
-
-def test_a_name_of_a_line_is_not_taken_for_a_source() -> None:
-    given = given_seams([line((10, 10), (100, 100), name="seam 1")], GRID)
-    assert (given.seams[0].left, given.cells) == (None, ())
-    assert "names no orthoimages" in told(given)
 
 
 def test_one_broken_feature_costs_itself_alone() -> None:

@@ -64,10 +64,6 @@ def test_a_seam_is_cut_evenly_and_the_rest_is_spread() -> None:
     np.testing.assert_allclose(pieces[2].vertices, seam((65, 10), (80, 10), (80, 22.5)).vertices)
 
 
-def test_a_seam_shorter_than_half_a_piece_is_one_piece() -> None:
-    assert [piece.length_m for piece in cut_in_pieces([seam((10, 10), (12, 10))], 25, GRID)] == pytest.approx([2.0])
-
-
 @given(st.integers(0, 10_000), st.integers(2, 60), st.floats(1, 300))
 def test_pieces_together_are_the_seam(seed: int, count: int, piece_m: float) -> None:
     whole = crooked(seed, count)

@@ -6,18 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
-from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.seamlines.label_borders import (
-    LabelBorder,
-    _gaps_closed,
-    cleaned,
-    joined_borders,
-    tile_edges,
-)
 from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import SidedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (
@@ -27,7 +16,6 @@ from tests.numbers.seams.scan.lines.labelled import (
     estimated,
     points_along,
     points_between,
-    tiles_of,
 )
 from tests.numbers.synthetic import read_pixels
 
@@ -161,43 +149,6 @@ def test_the_tiles_that_labels_come_in_do_not_show(side: int) -> None:
     for one, other in zip(whole, in_tiles):
         np.testing.assert_array_equal(one.vertices, other.vertices)
         assert (one.left, one.right) == (other.left, other.right)
-
-
-def borders_of(labels: np.ndarray, side: int) -> list[LabelBorder]:
-    """Borders of labels as they are, tile by tile."""
-    tiles = [tile for tile, _ in tiles_of(labels, side)]
-    edges = [tile_edges(labels[tile.around(1)], tile) for tile in tiles]
-    return joined_borders(np.concatenate(edges, axis=1), labels.shape[1])
-
-
-SOME_LABELS = arrays(np.int16, st.tuples(st.integers(1, 9), st.integers(1, 9)), elements=st.integers(-1, 3))
-
-
-@given(SOME_LABELS, st.integers(1, 9))
-def test_whatever_the_tiles_the_borders_are_the_same(labels: np.ndarray, side: int) -> None:
-    whole, found = borders_of(labels, 9), borders_of(labels, side)
-    assert [(one.left, one.right, one.keys, one.nodes.tolist()) for one in found] == [
-        (one.left, one.right, one.keys, one.nodes.tolist()) for one in whole
-    ]
-
-
-def test_cleaned_labels_have_the_size_and_the_outline_they_came_with() -> None:
-    labels = estimated(quilt(700, 500, 3), 4)
-    out = cleaned(labels, LABEL_PX)
-    assert out.shape == labels.shape
-    wide = np.s_[150:300, 200:300]  # the hole
-    np.testing.assert_array_equal(out[wide] == -1, labels[wide] == -1)
-
-
-@given(arrays(np.int16, st.tuples(st.integers(1, 30), st.integers(1, 30)), elements=st.sampled_from([-1, -1, -1, 0])))
-def test_gaps_are_closed_that_no_disk_finds_room_in(labels: np.ndarray) -> None:
-    """Room by Euclid's distances, as scipy takes them."""
-    empty = labels == -1
-    far = np.zeros(labels.shape, bool)
-    if not empty.all():
-        far = empty & (ndimage.distance_transform_edt(empty) > 3)
-    narrow = empty & (ndimage.distance_transform_edt(~far) > 3 if far.any() else ~empty.all())
-    assert ((_gaps_closed(labels) == -1) == (empty & ~narrow)).all()
 
 
 @pytest.fixture(scope="module")

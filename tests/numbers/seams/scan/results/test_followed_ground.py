@@ -10,7 +10,7 @@ from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
-from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
+from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED
 from seam_inspector.plugin.seams.measure.scan.followed_ground import FollowedGround
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam
@@ -54,21 +54,6 @@ def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
     assert (one.x, one.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
 
 
-@pytest.mark.parametrize("dash_px", [4, 30, 60])
-def test_dashes_too_short_to_be_measured_tell_of_no_border(dash_px: int) -> None:
-    dashes = [[(20.0, row), (20.0, row + dash_px / UNIT_PX)] for row in range(0, 39, 2)]
-    (one,) = ground_of(halves(), dashes).unseen
-    assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
-
-
-@pytest.mark.parametrize("width", [1, 2, 3, 5])
-def test_an_aslant_strip_without_pixels_hides_a_border(width: int) -> None:
-    row, column = np.indices((60, 60))
-    units = (column > row).astype(int)
-    units[(column - row > -width) & (column - row <= width)] = EMPTY
-    assert sum(one.metres for one in ground_of(units).unseen) == pytest.approx(60 * 2**0.5 * UNIT_PX * GSD, rel=0.15)
-
-
 @pytest.mark.parametrize("covering", [LACKING, EMPTY])
 @pytest.mark.parametrize("width", [1, 2, 5])
 def test_a_strip_between_two_sources_hides_their_border(covering: int, width: int) -> None:
@@ -85,23 +70,6 @@ def test_a_strip_too_short_for_a_piece_hides_none() -> None:
     units[10:12, 19:21] = LACKING
     lines = [[(20.0, 0.0), (20.0, 9.7)], [(20.0, 12.3), (20.0, 40.0)]]
     assert ground_of(units, lines).unseen == []
-
-
-def test_a_lake_between_two_sources_hides_none() -> None:
-    units = halves()
-    units[:, 18:24] = PLAIN
-    found = ground_of(units)
-    assert (found.unseen, found.unexplained) == ([], 0)
-
-
-def test_a_collar_is_no_hole() -> None:
-    units = halves()
-    units[:2] = units[-3:] = units[:, 0] = units[:, -1] = EMPTY
-    assert ground_of(units, DOWN_THE_MIDDLE).empty == 0
-    units[10:12, 5:9] = EMPTY
-    found = ground_of(units, DOWN_THE_MIDDLE)
-    assert found.empty == pytest.approx(8 / (35 * 38))
-    assert found.told["nodata_at"].split(" ")[2:] == ["13", "6"]
 
 
 def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:
@@ -218,13 +186,6 @@ def test_a_line_that_is_no_seam_is_no_seam(tmp_path: Path) -> None:
     unnamed = result_of(tmp_path, one, (given_seam(one, SEAM), given_seam(one, SEAM + 300)))
     assert (metres(unnamed, "unchanged"), unnamed.seam_metres) == (0, pytest.approx(SIDE_M, rel=0.01))
     assert [notice.values["metres"] for notice in unnamed.notices] == [pytest.approx(SIDE_M, rel=0.01)]
-
-
-@pytest.mark.slow
-def test_a_line_too_far_from_its_seam_tells_nothing_of_it(tmp_path: Path) -> None:
-    one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
-    result = result_of(tmp_path, one, (given_seam(one, SEAM + 55),))
-    assert (result.pieces, metres(result, "unseen")) == ((), pytest.approx(SIDE_M, rel=0.1))
 
 
 def test_a_line_beside_its_seam_is_its_line(tmp_path: Path) -> None:

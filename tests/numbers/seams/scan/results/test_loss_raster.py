@@ -10,7 +10,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, LABELS
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import CELLS_PX
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
@@ -61,23 +61,6 @@ def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
     assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
     mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
     assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)
-
-
-def test_pixels_name_the_source_in_their_middle() -> None:
-    made = blend(0)
-    found = pixels_of(0, 32)[SOURCE]
-    middles = made.labels[18::32, 18::32]
-    assert (found[: SIDE // 32, : SIDE // 32] == middles + 1).all()
-    assert (found[SIDE // 32 :] == NODATA).all()
-
-
-def test_without_ground_there_is_contrast_and_no_kept() -> None:
-    made = blend(33)
-    scan = scan_of_window(made.detail(), made.labels)
-    found = loss_cells(scan, np.zeros((LABELS, LABELS), int), [None] * 3, 32)
-    assert (found[KEPT] == NODATA).all()
-    assert (found[CONTRAST][: SIDE // 32, : SIDE // 32] > 0).all()
-    assert (found[SOURCE] == NODATA).all()
 
 
 GEOTRANSFORM: GeoTransform = (400000.0, 0.25, 0.0, 5500000.0, 0.0, -0.25)

@@ -138,15 +138,6 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     assert (found > 1) == (width > 0)
 
 
-def test_a_piece_on_ground_of_unknown_brightness_is_not_said_to_be_seen() -> None:
-    made = blend(66)
-    detail = made.detail()
-    sums = sums_of(pieces_of(made))
-    sums.add(detail.cells, detail.mixture, detail.ground, WINDOW)
-    assert sums.profiles()[0].profile is not None
-    assert visibilities(sums.profiles(), sums.grey[0], 255.0) == [None]
-
-
 def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> None:
     made = blend(33)
     detail = made.detail()
@@ -158,15 +149,6 @@ def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> No
     assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.05)
     (nothing,) = profiles_of(replace(beside, mixture=MixtureTable.empty(LEVELS)), pieces_of(made))
     assert nothing.profile is None
-
-
-def test_a_block_with_little_ground_takes_its_neighbours() -> None:
-    table = blend(33).detail().cells
-    few = table.chosen((table.row < 1) & (table.column < 20))
-    assert grounds(few)[0] is None
-    (own, around) = (grounds(one, around=lambda: table)[0] for one in (table, few))
-    energies = np.geomspace(1, 500, 20)
-    assert around.amplitude(energies) == pytest.approx(own.amplitude(energies), rel=1e-6)
 
 
 def test_a_line_far_off_the_seam_does_not_take_its_loss_over() -> None:

@@ -1,7 +1,6 @@
 """The verdict on a piece of seam, and the windows of the worst ones."""
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Callable
 
 import numpy as np
@@ -133,11 +132,3 @@ def test_beside_missing_pixels_a_window_is_moved_or_made_smaller(mosaic: Raster)
     (smaller,) = windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: window.width <= 200)
     assert smaller.width == 128
     assert windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: False) == []
-
-
-def test_the_mosaic_itself_says_where_it_has_pixels(tmp_path: Path) -> None:
-    pixels = np.full((1200, 1200), 100, np.uint8)
-    pixels[:, :560] = 0
-    one = describe_mosaic(RasterRef(write_raster(tmp_path / "mosaic.tif", pixels, gsd=GSD, nodata=0)))
-    (found,) = windows(one, judged(0.5, 600, 600), is_valid=None)
-    assert found.column >= 560
