@@ -66,14 +66,6 @@ def test_icon_is_a_square_png_with_its_svg(metadata: dict[str, str], repository:
     assert icon.with_suffix(".svg").is_file()
 
 
-@pytest.mark.parametrize(
-    "line",
-    ["see https://deb.@debian.org/x", "pip -i https://@pypi.org/simple", "open('/@work/data')", "/@root/x"],
-)
-def test_what_belongs_to_one_machine_is_recognised(line: str) -> None:
-    assert OF_ONE_MACHINE.search(line.replace("@", ""))
-
-
 @pytest.mark.slow
 def test_files_name_no_registry_and_no_path_of_one_machine(repository: Path) -> None:
     listed = subprocess.run(

@@ -30,14 +30,11 @@ from seam_inspector import (
     SeamInspectorError,
     SeamInspectorWarning,
     SettingsError,
-    TableRows,
-    curve_rows,
     inspect_window,
     inspect_windows,
     limit_rules,
     mend,
     open_block,
-    pair_rows,
     profile_rows,
     scan,
     seam_rows,
@@ -201,23 +198,6 @@ def test_a_decision_is_the_same_after_a_journey(block: Block, folder: Path) -> N
     assert "%" in " ".join(map(str, decision.sentences))
 
 
-def test_one_path_of_a_mosaic_is_no_list_of_letters(block: Block, folder: Path) -> None:
-    result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg")
-    outcomes = {
-        seam_inspector.decide({"a": result}, seam_inspector.limit_rules(), mosaics=mosaics).outcome
-        for mosaics in (str(folder / "mosaic.tif"), [folder / "mosaic.tif"])
-    }
-    assert len(outcomes) == 1
-
-
-def test_what_is_no_request_and_what_are_no_results_is_refused(block: Block) -> None:
-    with pytest.raises(SettingsError, match="request is"):
-        inspect_window((0, 0, 1, 1))  # type: ignore[arg-type]
-    alone = inspect_window(block.window((0, 0, 1, 1)))
-    with pytest.raises(SettingsError, match="results is"):
-        window_rows(alone)  # type: ignore[arg-type]
-
-
 @pytest.mark.parametrize("extent", [(1, 2, 3), "corner", None, (0, 0, "a", 1)])
 def test_what_is_no_rectangle_is_refused(block: Block, extent: object) -> None:
     with pytest.raises(SettingsError, match=r"Window 7 is no rectangle; give \(xmin"):
@@ -266,15 +246,6 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
 def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], object], words: str) -> None:
     with pytest.raises(SettingsError, match=words):
         call(block)
-
-
-@pytest.mark.parametrize("table", [window_rows, profile_rows, curve_rows, pair_rows])
-def test_a_table_without_rows_has_its_columns(block: Block, table: Callable[..., TableRows]) -> None:
-    pytest.importorskip("pandas")
-    xmin, ymin, _, _ = block.mosaic.extent
-    full = table([inspect_window(block.window_at(xmin + 80, ymin + 75, side_m=50))])
-    assert full
-    assert [*table([]).to_dataframe().columns] == [*full.to_dataframe().columns]
 
 
 @pytest.mark.parametrize("has_picture", [True, False])

@@ -120,14 +120,6 @@ def test_pieces_too_coarse_for_what_may_fail_leave_it_open() -> None:
     assert decide(delivery(seam([0.9] * 80, 20.0)), rules()).outcome is ACCEPTED
 
 
-def test_nothing_measured_is_undecided() -> None:
-    found = decide(delivery(seam([None] * 5)), rules())
-    assert found.outcome is UNDECIDED
-    assert found.whole.failed_share is None
-    assert str(found.sentences[0]).count("nothing was measured, so it can't be decided") == 1
-    assert "figures of at least 45 of the 50 m" in told(found)
-
-
 def test_ground_without_detail_is_no_part_of_what_is_judged() -> None:
     """26 of 100 pieces on smooth fields leave 74, all of which were measured."""
     smooth = [replace(one, kept_1=None, verdict="not_comparable", has_detail=False) for one in seam([None] * 26)]

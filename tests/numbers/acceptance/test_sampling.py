@@ -96,11 +96,3 @@ def test_a_sample_is_in_proportion_and_repeats(sizes: list[int], count: int, see
     for number, size in enumerate(sizes):
         exact = size * len(drawn) / len(strata)
         assert math.floor(exact + 1e-9) <= sum(strata[place] == number for place in drawn) <= math.ceil(exact - 1e-9)
-
-
-def test_each_item_is_drawn_as_often_as_any_other() -> None:
-    strata = [0] * 7 + [1] * 5 + [2] * 1
-    counts = np.zeros(13)
-    for seed in range(6000):
-        counts[stratified_sample(strata, 4, seed)] += 1
-    assert stats.chisquare(counts).pvalue > 1e-3

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from contextlib import nullcontext, suppress
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -27,19 +27,6 @@ def test_a_file_appears_when_all_is_written(tmp_path: Path) -> None:
         assert path.read_text() == "older"
     assert path.read_text() == "new"
     assert os.listdir(tmp_path) == ["page.html"]
-
-
-@pytest.mark.parametrize("older", [None, "older"])
-def test_an_exception_leaves_things_as_they_were(tmp_path: Path, older: str | None) -> None:
-    path = tmp_path / "page.html"
-    if older is not None:
-        path.write_text(older)
-    with suppress(KeyboardInterrupt), whole_file(path) as unfinished:
-        unfinished.write_text("half")
-        Path(f"{unfinished}.aux.xml").write_text("sidecar")
-        raise KeyboardInterrupt
-    assert os.listdir(tmp_path) == ([] if older is None else ["page.html"])
-    assert older is None or path.read_text() == older
 
 
 def test_a_folder_that_is_not_there_gets_a_sentence(tmp_path: Path) -> None:

@@ -13,7 +13,6 @@ from seam_inspector.plugin.imagery.grids import (
     PixelWindow,
     snap_window,
     standard_side_px,
-    standard_window,
 )
 
 LEFT, TOP = 500000.0, 5000000.0
@@ -63,15 +62,6 @@ def test_standard_side_counts_metres_on_the_ground() -> None:
 def test_a_side_that_is_no_length_is_refused(side_m: float) -> None:
     with pytest.raises(SettingsError, match="give a positive number of metres"):
         standard_side_px(grid(), side_m)
-
-
-@given(st.floats(-50, 450), st.floats(-50, 350), st.sampled_from([64, 256, 1024]))
-def test_a_standard_window_is_centred_on_its_point(right_m: float, down_m: float, side_px: int) -> None:
-    window = standard_window(grid(), LEFT + right_m, TOP - down_m, side_px)
-    assert (window.width, window.height) == (side_px, side_px)
-    xmin, ymin, xmax, ymax = grid().window_extent(window)
-    assert (xmin + xmax) / 2 == pytest.approx(LEFT + right_m, abs=0.05 + 1e-6)
-    assert (ymin + ymax) / 2 == pytest.approx(TOP - down_m, abs=0.05 + 1e-6)
 
 
 @pytest.mark.parametrize(

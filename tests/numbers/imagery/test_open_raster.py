@@ -13,7 +13,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
-from seam_inspector.plugin.imagery.rasters import Raster, RasterRef, is_range_known, value_range
+from seam_inspector.plugin.imagery.rasters import RasterRef
 
 from tests.examples import at_most
 from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_plain, write_raster
@@ -100,28 +100,6 @@ def test_blocks_cover_a_window_once_and_keep_to_their_size(
     assert seen.sum() == window.width * window.height
     inside = seen[window.row : window.row + window.height, window.column : window.column + window.width]
     assert (inside == 1).all()
-
-
-@pytest.mark.parametrize(
-    ("data_type", "bits", "largest", "expected"),
-    [
-        ("uint8", None, 3, (0, 255)),
-        ("uint16", None, 4000, (0, 4095)),
-        ("uint16", None, 4096, (0, 16383)),
-        ("uint16", None, 200, (0, 255)),
-        ("uint16", 10, 600, (0, 1023)),
-        ("uint16", None, 65535, (0, 65535)),
-        ("int16", None, 100, (-32768, 32767)),
-        ("float32", None, 1, None),
-        ("uint32", None, 1, None),
-    ],
-)
-def test_the_range_of_values(
-    data_type: str, bits: int | None, largest: float, expected: tuple[float, float] | None
-) -> None:
-    image = Raster(RasterRef("x"), 9, 9, None, "", ("band_1",), data_type, bits)
-    assert value_range(image, largest) == expected
-    assert is_range_known(image) == (data_type == "uint8" or bits is not None)
 
 
 def test_a_file_that_may_not_be_read_is_not_called_damaged(

@@ -11,7 +11,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
+from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.clips import (
@@ -108,15 +108,6 @@ def test_a_raster_with_more_invalid_pixels_takes_no_part(make_raster: MakeRaster
     assert clip_of(path, mosaic, PixelWindow(0, 0, 64, 64)).invalid_share == 0
 
 
-def test_a_pixel_with_nodata_in_one_band_only_is_valid(make_raster: MakeRaster, mosaic: Raster) -> None:
-    image = orthoimage(SIZE)
-    image[2] = 0  # no blue at all
-    image[1, :, ::2] = 0
-    clip = clip_of(make_raster("source.tif", image, nodata=0), mosaic)
-    assert clip.invalid_share == 0
-    np.testing.assert_array_equal(clip.bands, inside(image))
-
-
 def test_each_band_has_its_own_nodata(tmp_path: Path, make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage(SIZE, 2)
     image[0, 90:92, 100:102], image[1, 90:92, 100:102] = 3, 250
@@ -130,27 +121,6 @@ def test_each_band_has_its_own_nodata(tmp_path: Path, make_raster: MakeRaster, m
     dataset.GetRasterBand(2).SetNoDataValue(250)
     del dataset
     assert clip_of(path, mosaic).invalid_share == 4 / 4096
-
-
-def test_nodata_that_the_data_type_cannot_hold_is_no_gap(
-    tmp_path: Path, make_raster: MakeRaster, mosaic: Raster
-) -> None:
-    image = orthoimage(SIZE)
-    image[:, 100:110, 100:110] = 241  # -9999 in 8 bit
-    path = make_raster("source.tif", image, nodata=-9999)
-    clip = clip_of(path, mosaic)
-    assert clip.invalid_share == 0
-    np.testing.assert_array_equal(clip.bands, inside(image))
-
-
-def test_validity_is_checked_from_a_part_of_the_pixels(make_raster: MakeRaster) -> None:
-    image = orthoimage(SIZE)
-    image[:, :100] = 0
-    image[:, 150, 150] = 0
-    is_valid = OpenRaster(RasterRef(make_raster("mosaic.tif", image, nodata=0))).is_valid
-    assert is_valid(PixelWindow(0, 100, 128, 128))
-    assert not is_valid(PixelWindow(0, 0, 64, 64))
-    assert not is_valid(PixelWindow(100, 92, 128, 128))
 
 
 @pytest.mark.parametrize(

@@ -69,14 +69,6 @@ def test_each_thread_has_its_own_and_the_end_of_the_run_closes_all(make_raster: 
     assert len(set(found)) == 2
 
 
-def test_a_thread_that_ends_closes_what_it_had_open(make_raster: MakeRaster, tmp_path: Path) -> None:
-    ref = RasterRef(make_raster("a.tif", orthoimage((64, 64))))
-    thread = threading.Thread(target=open_raster, args=(ref,))
-    thread.start()
-    thread.join(10)
-    assert open_files(tmp_path) == []
-
-
 def test_a_file_that_was_replaced_is_opened_anew(make_raster: MakeRaster) -> None:
     ref = RasterRef(make_raster("a.tif", orthoimage((64, 64), seed=1)))
     newer = orthoimage((64, 64), seed=2)

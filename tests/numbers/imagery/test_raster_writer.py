@@ -119,12 +119,3 @@ def test_a_full_disk_is_a_sentence_and_leaves_an_older_file_as_it_was(
         with said, full_disk(most_bytes):
             write(folder / name, like)
         assert contents(folder) == before
-
-
-def test_gdals_own_file_systems(like: Raster) -> None:
-    path = "/vsimem/whole-or-not.tif"
-    write(Path(path), like)
-    assert np.array_equal(OpenRaster(RasterRef(path)).read(like.whole).bands, PIXELS)
-    with suppress(CancelledError), raster_writer(path, like, BANDS):
-        raise CancelledError(Message("enough"))
-    assert gdal.VSIStatL(path) is None

@@ -1,7 +1,6 @@
 """The pixels of a clip: as they are in the file, or warped where grids do not agree."""
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -131,15 +130,6 @@ def test_a_source_may_end_just_inside_the_window(make_raster: MakeRaster, side: 
         assert clip.invalid_share == 1 / 1024
         np.testing.assert_array_equal(clip.bands[0][kept], image[kept])
         np.testing.assert_allclose(clip.bands[0][edge], part.mean(), atol=1)
-
-
-def test_threads_read_the_same_file_at_once(mosaic: Raster) -> None:
-    windows = [PixelWindow(8 * index, 4 * index, 64, 64) for index in range(24)]
-    with ThreadPoolExecutor(8) as pool:
-        clips = list(pool.map(lambda window: clip_of(mosaic.ref.path, mosaic, window), windows))
-    image = orthoimage(SIZE)
-    for window, clip in zip(windows, clips):
-        np.testing.assert_array_equal(clip.bands, inside(image, window))
 
 
 def scene_in_window() -> np.ndarray:

@@ -137,11 +137,3 @@ def test_links_and_pipes_among_the_records_lead_nowhere(tmp_path: Path, name: st
         folder.remove()
         assert not path.exists()
     assert outside.read_bytes() == b"mine"
-
-
-def test_of_a_disk_that_is_gone_nothing_is_held_and_saving_says_so(tmp_path: Path) -> None:
-    """A folder of the network may be gone while a scan goes on."""
-    files = RecordFiles(tmp_path / "blocks")
-    assert files.names == set()
-    with pytest.raises(FileNotFoundError):
-        files.save("block", b"payload")

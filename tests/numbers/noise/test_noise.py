@@ -58,17 +58,6 @@ def test_gaussian_noise_has_kurtosis_three_and_its_sigma(sigma: float, seed: int
     assert found.verdict == NoiseVerdict.STRONG
 
 
-@at_most(10)
-@given(beta=st.floats(2.3, 4.0), seed=st.integers(0, 50))
-def test_natural_textures_rise_with_their_power_law(beta: float, seed: int) -> None:
-    found = measured(texture((512, 512), beta, seed))
-    rises = np.divide(found.curve.detail[1:], found.curve.detail[:-1])
-    # The finest level holds the corners of the spectrum beyond Nyquist's circle, and the wavelet leaks a little.
-    assert rises == pytest.approx([2 ** (beta - 2)] * 2, rel=0.2)
-    assert found.verdict in (NoiseVerdict.LOW, NoiseVerdict.UNCERTAIN)  # all of it alike, and Gaussian: so is grain
-    assert found.grain is None
-
-
 @pytest.mark.parametrize(
     ("detail", "verdict", "noted"),
     [
@@ -145,17 +134,6 @@ def test_a_filled_hole_does_not_disturb_the_curve(beta: float, side: int, column
     assert holed.curve.detail == pytest.approx(whole.curve.detail, rel=0.02 + 1.2 * mask.mean())
     assert holed.sigma == pytest.approx(whole.sigma, rel=0.02)
     assert holed.kurtosis == pytest.approx(whole.kurtosis, rel=0.06)
-
-
-def test_filling_keeps_valid_pixels_their_type_and_their_range() -> None:
-    bands = orthoimage((97, 130), bands=2)
-    mask = np.random.default_rng(0).random((97, 130)) < 0.6
-    result = filled(bands, mask)
-    assert result.dtype == np.uint8
-    assert (result[:, ~mask] == bands[:, ~mask]).all()
-    for before, after in zip(bands, result):
-        assert before[~mask].min() <= after.min() <= after.max() <= before[~mask].max()
-    assert filled(bands, np.zeros_like(mask)) is bands
 
 
 def test_what_a_hole_is_filled_with_is_in_neither_kurtosis_nor_sigma() -> None:

@@ -106,16 +106,6 @@ def test_bands_tell_noise_from_texture_that_is_as_strong_everywhere(
     assert found.amount == amount
 
 
-def test_figures_follow_the_scale_of_values_and_rounding_is_no_noise() -> None:
-    ground = (120 + 10 * texture((512, 512), 4, 2) + white(5)) / 255
-    one, other = measured(ground, whole=False), measured(1000 * ground, whole=False)
-    assert one.amount == other.amount == NoiseAmount.SOME
-    assert other.signal_to_noise == pytest.approx(one.signal_to_noise)
-    dark = measured(8 + 2 * texture((512, 512), 4, 2) + white(0.35))
-    assert (dark.signal_to_noise or 0) < 40
-    assert dark.amount == NoiseAmount.LITTLE
-
-
 def test_without_a_signal_nothing_is_said_of_the_amount() -> None:
     found = measured(white(5) - 3, whole=False)
     assert (found.amount, found.signal_to_noise) == (NoiseAmount.NOT_MEASURABLE, None)

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -72,13 +71,6 @@ def test_up_to_25_windows_of_1024_are_spread_and_the_least_saturated_come_first(
     assert all(window.column + window.width <= 14_500 for window in found)  # a third of the raster is saturated
     for edge in (range(3500), range(4500, 8000), range(9000, 12000)):  # of rows: all of the height is seen
         assert any(window.row + 512 in edge for window in found)
-
-
-def test_invalid_parts_are_avoided(make_raster: MakeRaster) -> None:
-    pixels = grey((1500, 2600))
-    pixels[:, :, :1400] = 0
-    for window in chosen(make_raster("half.tif", pixels, nodata=0)):
-        assert window.column >= 1400
 
 
 def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeRaster) -> None:
@@ -192,15 +184,6 @@ def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster:
     assert "0.6% of the window is invalid" in str(alone.reason)
 
 
-def test_groups_without_common_ground_are_measured_apart_and_that_is_said(make_raster: MakeRaster) -> None:
-    first = make_raster("first.tif", grey())
-    second = make_raster("second.tif", grey(seed=3), origin=(ORIGIN[0] + 900, ORIGIN[1]))
-    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
-    assert [request.paired for request in plan.requests] == [False, False]
-    assert [request.window_id for request in plan.requests] == [1, 2]
-    assert "no common ground" in str(plan.notices[-1])
-
-
 def test_noise_tells_two_cameras_of_the_same_ground_apart(make_raster: MakeRaster) -> None:
     random = np.random.default_rng(3)
     ground = 120 + 25 * patchy_texture((1100, 1100), 2.7, 8)
@@ -209,19 +192,6 @@ def test_noise_tells_two_cameras_of_the_same_ground_apart(make_raster: MakeRaste
     a, b = measure(noise_plan.plan_chosen([*images([clean]), *images([make_raster("film.tif", film)], 2)], 3))
     assert [one.bands["band_1"].verdict.value for one in (a, b)] == ["low", "strong"]
     assert b.bands["band_1"].sigma == pytest.approx(9, rel=0.08)
-
-
-def test_the_work_stops_when_it_is_cancelled(make_raster: MakeRaster) -> None:
-    plan = noise_plan.plan_chosen(images([make_raster("a.tif", grey((2100, 2100)))]), 3)
-    assert len(plan.requests) == 4
-    taken: list[object] = []
-    with ThreadPoolExecutor(1) as executor:
-        for clips in group_noise.measure_requests(plan.requests, "coif3", 3, executor, 2, lambda: len(taken) >= 1):
-            taken.append(clips)
-    assert len(taken) == 1
-    assert noise_plan.plan_chosen(images([plan.requests[0].parts[0].member.image.ref.path]), 3, lambda: True) == Plan(
-        (), ()
-    )
 
 
 def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_bright(make_raster: MakeRaster) -> None:
@@ -237,17 +207,3 @@ def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_b
     assert (alone.verdict.value, alone.amount.value) == ("uncertain", "at most some")
     assert (beside_quiet.verdict.value, beside_quiet.amount.value) == ("low", "little")
     assert beside_quiet.largest_sigma == pytest.approx(quiet.bands["band_1"].largest_sigma)
-
-
-def test_windows_as_bright_have_the_noise_of_the_quietest_of_them(make_raster: MakeRaster) -> None:
-    """Sharp texture, beside which the noise of the window alone is off by a fifth."""
-    rough, smooth = (120 + scale * texture((512, 512), beta, 1) for scale, beta in ((30, 1.6), (2, 3.0)))
-    wide = np.concatenate([rough, smooth], axis=1) + np.random.default_rng(2).normal(0, 5, (512, 1024))
-    image, = images([make_raster("a.tif", np.rint(wide).clip(0, 255).astype(np.uint8))])
-    own, quiet = measured(
-        [NoiseRequest(1, (Part(image, PixelWindow(column, 0, 512, 512)),)) for column in (0, 512)]
-    )
-    alone, together = (group_noise.pooled(clips, "coif3")[0].bands["band_1"] for clips in ([own], [own, quiet]))
-    assert abs((alone.noise or 0) / 5 - 1) > 0.2
-    assert together.noise == pytest.approx(5, rel=0.05)
-    assert together.signal_to_noise == pytest.approx(wide[:, :512].mean() / 5, rel=0.05)

@@ -19,7 +19,6 @@ from seam_inspector.plugin.photos.measure.correlation import (
 from seam_inspector.plugin.photos.measure.mark_templates import (
     MarkKind,
     MarkShape,
-    all_shapes,
     cut_out,
     draw,
 )
@@ -31,7 +30,6 @@ from seam_inspector.plugin.photos.measure.measuring_marks import (
 from seam_inspector.plugin.photos.measure.photo import PhotoView
 from skimage.feature import match_template
 
-from tests.numbers.photos.photos import SAMPLES, Look, figure
 from tests.numbers.synthetic import texture
 
 
@@ -64,24 +62,6 @@ def test_a_surface_of_the_second_degree_is_found_again(values: tuple[float, ...]
         x0, y0, is_maximum = surface_extremum(made, reach)
         assert (x0, y0) == pytest.approx(expected, abs=1e-6)
         assert is_maximum is not up
-
-
-@pytest.mark.parametrize("shape", all_shapes())
-def test_a_drawn_mark_is_the_area_that_it_covers(shape: MarkShape) -> None:
-    look = Look(shape.kind.value, 21, 2.1, shape.diagonal, shape.interrupted)
-    sized = MarkShape(shape.kind, 21, shape.diagonal, shape.interrupted, softness=0.35)
-    offset = (0.3, -0.2)
-    drawn = draw(sized, offset)
-    half = sized.margin
-    fine = (np.arange((2 * half + 1) * SAMPLES) + 0.5) / SAMPLES - half - 0.5
-    u, v = np.meshgrid(fine - offset[0], fine - offset[1])
-    covered = figure(look, u, v, math.radians(45) if shape.diagonal else 0.0).astype(float)
-    covered = covered.reshape(2 * half + 1, SAMPLES, 2 * half + 1, SAMPLES).mean(axis=(1, 3))
-    if shape.kind is MarkKind.RING_WITH_CROSS:  # its arms are thinner than its ring
-        assert match_template(np.pad(covered, 2), drawn).max() > 0.9
-    else:
-        assert np.abs(covered - drawn).mean() < 0.03
-        assert np.corrcoef(covered.ravel(), drawn.ravel())[0, 1] > 0.96
 
 
 def window(pixels: np.ndarray) -> PhotoView:

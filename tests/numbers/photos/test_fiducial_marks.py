@@ -211,18 +211,6 @@ def test_black_that_the_file_calls_nodata_is_a_grey_value(
     assert max(errors(made, frame)) < 0.1
 
 
-@pytest.mark.parametrize("nodata", [math.nan, -9999.0, 3.4e38])
-def test_what_no_photo_can_have_is_filled(tmp_path: Path, nodata: float) -> None:
-    pixels = np.full((20, 30), 50, np.float32)
-    pixels[5:9, 5:9] = nodata
-    path = write_plain(tmp_path / "photo.tif", pixels)
-    dataset = gdal.Open(path, gdal.GA_Update)
-    dataset.GetRasterBand(1).SetNoDataValue(float(np.float32(nodata)))
-    del dataset
-    assert (Photo(RasterRef(path)).grey() == 50).all()
-    assert (Photo(RasterRef(path)).reduced(4) == 50).all()
-
-
 def test_a_given_place_that_is_off_takes_no_part(tmp_path: Path) -> None:
     """30 px beside its mark it went into the transformation, with residuals of a millimetre."""
     frame = make_frame(Look(dots=True, diagonal=True), side=500, seed=14)
@@ -274,14 +262,6 @@ def test_a_mark_that_looks_like_no_other_is_measured_by_its_cut_out(tmp_path: Pa
     made = measured(pixels, tmp_path, settings=OrientationSettings(template=template))
     assert made.count(MarkStatus.MEASURED) == 4
     assert max(errors(made, frame)) < 1
-
-
-def test_a_cut_out_of_strong_grain_has_its_centre_in_the_mark(tmp_path: Path) -> None:
-    """Cut out 3 px aside and taken by its middle, it put all marks 3 px off."""
-    frame = make_frame(Look("ring with dot", grain=0.2), side=1000, seed=8)
-    made = measured(frame.pixels, tmp_path, settings=OrientationSettings(template=cut(frame, "1", (3, -2))))
-    assert made.count(MarkStatus.MEASURED) == 4
-    assert max(errors(made, frame)) < 0.3
 
 
 UNBC = "15BCC02013_114.jpg"

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy import stats
 from seam_inspector.plugin.resolution.measure.target import Target
 
 from tests.numbers.resolution.bar_targets import (
@@ -19,7 +18,6 @@ from tests.numbers.resolution.bar_targets import (
     image,
     row_of_groups,
     theoretical_cycle,
-    theoretical_share,
 )
 from tests.numbers.resolution.measuring_bars import measured, resolution
 
@@ -132,25 +130,6 @@ def test_the_shift_of_a_band_against_green(make_raster: MakeRaster, shift: float
     assert line.shifts["red"] == pytest.approx(shift, abs=0.05)
     assert line.shifts["green"] == 0
     assert line.shifts["blue"] == pytest.approx(-shift, abs=0.05)
-
-
-@pytest.mark.parametrize("half", [1.25, 1.6, 2.6])
-def test_how_long_the_line_is_hardly_matters(make_raster: MakeRaster, half: float) -> None:
-    """From the edges of the outer bars to far beyond them."""
-    shape, groups = row_of_groups([9.0], 0.05, np.random.default_rng(8))
-    path = make_raster("t.tif", image(shape, groups, 1.6, 1.0), gsd=0.1)
-    (line,) = measured(path, {1: groups[0].line(half)})
-    assert len(line.readings["band_1"].bars) == 3
-    assert line.readings["band_1"].share == pytest.approx(theoretical_share(9.0, 1.6), abs=0.06)
-
-
-def test_the_noise_is_the_tenth_percentile_of_small_squares_less_their_slope(make_raster: MakeRaster) -> None:
-    rows, columns = np.mgrid[:460, :460]
-    ground = 0.1 * rows - 0.2 * columns + np.random.default_rng(1).normal(500, 4, rows.shape)
-    (line,) = measured(make_raster("ground.tif", ground, gsd=0.1), {0: (130.0, 230.0, 330.0, 230.0)})
-    (reading,) = line.readings.values()
-    free = 36 - 3  # of 6 x 6 px, after the mean and the slope along both axes
-    assert reading.profile.noise == pytest.approx(4 * math.sqrt(stats.chi2.ppf(0.1, free) / free), rel=0.015)
 
 
 def test_bars_that_do_not_exceed_the_noise_are_not_resolved(make_raster: MakeRaster) -> None:

@@ -187,16 +187,6 @@ def test_equal_images_keep_all_whatever_step_of_tone_is_between_them(ramp: str) 
         assert foretold(a, other, seams, 9, ramp).window == pytest.approx((1, 1, 1))
 
 
-def test_widths_are_metres_on_the_ground() -> None:
-    metres = (0.5, 0.25)
-    for distance in assumed_seams(64, 64, metres):
-        feather = place_feather(distance, LINEAR, 6.0, metres)
-        down, right = np.gradient(feather.weight)
-        steep = (feather.weight > 0.15) & (feather.weight < 0.85)
-        slopes = np.hypot(down / metres[0], right / metres[1])[steep]
-        np.testing.assert_allclose(slopes, 1 / 6.0, rtol=1e-3)
-
-
 WINDOW = PixelWindow(64, 32, 128, 96)
 
 
@@ -224,12 +214,6 @@ def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:
     expected = 0.1 * (np.arange(128) + 0.5 - 48)
     np.testing.assert_allclose(distance, np.broadcast_to(expected, (96, 128)), atol=0.11)  # to a pixel
     assert (distance[:, 60:] > 0).all()  # the larger part
-
-
-def test_lines_that_do_not_divide_the_window_are_no_seam(mosaic: Raster) -> None:
-    assert drawn(mosaic) is None
-    assert drawn(mosaic, line(mosaic, (48, -20), (48, 50))) is None
-    assert drawn(mosaic, line(mosaic, (-9, -20), (-9, 150))) is None
 
 
 def test_lines_in_another_reference_system(mosaic: Raster) -> None:

@@ -54,20 +54,6 @@ def test_a_cell_of_a_source_that_takes_no_part_says_nothing(name: str) -> None:
     assert (known == 1).all()
 
 
-def test_cells_with_holes_and_several_parts() -> None:
-    ring = box("west", 0, 0, 40, 40)
-    hole = ogr.CreateGeometryFromWkb(ring.wkb).Difference(
-        ogr.CreateGeometryFromWkb(box("west", 10, 10, 20, 20).wkb)
-    )
-    parts = hole.Union(ogr.CreateGeometryFromWkb(box("west", 50, 0, 64, 48).wkb))
-    found = labels(Cell("west", bytes(parts.ExportToWkb()), ring.extent))
-    expected = np.full((48, 64), UNKNOWN)
-    expected[:40, :40] = 0
-    expected[10:20, 10:20] = UNKNOWN
-    expected[:, 50:] = 0
-    np.testing.assert_array_equal(found, expected)
-
-
 @pytest.mark.parametrize("corners", [(-9, 0, 0, 48), (64, 0, 70, 48), (0, -9, 64, 0), (0, 48, 64, 60)])
 def test_a_cell_that_touches_a_rectangle_at_any_side_is_not_over_it(corners: tuple[float, ...]) -> None:
     extent = GRID.window_extent(WINDOW)

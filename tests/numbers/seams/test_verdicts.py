@@ -61,15 +61,6 @@ def test_edges_of_the_verdicts(share: float, verdict: Verdict) -> None:
     assert judge(Curve((0.25 * share, 0.25), 0.5, 1.0), [source]).verdict is verdict
 
 
-@pytest.mark.parametrize(
-    ("max_ratio", "verdict"),
-    [(0.2, Verdict.REDUCED), (0.79, Verdict.REDUCED), (0.8, Verdict.SIGNIFICANT), (0.95, Verdict.SIGNIFICANT)],
-)
-def test_the_user_may_move_the_limit(max_ratio: float, verdict: Verdict) -> None:
-    source = Curve((0.25,), 0.75, 1.0)
-    assert judge(Curve((0.25 * 0.8,), 0.8, 1.0), [source], max_ratio).verdict is verdict
-
-
 @given(st.lists(st.tuples(*[st.floats(0.001, 0.3)] * 3), min_size=1, max_size=6))
 def test_a_flag_means_against_every_source(details: list[tuple[float, float, float]]) -> None:
     mosaic, sources = curve(0.05, 0.07, 0.09), [curve(*detail) for detail in details]

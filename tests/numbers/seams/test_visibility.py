@@ -66,26 +66,6 @@ def test_it_is_the_integral_of_the_papers_formulas(
     assert found == pytest.approx(by_integration(kept, variance, grey, magnification), rel=1e-3, abs=1e-6)
 
 
-@given(variances, greys, shares, shares, st.sampled_from([0, 1, 2]))
-def test_the_less_is_kept_the_more_is_seen(
-    variance: tuple[float, ...], grey: float, one: float, other: float, level: int
-) -> None:
-    kept = [[0.8] * 3 for _ in range(2)]
-    kept[0][level], kept[1][level] = min(one, other), max(one, other)
-    most, least = (visibility(of, variance, grey, WHITE) for of in kept)
-    assert most >= least >= 0
-    if abs(one - other) > 0.01:
-        assert most > least
-
-
-@given(st.tuples(shares, shares, shares), variances, greys, st.sampled_from([1 / 255, 16.0, 257.0]))
-def test_the_unit_of_grey_values_does_not_matter(
-    kept: tuple[float, ...], variance: tuple[float, ...], grey: float, times: float
-) -> None:
-    scaled = visibility(kept, [one * times**2 for one in variance], grey * times, WHITE * times)
-    assert scaled == pytest.approx(visibility(kept, variance, grey, WHITE), rel=1e-9)
-
-
 def test_nothing_is_made_up() -> None:
     assert visibility((), VARIANCES, GREY, WHITE) is None
     assert visibility((None, 0.5, 0.5), VARIANCES, GREY, WHITE) is None

@@ -4,13 +4,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
-from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from osgeo import gdal, ogr
+from osgeo import ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.lines import Seam, find_seams
@@ -56,10 +55,6 @@ def test_windows_are_one_spacing_apart_and_centred_on_the_seam() -> None:
     assert placement.dropped == ()
 
 
-def test_a_seam_shorter_than_the_spacing_has_one_window_at_its_middle() -> None:
-    assert stations(place_windows([seam((300, 300), (450, 300))], KILOMETRE, STANDARD)) == [75]
-
-
 def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
     degrees = Grid(15.0, 60.0, 1e-5, 5e-6, 4000, 4000, metres_x=55_800.0, metres_y=111_400.0)
     east = Seam(1, np.array([(15.005, 59.99), (15.025, 59.99)]))
@@ -76,23 +71,6 @@ def test_a_window_that_sticks_out_is_moved_along_the_seam() -> None:
     (window,) = placement.windows
     assert stations(placement) == pytest.approx([128], abs=0.25)
     assert window.window.column == 0
-    assert placement.dropped == ()
-
-
-def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
-    placement = place_windows([seam((100, 20), (1900, 20))], KILOMETRE, STANDARD)
-    assert placement.windows == ()
-    (message,) = placement.dropped
-    assert str(message) == (
-        "Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
-        "1, on seam 1 (100.0\u20131700.0 m)."
-    )
-
-
-def test_only_what_lies_inside_the_mosaic_is_divided() -> None:
-    block_wide = seam((-5000, 500), (9000, 500))
-    placement = place_windows([block_wide], KILOMETRE, STANDARD)
-    assert stations(placement) == pytest.approx(5100 + 200 * np.arange(10))
     assert placement.dropped == ()
 
 
@@ -195,27 +173,6 @@ def test_a_window_too_small_for_the_levels_says_how_long_it_must_be() -> None:
         place_windows([one], KILOMETRE, PlacingSettings(10, 200, 3))
     assert place_windows([one], KILOMETRE, PlacingSettings(128, 200, 8)).windows
     assert place_windows([one], KILOMETRE, PlacingSettings(32, 200, 3)).windows
-
-
-def real_placement(vector: Path, layer: str, raster: Path, side: float, spacing: float) -> tuple[Grid, Placement]:
-    dataset = gdal.Open(str(raster))
-    left, width, _, top, _, height = dataset.GetGeoTransform()
-    grid = Grid(left, top, width, -height, dataset.RasterXSize, dataset.RasterYSize)
-    source = ogr.Open(str(vector))
-    geometries = [bytes(feature.GetGeometryRef().ExportToWkb()) for feature in source.GetLayerByName(layer)]
-    return grid, place_windows(find_seams(geometries, width), grid, PlacingSettings(side, spacing))
-
-
-def test_brighton_lines_and_polygons_give_the_same_windows(data_folder: Path) -> None:
-    folder = data_folder / "seams" / "brighton"
-    placements = [
-        real_placement(folder / "seamlines.gpkg", layer, folder / "mosaic_hardseam.tif", 15, 15)[1]
-        for layer in ("seamlines", "source_polygons")
-    ]
-    lines, polygons = ([placed.window for placed in placement.windows] for placement in placements)
-    assert lines == polygons
-    assert len(lines) == 19
-    assert seams_messages.SEAMS_COVERED.template in templates(placements[0])
 
 
 def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> None:

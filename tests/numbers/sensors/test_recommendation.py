@@ -68,11 +68,3 @@ def test_five_check_points_are_judged_on_and_with_fewer_each_point_in_turn(check
     result = compare(given, [SPACE], robust=False, flat=False)
     assert result.method == method
     assert result.rows[0].errors.count == (5 if method == CHECK_POINTS else 30)
-
-
-def test_of_a_model_that_could_not_be_fitted_the_points_that_it_was_given_are_told() -> None:
-    ground = places(16, 2)
-    given = points(made_rational(1, 3, 0).project(ground), ground, np.arange(16) < 6)
-    (row,) = compare(given, [registry.RATIONAL.request("3")], robust=False, flat=False).rows
-    assert row.errors is None
-    assert row.control_count == 10

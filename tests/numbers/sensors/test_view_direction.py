@@ -9,10 +9,9 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.reference_systems import metres_per_unit
 from seam_inspector.plugin.sensors.measure.fit_files import view_direction
 from seam_inspector.plugin.sensors.measure.frames import BrownLens, FrameCamera, FrameInterior, camera_axes
-from seam_inspector.plugin.sensors.measure.pushbroom import SIGMAS, geocentric
-from seam_inspector.plugin.sensors.measure.rpc import Domain, located, to_metadata
+from seam_inspector.plugin.sensors.measure.rpc import Domain, to_metadata
 
-from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, WGS84, made_pushbroom, made_rational
+from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, WGS84, made_rational
 
 DOMAIN = Domain((0, COLUMNS), (0, ROWS), (0, 1200), (float(MIDDLE[0]), float(MIDDLE[1])))
 
@@ -30,18 +29,6 @@ def test_the_angle_is_that_of_gdals_lines_of_sight() -> None:
     assert view.azimuth == pytest.approx(np.degrees(np.arctan2(east, north)) % 360, abs=0.1)
     assert view.shift_m(7) == pytest.approx(7 * np.hypot(east, north) / 100, rel=1e-3)
     assert view.largest >= view.angle - 1e-9
-
-
-def test_the_parametric_model_looks_towards_its_orbit() -> None:
-    """Straight from the projection centre, without any slope of the model."""
-    model = made_pushbroom()
-    view = view_direction(model, WGS84, DOMAIN)
-    centre = model.orbit.position + (model.unknowns * SIGMAS)[:3] @ model.orbit.track
-    place = located(model, WGS84, np.array([[COLUMNS / 2, model.orbit.centre[1], 600.0]]), DOMAIN)
-    longitude, latitude = np.radians(place[0, :2])
-    up = np.array([np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)])
-    sight = centre - geocentric(place)[0]
-    assert view.angle == pytest.approx(np.degrees(np.arccos(sight @ up / np.linalg.norm(sight))), abs=0.05)
 
 
 def test_an_oblique_photo_has_a_view() -> None:

@@ -44,36 +44,6 @@ def texture_of(
     return measure_texture(details, sure_labels, mosaic.astype(np.float32), expected.astype(np.float32), unit_dn)
 
 
-def test_a_mosaic_as_it_is_expected_has_lost_and_gained_nothing(plane: np.ndarray) -> None:
-    found = texture_of(plane, plane)
-    assert (found.transfer, found.least_transfer, found.most_transfer) == pytest.approx((1, 1, 1), abs=1e-4)
-    assert found.noise_dn == pytest.approx(0, abs=1e-3)
-    assert found.quantised == 0
-
-
-@pytest.mark.parametrize("sigma", [2.0, 5.0])
-def test_noise_is_told_in_grey_values_and_does_not_rise_with_detail(plane: np.ndarray, sigma: float) -> None:
-    found = texture_of(plane + RNG.normal(0, sigma, SHAPE), plane)
-    assert found.noise_dn == pytest.approx(sigma, rel=0.08)
-    assert found.noise_rise == pytest.approx(1, abs=0.15)
-    assert found.transfer == pytest.approx(1, abs=0.03)
-    assert found.quantised < MIN_VANISHED / 2
-
-
-@pytest.mark.parametrize("sigma", [0.5, 0.8])
-def test_transfer_is_against_what_was_there_before_any_filter(plane: np.ndarray, sigma: float) -> None:
-    soft = ndimage.gaussian_filter(plane, sigma)
-    sharp = plane + (plane - soft)
-    for made, is_less in ((soft, True), (sharp, False)):
-        found = texture_of(made, made, plane)
-        assert (found.transfer < 0.85) if is_less else (found.transfer > 1.15)
-        assert found.noise_dn < 0.01  # the filter explains it all
-        own, plain = (
-            next(iter(detail_components(one[np.newaxis].astype(np.float64), "coif3", 1))) for one in (made, plane)
-        )
-        assert found.transfer == pytest.approx(float(np.sqrt((own**2).sum() / (plain**2).sum())), rel=1e-3)
-
-
 @pytest.mark.parametrize("quality", [50, 75, 90])
 @pytest.mark.parametrize("corner", [(0, 0), (3, 5)])
 def test_compression_leaves_its_grid_wherever_that_begins(

@@ -250,14 +250,6 @@ def test_where_most_is_mixed_tones_between_two_sources_say_nothing(spoilt: dict[
     assert find_causes(replace(two_tones(gain=1.5), mixed=most)) == (Cause.NONE,)
 
 
-@pytest.mark.parametrize("spoilt", [{"off_pixel": 0.4, "least_transfer": 0.6}, {"least_transfer": 0.6}])
-def test_where_most_is_mixed_the_little_that_is_not_says_nothing_of_filters(spoilt: dict[str, Any]) -> None:
-    """The mean of two images lies between them."""
-    own = {**FEATHERED, "lost": 0.5, **spoilt}
-    assert find_causes(evidence(**own, mixed=rules.MIN_MIXED)) == (Cause.FEATHERING,)
-    assert len(find_causes(evidence(**own, mixed=rules.MIN_MIXED - LITTLE))) == 2
-
-
 def test_what_has_less_fine_detail_than_its_sources_at_the_gain_of_its_tones_is_not_sharpened() -> None:
     """Blending of several bands takes more of what is less fine."""
     assert find_causes(evidence(most_transfer=1.1, mid_scale_gain=0.9)) == (Cause.NONE,)

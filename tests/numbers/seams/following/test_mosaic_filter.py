@@ -8,7 +8,6 @@ from seam_inspector.plugin.seams.measure.following.followed_source import high_p
 from seam_inspector.plugin.seams.measure.following.source_filters import (
     REACH_PX,
     filter_power,
-    filtered,
     fit_filter,
     through_filter,
 )
@@ -59,30 +58,6 @@ def test_the_taps_are_those_that_were_applied(plane: np.ndarray, kernel: str, ga
     made = ndimage.correlate(plane, KERNELS[kernel], mode="nearest")
     found = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain)
     assert np.abs(found - KERNELS[kernel]).max() < (0.02 if gain else 0.05)
-
-
-@pytest.mark.parametrize(("sigma", "left"), [(0.5, 0.02), (0.8, 0.05), (1.2, 0.1)])  # wider than five taps, in the end
-def test_scipys_own_blur_and_sharpening_are_explained(plane: np.ndarray, sigma: float, left: float) -> None:
-    smooth = ndimage.gaussian_filter(plane, sigma)
-    for made in (smooth, plane + 0.5 * (plane - smooth)):
-        taps = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain=1.0)
-        assert taps is not None
-        inner = np.s_[8:-8, 8:-8]
-        rest = high_pass(filtered(plane, taps) - made)[inner]
-        assert rest.std() < left * high_pass(made)[inner].std()
-
-
-def test_where_there_is_nothing_to_fit_there_is_no_filter(plane: np.ndarray) -> None:
-    few = np.zeros(SHAPE, bool)
-    few[60:100, 60:109] = True  # 1960 pixels
-    fine = high_pass(plane)
-    assert fit_filter(fine, fine, few) is None
-    few[60:100, 60:111] = True
-    assert fit_filter(fine, fine, few) is not None
-    edge = EVERYWHERE.copy()
-    edge[8:-8, 8:-8] = False  # beyond the edge nothing is known
-    assert fit_filter(fine, fine, edge) is None
-    assert fit_filter(fine, np.zeros_like(fine), EVERYWHERE) is None
 
 
 @pytest.mark.parametrize("kernel", ["nothing", "unsharp", "half a pixel, cubic", "blur 0.6 px"])

@@ -24,14 +24,10 @@ from seam_inspector.plugin.seams.measure.profile.detail_sums import (
 )
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from tests.numbers.seams.profile.blends import spread
 from tests.numbers.synthetic import texture, wavedec
 
 LEVELS, WAVELET = 3, "coif3"
 SHAPE = (128, 160)
-CELLS = (SHAPE[0] // CELL_PX, SHAPE[1] // CELL_PX)
-
-
 @pytest.fixture(scope="module")
 def planes() -> np.ndarray:
     """A mosaic, its cut and two sources, all of which have half of their detail in common; (4, rows, columns)."""
@@ -76,36 +72,8 @@ def marked(values: np.ndarray, level: int = 1, levels: int = LEVELS) -> list[np.
     return found
 
 
-def in_cells(values: np.ndarray, level: int) -> np.ndarray:
-    """Sums of coefficients of a level, (rows, columns)."""
-    side = CELL_PX >> (level + 1)
-    return np.asarray(values.reshape(CELLS[0], side, CELLS[1], side).sum(axis=(1, 3)))
-
-
-def test_sums_are_those_of_the_mosaic_and_of_the_source_that_is_followed(planes: np.ndarray) -> None:
-    """Not of the cut, whose coefficients hold its own edge."""
-    labels = halves()
-    found = sums_of(planes, labels)[0]
-    for r, details in enumerate(coefficients(planes)):
-        own, source = details[0], followed(details, labels, r)
-        for sums, a, b in ((found.mm, own, own), (found.cc, source, source), (found.mc, own, source)):
-            assert sums[r].sum() == pytest.approx((a * b).sum(), rel=1e-4)
-            expected = in_cells((a * b).sum(axis=0), r)
-            np.testing.assert_allclose(
-                spread(found, sums[r], CELLS).sum(axis=0), expected, rtol=1e-3, atol=1e-4 * expected.std()
-            )
-
-
 def of_marked(details: list[np.ndarray], labels: np.ndarray) -> CellTable:
     return detail_sums(details, MeetingSources(labels.astype(np.uint8)))[0]
-
-
-def test_along_a_straight_seam_bins_are_strips_on_both_sides(planes: np.ndarray) -> None:
-    found = sums_of(planes, halves())[0]
-    area = np.bincount(found.bin, found.area[0], len(EDGES_PX))
-    for number, (near, far) in enumerate(zip(EDGES_PX, EDGES_PX[1:])):
-        west, east = (max(0, min(far, reach) - near) for reach in (64, SHAPE[1] - 64))
-        assert area[number] == (west + east) * SHAPE[0], (near, far)
 
 
 def crooked(shape: tuple[int, int] = SHAPE) -> np.ndarray:
@@ -203,15 +171,6 @@ def test_where_three_meet_each_cell_names_its_neighbour() -> None:
     clear = order[1] > order[0] + 4  # of two that are as near either will do
     assert clear.mean() > 0.8
     np.testing.assert_array_equal(place.other[clear], distance.argmin(axis=0)[clear])
-
-
-def test_what_the_other_source_does_not_have_is_no_mixture(planes: np.ndarray) -> None:
-    has = np.ones(SHAPE, bool)
-    has[:64, :64] = False  # of the source in the east, where the western one is followed
-    beside = sums_of(planes, halves(), valid={1: has})[1]
-    west = beside.chosen(beside.source == 0)
-    assert west.row.min() == 64 // CELL_PX
-    assert beside.chosen(beside.source == 1).row.min() == 0
 
 
 def test_what_float32_leaves_of_even_ground_is_no_detail(planes: np.ndarray) -> None:

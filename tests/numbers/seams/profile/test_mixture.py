@@ -8,12 +8,7 @@ from statistics import harmonic_mean
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, MIXED_BINS, PRODUCTS
-from seam_inspector.plugin.seams.measure.profile.mixture import (
-    SLOTS,
-    Mixtures,
-    fit_mixtures,
-)
+from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, MIXED_BINS
 
 from tests.numbers.seams.profile.blends import Blend, blend
 
@@ -21,55 +16,8 @@ Change = Callable[[np.ndarray], np.ndarray]
 MIDDLES = np.array([(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])])
 
 
-def products_of(
-    other: np.ndarray, edge: float = 0.0, gain: float = 1.0, noise: float = 0.0, rho: float = 0.3
-) -> np.ndarray:
-    """(1, SLOTS, products) of two sources of energies 4 and 9 a pixel and an edge of 5 in the bins beside the seam,
-    mixed by ``other``, (SLOTS,)."""
-    area, so = 1000.0, 6 * rho
-    kk = np.where(np.arange(SLOTS) % MIXED_BINS < 3, 5.0, 0.0)
-    ss, oo = np.where(np.arange(SLOTS) < MIXED_BINS, 4.0, 9.0), np.where(np.arange(SLOTS) < MIXED_BINS, 9.0, 4.0)
-    sk, ok = -0.1 * kk, 0.1 * kk
-    own, t = 1 - other, edge
-    ms, mo = own * ss + other * so + t * sk, own * so + other * oo + t * ok
-    mk = own * sk + other * ok + t * kk
-    mm = own * ms + other * mo + t * mk + noise
-    columns = gain**2 * mm, gain * ms, gain * mo, gain * mk, ss, so + 0 * ss, sk, oo, ok, kk, ss, so + 0 * ss, oo
-    return area * np.stack([np.ones(SLOTS), *columns, np.zeros(SLOTS)], axis=-1)[np.newaxis]
-
-
-def fitted(products: np.ndarray, spread: float = 0.01) -> Mixtures:
-    """Each share with the same standard deviation."""
-    return fit_mixtures(products[:, np.newaxis], np.full((1, SLOTS), spread))
-
-
 def linear(width: float) -> np.ndarray:
     return np.tile(np.clip(0.5 - MIDDLES / width, 0, 1), 2)
-
-
-@pytest.mark.parametrize("gain", [0.3, 1.0, 2.5])
-@pytest.mark.parametrize("noise", [0.0, 30.0])
-def test_shares_are_found_whatever_gain_and_noise_came_after(gain: float, noise: float) -> None:
-    expected = linear(60)
-    found = fitted(products_of(expected, gain=gain, noise=noise))
-    np.testing.assert_allclose(found.other[0], expected, atol=0.01)
-    np.testing.assert_allclose(found.left_over[0, 0], gain**2 * noise * 1000, atol=gain**2 * 10)
-
-
-@pytest.mark.parametrize("has_traces", [False, True])
-def test_coarser_levels_tell_a_mixture_where_a_codec_rounded_the_finest(has_traces: bool) -> None:
-    """What is left over in a feather alone is a codec's where the mosaic shows traces of one."""
-    true, distorted = linear(60), 0.6 * linear(60)
-    in_feather = np.where(true > 0, 1.0, 0.0)
-    levels = np.stack([products_of(distorted)[0], products_of(true)[0], products_of(true)[0]])[np.newaxis]
-    levels[:, 0, :, PRODUCTS.index("mm")] += 1000 * in_feather
-    levels[..., PRODUCTS.index("codec")] = levels[..., PRODUCTS.index("area")] * has_traces
-    found = fit_mixtures(levels, np.full((1, SLOTS), 0.01))
-    near = MIDDLES < 15
-    expected = true if has_traces else distorted
-    assert found.other[0, :MIXED_BINS][near] == pytest.approx(expected[:MIXED_BINS][near], abs=0.05)
-    assert bool(found.rounded[:, 0].any()) is has_traces
-    assert not found.rounded[:, 1:].any()
 
 
 def shares_of(made: Blend, mosaic: np.ndarray | None = None) -> np.ndarray:

@@ -17,8 +17,6 @@ from seam_inspector.plugin.seams.measure.blocks.block_grid import (
 from seam_inspector.plugin.seams.measure.blocks.block_parts import DensePart, PartRequest, measure_part
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
 from seam_inspector.plugin.seams.measure.blocks.scan_block import (
-    EMPTY,
-    BlockScan,
     scan_block,
 )
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
@@ -26,10 +24,10 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     EDGES_PX,
     CellTable,
 )
-from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
+from seam_inspector.plugin.seams.measure.scan.block_runs import record_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from tests.numbers.seams.scan.blocks.scenes import NODATA, SHAPE, SIDE, Scene, beside, blended, images, scene
+from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, beside, blended, images, scene
 from tests.numbers.synthetic import placed_wavedec
 
 SEAM = 400
@@ -43,42 +41,10 @@ def hard(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     return scene(tmp_path_factory.mktemp("hard"), blended(*given, beside(SEAM)), given)
 
 
-def assert_same(one: BlockScan, other: BlockScan) -> None:
-    """But for the notices."""
-    assert one.key == other.key
-    assert one.sources == other.sources
-    for name in ("squares", "dense", "labels", "mixture", "ground"):
-        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
-    for name in ("row", "column", "bin", "area", "mm", "cc", "mc"):
-        np.testing.assert_array_equal(getattr(one.cells, name), getattr(other.cells, name), err_msg=name)
-        assert getattr(one.cells, name).dtype == getattr(other.cells, name).dtype
-    for name in ("row", "column", "bin", "source", "other", "products"):
-        np.testing.assert_array_equal(getattr(one.beside, name), getattr(other.beside, name), err_msg=name)
-        assert getattr(one.beside, name).dtype == getattr(other.beside, name).dtype
-
-
 def true_labels() -> np.ndarray:
     """One in ``LABEL_PX`` pixels."""
     middles = np.arange(0, SIDE, LABEL_PX) + LABEL_PX / 2 + 0.5
     return np.broadcast_to((middles > SEAM).astype(np.uint8), (SIDE // LABEL_PX, SIDE // LABEL_PX))
-
-
-@pytest.mark.parametrize("density", ["seams", "full"])
-@pytest.mark.parametrize("width", [0, 33])
-def test_labels_are_true_and_measured_densely_along_the_seam(tmp_path: Path, width: int, density: str) -> None:
-    given = images()
-    found = scan_block(scene(tmp_path, blended(*given, beside(SEAM, width)), given).request(density=density))
-    count = SIDE // LABEL_PX
-    assert (found.labels[:count, :count] == true_labels()).mean() > 0.999
-    assert (found.labels[count:] == UNKNOWN).all()
-    assert (found.labels[:, count:] == UNKNOWN).all()
-    units = SIDE // UNIT_PX
-    along = SEAM // UNIT_PX
-    assert found.dense[:units, along - 1 : along + 1].all()
-    assert found.dense.mean() < 0.2
-    assert set(np.unique(found.ground[:units, :units])) == {0, 1}
-    assert (found.ground[units:] == EMPTY).all()
-    assert not found.notices
 
 
 def by_cell(cells: CellTable, name: str) -> np.ndarray:
@@ -127,14 +93,6 @@ def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learne
                                   first.labels[first.dense.repeat(8, 0).repeat(8, 1)])
 
 
-@pytest.mark.parametrize("density", ["seams", "full"])
-def test_a_record_gives_back_the_same_block(hard: Scene, density: str) -> None:
-    found = scan_block(hard.request(density=density))
-    assert len(found.cells)
-    assert_same(scan_of(record_of(found)), found)
-    assert record_of(scan_of(record_of(found))) == record_of(found)
-
-
 def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
     assert record_of(scan_block(hard.request())) == record_of(scan_block(hard.request()))
 
@@ -177,13 +135,6 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     assert (found.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()
 
 
-def test_a_mosaic_of_nothing_is_a_block_of_nothing(tmp_path: Path) -> None:
-    found = scan_block(scene(tmp_path, np.full(SHAPE, NODATA, np.uint8), images()).request())
-    assert not found.notices
-    assert not len(found.cells)
-    assert (found.labels == UNKNOWN).all()
-
-
 def test_a_source_that_is_gone_costs_no_more_than_itself(tmp_path: Path) -> None:
     given = images()
     one = scene(tmp_path, blended(*given, beside(SEAM)), given)
@@ -221,17 +172,3 @@ def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
     rows = 8 * UNIT_PX // LABEL_PX
     assert (found.labels[:rows, 80:112] == true_labels()[:rows, 80:112]).mean() > 0.998
     assert (np.delete(found.labels[:rows], np.s_[80:112], axis=1) == UNKNOWN).all()
-
-
-def test_what_given_seams_call_for_is_measured_beside_what_patches_do(hard: Scene) -> None:
-    along = np.zeros((UNITS, UNITS), bool)
-    along[: SIDE // UNIT_PX, 2:4] = True
-    without, found = scan_block(hard.request()), scan_block(hard.request(along_seams=along))
-    assert not (without.dense & along).any()
-    assert (found.dense == (without.dense | along)).all()
-    np.testing.assert_array_equal(found.squares, without.squares)
-
-
-def squares(*rows: str) -> np.ndarray:
-    """Squares of digits; a dot is unknown."""
-    return np.array([[UNKNOWN if one == "." else int(one) for one in row] for row in rows], np.uint8)

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, place_of
+from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
 from seam_inspector.plugin.seams.measure.blocks.seam_sides import BESIDE_PX, SeamSquares
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import SidedSeam
 
@@ -70,20 +69,6 @@ def test_units_beside_a_seam_are_measured_and_no_others(places: list[tuple[float
     assert not dense[~near(places, BESIDE_PX + 1)].any()
 
 
-WIDE = BlockGrid(Grid(1000.0, 9000.0, 0.25, 0.5, 11_000, 9000))
-
-
-@given(st.lists(st.tuples(st.integers(0, 11_000), st.integers(0, 9000)), min_size=2, max_size=3), st.floats(1, 9000))
-@at_most(50)
-def test_a_corridor_reaches_as_far_as_the_distance_to_the_nearest_unit(
-    places: list[tuple[float, float]], corridor_px: float
-) -> None:
-    squares = SeamSquares([seam(*places)], WIDE, corridor_px)
-    distance = ndimage.distance_transform_edt(~dense_of(squares, WIDE)) * UNIT_PX
-    for key in WIDE:
-        assert squares.is_read(key) == (distance[place_of(key, UNITS)].min() <= corridor_px)
-
-
 @pytest.mark.release
 def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
     """A country's, of 10^12 pixels."""
@@ -98,12 +83,6 @@ def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
     assert [squares.is_read((row, 200)) for row in (0, 4, 5, 400)] == [True, True, False, False]
     assert [squares.is_read((40, column)) for column in (482, 483, 488)] == [False, True, True]
     assert not squares.dense_in((400, 200)).any()
-
-
-def test_blocks_hold_their_own_part() -> None:
-    squares = SeamSquares([seam((100, 2040), (4900, 2040))], BLOCKS)
-    assert squares.dense_in((0, 0))[-1, 8:].all()
-    assert squares.dense_in((1, 0))[0, 8:].all()
 
 
 def test_a_corridor_leaves_out_blocks_that_no_seam_is_near_to() -> None:

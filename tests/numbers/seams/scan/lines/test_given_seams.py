@@ -270,18 +270,6 @@ def features_of(path: Path, layer: str = "") -> list[SeamFeature]:
     return [(dict(row.items()), bytes(row.GetGeometryRef().ExportToIsoWkb())) for row in found]
 
 
-@pytest.mark.parametrize("layer", ["seamlines", "source_polygons"])
-def test_brighton(data_folder: Path, layer: str) -> None:
-    """Thousands of pieces of 3 cm, or polygons along the same stairs: the same seams."""
-    grid = Grid(576665.77, 5188204.05, 0.03, 0.03, 3423, 2987)
-    given = given_seams(features_of(data_folder / "seams" / "brighton" / "seamlines.gpkg", layer), grid)
-    assert sum(map(length, given.seams)) == pytest.approx(265.02, abs=0.05)
-    assert len(given.seams) == 21
-    assert {given.seams[0].left, given.seams[0].right} == {"DJI_0025_ortho.tif", "DJI_0034_ortho.tif"}
-    assert len(given.cells) == (20 if layer == "source_polygons" else 0)
-    assert ("6 gaps" in told(given)) == (layer == "source_polygons")  # where the mosaic is empty
-
-
 MOSAIC_ELEMENTS = """<?xml version="1.0" encoding="UTF-8"?>
 <gml:FeatureCollection xmlns:gml="http://www.opengis.net/gml/3.2" xmlns:oi="http://inspire.ec.europa.eu/schemas/oi/3.0">
 {}</gml:FeatureCollection>"""

@@ -1,16 +1,13 @@
 """Seams in pieces of equal length on the ground, and which piece is nearest."""
 from __future__ import annotations
 
-import pickle
 import time
-import tracemalloc
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import ogr
-from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, cut_in_pieces, cut_off
@@ -115,12 +112,6 @@ def test_what_is_left_of_a_seam_is_what_gdal_finds_inside(seed: int) -> None:
     assert sum(metres(piece.vertices) for piece in pieces) == pytest.approx(sum(piece.length_m for piece in pieces))
 
 
-@pytest.mark.parametrize("piece_m", [0, -1, float("nan"), float("inf")])
-def test_pieces_of_no_length_are_refused(piece_m: float) -> None:
-    with pytest.raises(SettingsError, match="or more"):
-        cut_in_pieces([seam((0, 0), (10, 10))], piece_m, GRID)
-
-
 @pytest.mark.parametrize("reach_px", [1.0, 20.0, 400.0])
 def test_the_nearest_piece_is_that_of_a_search_through_all(reach_px: float) -> None:
     pieces = cut_in_pieces([crooked(seed, 150) for seed in range(4)], 25, GRID)
@@ -140,30 +131,6 @@ def test_the_nearest_piece_is_that_of_a_search_through_all(reach_px: float) -> N
     # The piece named is the nearest one, or as near as makes no difference.
     np.testing.assert_allclose(true[number[hit], np.flatnonzero(hit)], nearest[hit], atol=0.1)
     assert np.isinf(distance[~hit]).all()
-
-
-def test_a_part_of_the_index_answers_for_its_block_as_the_whole_does() -> None:
-    pieces = cut_in_pieces([crooked(seed, 300) for seed in range(6)], 25, GRID)
-    whole = PieceIndex(pieces, GRID)
-    block = PixelWindow(4096, 2048, 2048, 2048)
-    part = pickle.loads(pickle.dumps(whole.near(block, 300)))
-    assert 0 < len(part) < len(whole)
-    row, column = np.mgrid[block.row : block.row + 2048 : 16, block.column : block.column + 2048 : 16] + 8.0
-    of_part, of_whole = part.nearest(column, row, 300), whole.nearest(column, row, 300)
-    np.testing.assert_array_equal(of_part[0], of_whole[0])
-    np.testing.assert_allclose(of_part[1], of_whole[1], atol=1e-9)
-    assert set(np.unique(of_part[0])) - {-1} <= set(part.numbers.tolist())
-
-
-def test_a_stretch_that_runs_far_beyond_costs_what_is_near_alone() -> None:
-    """A stretch on a mosaic whose file says that its pixels are millionths of a metre."""
-    index = PieceIndex([seam((0, 100), (5e6, 200))], GRID)
-    tracemalloc.start()
-    number, distance = index.nearest(np.array([3000.0, 3000, 3000]), np.array([400.0, 480, 1000]), 500)
-    assert tracemalloc.get_traced_memory()[1] < 10e6
-    tracemalloc.stop()
-    assert number.tolist() == [0, 0, -1]
-    np.testing.assert_allclose(distance[:2], [0.06, 79.94], atol=0.01)
 
 
 def test_a_hundred_thousand_pieces_cost_a_block_next_to_nothing() -> None:

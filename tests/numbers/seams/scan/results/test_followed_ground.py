@@ -40,14 +40,6 @@ def halves(rows: int = 40, columns: int = 40) -> np.ndarray:
     return units
 
 
-DOWN_THE_MIDDLE = [[(20.0, 0.0), (20.0, 40.0)]]
-
-
-def test_a_border_with_a_seam_is_seen() -> None:
-    found = ground_of(halves(), DOWN_THE_MIDDLE)
-    assert (found.unseen, found.hidden, found.unexplained, found.empty, found.looked) == ([], [], 0, 0, 1)
-
-
 def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
     (one,) = ground_of(halves()).unseen
     assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
@@ -63,13 +55,6 @@ def test_a_strip_between_two_sources_hides_their_border(covering: int, width: in
     assert sum(one.metres for one in found.unseen) == pytest.approx(40 * UNIT_PX * GSD, rel=0.05)
     assert bool(found.hidden) == (covering == LACKING)
     assert (found.empty > 0) == (covering == EMPTY)
-
-
-def test_a_strip_too_short_for_a_piece_hides_none() -> None:
-    units = halves()
-    units[10:12, 19:21] = LACKING
-    lines = [[(20.0, 0.0), (20.0, 9.7)], [(20.0, 12.3), (20.0, 40.0)]]
-    assert ground_of(units, lines).unseen == []
 
 
 def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:

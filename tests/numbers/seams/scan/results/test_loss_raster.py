@@ -11,7 +11,6 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
-from seam_inspector.plugin.seams.measure.blocks.scan_settings import CELLS_PX
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.scan.loss_raster import BANDS, NODATA, loss_cells, loss_raster
@@ -43,24 +42,6 @@ def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> N
     assert found[:COUNT, :COUNT] == pytest.approx(expected, rel=0.01, abs=0.003)
     assert (found[COUNT:] == NODATA).all()
     assert (found[:, COUNT:] == NODATA).all()
-
-
-@pytest.mark.parametrize("cell_px", CELLS_PX)
-def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
-    made = blend(33)
-    cells = made.detail().cells
-    side = SIDE // cell_px
-
-    def summed(name: str) -> np.ndarray:
-        each = spread(cells, getattr(cells, name)[0], COUNT).sum(axis=0)
-        return each.reshape(side, cell_px // CELL_PX, side, -1).sum(axis=(1, 3))
-
-    found = pixels_of(33, cell_px)[:, :side, :side]
-    mm, cc, mc = map(summed, ("mm", "cc", "mc"))
-    assert found[CONTRAST] == pytest.approx(np.sqrt(mm / cc), rel=1e-4)
-    assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
-    mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
-    assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)
 
 
 GEOTRANSFORM: GeoTransform = (400000.0, 0.25, 0.0, 5500000.0, 0.0, -0.25)

@@ -5,9 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.blocks.scan_block import CELLS
 from seam_inspector.plugin.seams.measure.judgement.visibility import white_grey, window_visibility
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
@@ -40,28 +38,6 @@ def test_a_seam_of_one_piece_keeps_what_its_window_keeps(width: int, seed: int) 
     assert found.profile.added_beside == pytest.approx(expected.added_beside, abs=0.02)
     assert found.profile.measure is expected.measure
     assert found.profile.lost == pytest.approx(expected.lost, rel=0.05, abs=2000)
-
-
-def test_a_mean_of_two_images_is_seen_in_pieces_too() -> None:
-    made = blend(0).with_mosaic_of(np.full((SIDE, SIDE), 0.5))
-    (found,) = profiles_of(made.detail(), pieces_of(made))
-    assert found.profile.measure is Measure.MIXTURE
-    assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.03)
-
-
-def test_pieces_share_the_strip_and_their_mean_is_the_whole() -> None:
-    made = blend(33)
-    detail = made.detail()
-    (whole,) = profiles_of(detail, pieces_of(made))
-    parts = profiles_of(detail, pieces_of(made, 4))
-    assert sum(part.area_px for part in parts) == pytest.approx(whole.area_px)
-    areas = np.array([part.area_px for part in parts])
-    assert areas.min() > 0.15 * areas.sum()
-    kept = np.array([part.profile.kept[0] for part in parts if part.profile])
-    assert kept.min() < whole.profile.kept[0] < kept.max()
-    assert np.average(kept, weights=areas) == pytest.approx(whole.profile.kept[0], abs=0.04)
-    widths = [part.profile.high / part.profile.low for part in parts if part.profile]
-    assert np.mean(widths) > whole.profile.high / whole.profile.low
 
 
 def test_one_half_feathered_shows_in_its_pieces_only() -> None:
@@ -98,25 +74,6 @@ def test_blocks_add_up_in_any_order() -> None:
             assert other.low == pytest.approx(one.low, rel=1e-3)
             assert other.high == pytest.approx(one.high, rel=1e-3)
             assert other.feather_width_px == pytest.approx(one.feather_width_px, rel=1e-3)
-
-
-def test_a_piece_that_ends_above_a_row_of_blocks_waits_for_the_cells_below() -> None:
-    made = blend(33)
-    detail, grid = made.detail(), replace(GRID, rows=2 * BLOCK_PX)
-    first = (BLOCK_PX - SIDE // 2) // CELL_PX
-    cells, mixture = detail.cells.moved(first, 0), detail.mixture.moved(first, 0)
-    (whole,) = pieces_of(made)
-    upper = whole.vertices[: SIDE // 2 - 10] - (0, first * CELL_PX * grid.pixel_height)
-    areas = []
-    for at_once in (True, False):
-        sums = sums_of([replace(whole, vertices=upper)], grid)
-        border = BLOCK_PX // CELL_PX
-        for row in (slice(0, 2 * border),) if at_once else (slice(0, border), slice(border, 2 * border)):
-            place = row, slice(0, SIDE // CELL_PX)
-            window = PixelWindow(0, row.start * CELL_PX, SIDE, 2 * BLOCK_PX)
-            sums.add(cells.within(place), mixture.within(place), detail.ground, window)
-        areas.append(sums.profiles()[0].area_px)
-    assert areas[0] == areas[1] > 0
 
 
 MOSAIC = Raster(RasterRef("mosaic.tif"), SIDE, SIDE, None, "", ("band_1",), "uint8")
