@@ -5,7 +5,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-import pywt
 from osgeo import gdal
 from seam_inspector import (
     ScanSettings,
@@ -62,15 +61,6 @@ def test_labels_say_where_the_seam_is(images: tuple[np.ndarray, ...]) -> None:
     found = inspect_arrays(hard, [left, right], PIXEL_M, labels)
     assert found.profile.kept[0] == pytest.approx(1, abs=0.05)
     assert not [path for path in gdal.ReadDir("/vsimem/") or () if gdal.ReadDir(f"/vsimem/{path}")]
-
-
-def test_curves_are_those_of_pywavelets(images: tuple[np.ndarray, ...]) -> None:
-    plane = images[0][..., 0].astype(float)
-    coefficients = pywt.wavedec2(plane - plane.mean(), "coif3", "periodization", 3)
-    energies = [sum(float((one**2).sum()) for one in level) for level in reversed(coefficients[1:])]
-    expected = np.array(energies) / (plane.size * plane.var())
-    assert clip_curves(images[0][..., 0])["band_1"].detail == pytest.approx(expected, rel=1e-4)
-    assert list(measure_noise(images[0])) == ["luminance", "red", "green", "blue"]
 
 
 @pytest.mark.parametrize(

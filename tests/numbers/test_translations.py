@@ -41,10 +41,7 @@ def translation(entry: ElementTree.Element) -> str:
 
 
 def placeholders(text: str) -> list[tuple[str, str, str | None]]:
-    """Name, format and conversion of every ``{name}``, in an order that does not depend on the sentence's.
-
-    The forms of a word, ``{count:window|windows}``, are words, which a language has or has not.
-    """
+    """Name, format and conversion of every ``{name}``, in an order that does not depend on the sentence's."""
     return sorted(
         (name, form or "", conversion)
         for _, name, form, conversion in string.Formatter().parse(text)

@@ -284,12 +284,6 @@ def test_the_layout_in_memory_does_not_matter(side: int) -> None:
         np.testing.assert_array_equal(view, before)
 
 
-def test_a_read_only_clip_is_measured() -> None:
-    clip = orthoimage((64, 64), 1)
-    clip.setflags(write=False)
-    assert_curve(clip_curves(clip, "coif3", 3)[0][0], clip[0], "coif3", 3)
-
-
 def test_threads_do_not_get_in_each_others_way() -> None:
     clips = [orthoimage((64 * (1 + seed % 3), 128), 3, seed) for seed in range(24)]
     wavelets = ["coif3", "db4", "sym8"]

@@ -27,10 +27,7 @@ PIXEL_CM = 10.0
 
 @pytest.mark.release
 def test_grd_is_that_of_the_finest_group_that_theory_resolves(make_raster: MakeRaster) -> None:
-    """Sixty targets of four groups: blur, noise, rotation, phase and roughly drawn lines at random.
-
-    A group is the finest one when its distance is at most a step above the one at which theory crosses the criterion.
-    """
+    """Sixty targets of four groups: blur, noise, rotation, phase and roughly drawn lines at random."""
     random = np.random.default_rng(20)
     sigmas = np.linspace(0.44, 1.42, 12)
     theory = [theoretical_cycle(sigma) for sigma in sigmas]

@@ -53,12 +53,6 @@ def test_of_a_cut_there_is_none(images: list[np.ndarray]) -> None:
     assert mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool)) is None
 
 
-def test_of_images_that_are_not_there_there_is_none(images: list[np.ndarray]) -> None:
-    fine = [high_pass(image) for image in images]
-    nothing = np.zeros((SIDE, SIDE), bool)
-    assert mixed_ground(fine[0], fine, fine, nothing) is None
-
-
 @pytest.mark.parametrize(("first", "last"), [(0.75, 0.25), (0.9, 0.1)])
 def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray], first: float, last: float) -> None:
     """A filter that is learned of one alone takes what mixing took."""

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from scipy import ndimage
 from seam_inspector.plugin.imagery.wavelets import detail_components
 from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CELL_PX,
@@ -76,41 +75,6 @@ def of_marked(details: list[np.ndarray], labels: np.ndarray) -> CellTable:
     return detail_sums(details, MeetingSources(labels.astype(np.uint8)))[0]
 
 
-def crooked(shape: tuple[int, int] = SHAPE) -> np.ndarray:
-    """Three sources that meet."""
-    row, column = np.mgrid[: shape[0], : shape[1]]
-    border = shape[1] / 2 + 14 * np.sin(row / 11)
-    labels: np.ndarray = np.where(column < border, 0, np.where(row < 40 + column / 6, 1, 2))
-    return labels.astype(np.uint8)
-
-
-def by_scipy(labels: np.ndarray) -> np.ndarray:
-    """Distance of each pixel's middle from the nearest border between two labels, px."""
-    apart = [ndimage.distance_transform_edt(labels == label) - 0.5 for label in np.unique(labels)]
-    return np.max(apart, axis=0)
-
-
-@pytest.mark.parametrize("level", [1, 2, 3])
-def test_distances_are_those_of_scipy(level: int) -> None:
-    """The energies handed over are the distances themselves, so that each bin tells the mean over its coefficients."""
-    labels = crooked()
-    side = 2**level
-    rows, columns = (length // side for length in SHAPE)
-    distance = by_scipy(labels).reshape(rows, side, columns, side).mean(axis=(1, 3))
-    found = of_marked(marked(distance, level), labels)
-    counts = np.bincount(found.bin, found.area[level - 1], len(EDGES_PX)) / side**2
-    means = np.bincount(found.bin, found.mm[level - 1], len(EDGES_PX)) / np.maximum(counts, 1)
-    reach = 2.5 + side / 2  # the grid of distances has 2 px, and a coefficient its own size
-    for number in np.flatnonzero(counts >= 8):
-        far = EDGES_PX[number + 1] if number + 1 < len(EDGES_PX) else np.inf
-        assert EDGES_PX[number] - reach <= means[number] <= far + reach
-    known = np.flatnonzero(counts >= 8)
-    assert (np.diff(means[known]) > 0).all()
-    expected = np.histogram(distance, [*EDGES_PX, 1e9])[0]
-    within = [np.abs(np.cumsum(counts) - np.cumsum(expected)).max() / counts.sum()]
-    assert max(within) < 0.06 * side / 2 + 0.02
-
-
 def with_gap(gap: Sequence[slice]) -> np.ndarray:
     labels = halves().copy()
     labels[tuple(gap)] = UNKNOWN
@@ -159,18 +123,6 @@ def test_beside_a_seam_each_source_meets_the_other(planes: np.ndarray) -> None:
                 assert found == pytest.approx(expected, rel=1e-3, abs=1e-3 * own[1]), (r, source, name)
             assert own[0] == planes_of["m"][0].size * 4 ** (r + 1)
             assert own[-1] == 0
-
-
-def test_where_three_meet_each_cell_names_its_neighbour() -> None:
-    labels = crooked((256, 256))
-    place = seam_geometry(labels)
-    distance = np.stack([ndimage.distance_transform_edt(labels != label) for label in range(3)])[:, ::2, ::2]
-    own = labels[::2, ::2]
-    np.put_along_axis(distance, own[np.newaxis].astype(np.intp), np.inf, 0)
-    order = np.sort(distance, axis=0)
-    clear = order[1] > order[0] + 4  # of two that are as near either will do
-    assert clear.mean() > 0.8
-    np.testing.assert_array_equal(place.other[clear], distance.argmin(axis=0)[clear])
 
 
 def test_what_float32_leaves_of_even_ground_is_no_detail(planes: np.ndarray) -> None:

@@ -5,13 +5,10 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, SeamProfile
 
-from tests.examples import at_most
 from tests.numbers.seams.profile.blends import SIDE, Blend, blend
 
 Change = Callable[[np.ndarray], np.ndarray]
@@ -108,16 +105,6 @@ def test_what_is_done_to_the_whole_mosaic_drops_out(width: int, change: str) -> 
     plain, after = profile_of(made), profile_of(made, CHANGES[change](made.made))
     assert after.kept[0] == pytest.approx(plain.kept[0], abs=0.06)
     assert after.low < made.truth(0, STRIP_PX) < after.high
-
-
-@given(gain=st.floats(0.2, 20), bias=st.floats(-1000, 1000))
-@at_most(10)
-def test_gain_and_bias_change_nothing_at_all(gain: float, bias: float) -> None:
-    made = blend(33, side=256)
-    plain, after = profile_of(made), profile_of(made, gain * made.made + bias)
-    assert after.kept == pytest.approx(plain.kept, rel=0.01)
-    assert (after.low, after.high) == pytest.approx((plain.low, plain.high), rel=0.01)
-    assert after.band_width_px == pytest.approx(plain.band_width_px, rel=0.05)
 
 
 @pytest.mark.release
