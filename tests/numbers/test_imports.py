@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -25,8 +26,13 @@ DESK = "plugin.seams.desk"
 OWN_NAMES = ("plugin", "seam_inspector")
 
 
-def imports(path: Path, package: Path) -> Iterator[tuple[int, bool, str]]:
+@cache
+def imports(path: Path, package: Path) -> list[tuple[int, bool, str]]:
     """Line, whether it is relative, and full name of all that a file imports; the package's own are ``plugin.*``."""
+    return list(_imports(path, package))
+
+
+def _imports(path: Path, package: Path) -> Iterator[tuple[int, bool, str]]:
     home = ["plugin", *path.relative_to(package).parent.parts]
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):

@@ -181,6 +181,7 @@ def names(path: Path) -> Iterator[str]:
         yield from (f"{path}{ending}" for ending in (".ovr", ".msk", ".aux.xml"))
 
 
+@pytest.mark.slow
 def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
     for path in writer.inputs:
         before = path.read_bytes()
@@ -214,6 +215,7 @@ def test_a_name_that_cannot_be_written_is_refused_before_anything_is_measured(
         assert foreign.read_text() == "mine"
 
 
+@pytest.mark.slow
 def test_a_scan_is_written_over_a_scan_and_no_other_layers(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

@@ -178,6 +178,7 @@ def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
     assert taken == {found}
 
 
+@pytest.mark.slow
 def test_progress_never_runs_backwards(block: Block, folder: Path, tmp_path: Path) -> None:
     scanning: list[float] = []
     result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg", progress=scanning.append)
@@ -287,6 +288,7 @@ def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path,
     assert line.Length() == pytest.approx(rows[0]["length"], rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
     def end(share: float) -> None:
         raise KeyboardInterrupt
@@ -300,6 +302,7 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
     assert not list(tmp_path.glob("*.scan"))
 
 
+@pytest.mark.slow
 def test_seams_that_cannot_be_mended_are_left_with_a_reason(
     block: Block, scanned: ScanResult, folder: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:

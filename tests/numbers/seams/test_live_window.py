@@ -106,6 +106,7 @@ def test_each_raster_has_its_thread_and_stays_open_until_it_is_let_go(feathered:
     assert all(opened not in first for opened in lanes(readings))
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not os.path.isdir("/proc/self/fd"), reason="open files are counted on Linux")
 def test_two_hundred_windows_leave_no_more_files_open(feathered: Block, lanes: ReadingLanes) -> None:
     rasters = {os.path.realpath(raster.ref.path) for raster in (feathered.mosaic, *feathered.sources)}

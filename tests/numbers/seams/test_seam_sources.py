@@ -177,6 +177,7 @@ def test_a_mosaic_of_8_bit_of_deeper_sources_has_no_narrowed_histogram(
     assert result.profile.kept[0] == pytest.approx(1, abs=0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", ["nothing", "unsharp", "blur", "gain", "noise"])
 def test_causes_do_not_depend_on_how_many_grey_values_there_are(
     make_raster: MakeRaster, sources: list[np.ndarray], change: str
@@ -195,6 +196,7 @@ def test_causes_do_not_depend_on_how_many_grey_values_there_are(
     assert many.judgement.verdict is few.judgement.verdict
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("factor", [1 / 255, 1e-3 / 255, 1e4])
 def test_floating_point_of_any_scale_is_measured_as_8_bit_is(
     make_raster: MakeRaster, sources: list[np.ndarray], factor: float

@@ -33,6 +33,7 @@ def sharp_beside_soft(seed: int) -> list[np.ndarray]:
     return [sharp, ndimage.gaussian_filter(other, 1.2)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ground", [half_even, sharp_beside_soft])
 @pytest.mark.parametrize("seed", [1, 40])
 @pytest.mark.parametrize("quality", [50, 85])
@@ -58,6 +59,7 @@ def photographs() -> list[np.ndarray]:
     return [one[:, 300 : 300 + SHAPE[0], 300 : 300 + SHAPE[1]] for one in draw_ground()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "toned", [lambda one: 0.8 * one + 10, lambda one: 255 * (one / 255) ** 0.7], ids=["gain", "gamma"]
 )
@@ -75,6 +77,7 @@ def test_one_image_as_it_was_beside_one_in_other_tones(
     assert found.profile.high >= 0.95
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("quality", [60, 75, 90])
 @pytest.mark.parametrize("how_many", [1, 2])
 def test_orthoimages_that_were_compressed_since_make_no_blur_of_a_sound_mosaic(
