@@ -63,6 +63,10 @@ def test_labels_say_where_the_seam_is(images: tuple[np.ndarray, ...]) -> None:
     assert not [path for path in gdal.ReadDir("/vsimem/") or () if gdal.ReadDir(f"/vsimem/{path}")]
 
 
+def test_noise_has_the_bands_by_name(images: tuple[np.ndarray, ...]) -> None:
+    assert list(measure_noise(images[0])) == ["luminance", "red", "green", "blue"]
+
+
 @pytest.mark.parametrize(
     ("call", "words"),
     [

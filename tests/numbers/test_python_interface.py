@@ -30,11 +30,14 @@ from seam_inspector import (
     SeamInspectorError,
     SeamInspectorWarning,
     SettingsError,
+    TableRows,
+    curve_rows,
     inspect_window,
     inspect_windows,
     limit_rules,
     mend,
     open_block,
+    pair_rows,
     profile_rows,
     scan,
     seam_rows,
@@ -426,3 +429,12 @@ def test_without_gdal_a_sentence_says_what_to_install() -> None:
     code = "import sys; sys.modules['osgeo'] = None\nfrom seam_inspector import open_block"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert run.stderr.splitlines()[-1].startswith("ImportError: GDAL's Python bindings are missing")
+
+
+@pytest.mark.parametrize("table", [window_rows, profile_rows, curve_rows, pair_rows])
+def test_a_table_without_rows_has_its_columns(block: Block, table: Callable[..., TableRows]) -> None:
+    pytest.importorskip("pandas")
+    xmin, ymin, _, _ = block.mosaic.extent
+    full = table([inspect_window(block.window_at(xmin + 80, ymin + 75, side_m=50))])
+    assert full
+    assert [*table([]).to_dataframe().columns] == [*full.to_dataframe().columns]

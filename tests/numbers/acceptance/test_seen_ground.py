@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
-from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
-from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer
+from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery, united_settings
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, Seal
 from seam_inspector.plugin.acceptance.measure.seen_ground import SeenGround
 from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
 
@@ -110,3 +110,13 @@ def test_what_a_scan_tells_of_the_ground_counts_for_its_rows() -> None:
     unseen = said(unseen_metres="400.0", unseen_longest="400.0", unseen_at=PLACE)
     found = decide(make_delivery({"a": rows}, UTM, {"a": unseen}), rules())
     assert found.outcome is AcceptanceOutcome.UNDECIDED
+
+
+def test_a_sample_of_several_scans_says_what_they_say_together() -> None:
+    """Two scans with the same metres, and with shares that are not the same."""
+    scans = [DeliveredLayer("a", Seal.WHOLE, 0.0, said(unread=unread, unexplained=unread, **dict.fromkeys(
+        ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres"), "12.5"))) for unread in "12"]
+    united = DeliveredLayer("sample", Seal.WHOLE, 0.0, united_settings(scans))
+    assert (united.unread, united.unexplained, united.unseen_m) == (2, 2, 25)
+    ground = SeenGround.of_settings(united.settings)
+    assert (ground.unseen_m, ground.hidden_m, ground.unchanged_m, ground.unexplained) == (25, 25, 25, 2)

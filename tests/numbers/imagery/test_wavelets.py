@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.wavelets import (
-    FLOAT32_WAVELETS,
     Curve,
     clip_curves,
     component_products,
@@ -125,17 +124,6 @@ KINDS = {
 def test_curve_of_a_window(kind: str, side: int) -> None:
     band = KINDS[kind]((side, side))
     assert_curve(curve_of(band, "coif3", 3), band, "coif3", 3)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("wavelet", FLOAT32_WAVELETS)
-@pytest.mark.parametrize("levels", [1, 4, 7])
-def test_curve_of_a_window_with_every_wavelet_in_float32(wavelet: str, levels: int) -> None:
-    for shape in ((256, 256), (512, 384)):
-        for beta in (1.0, 2.0, 3.0):
-            texels = texture(shape, beta, seed=7)
-            for band in (np.round(250 + 60 * texels).clip(0, 255).astype(np.uint8), (9 + texels).astype(np.float32)):
-                assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
 
 
 @pytest.mark.parametrize("bands", [3, 4, 5])

@@ -207,3 +207,14 @@ def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_b
     assert (alone.verdict.value, alone.amount.value) == ("uncertain", "at most some")
     assert (beside_quiet.verdict.value, beside_quiet.amount.value) == ("low", "little")
     assert beside_quiet.largest_sigma == pytest.approx(quiet.bands["band_1"].largest_sigma)
+
+
+def test_pairs_of_other_pixel_sizes_are_said(make_raster: MakeRaster) -> None:
+    fine = grey((1024, 1024))
+    coarse = fine.reshape(1, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8)
+    paths = make_raster("fine.tif", fine, gsd=0.1), make_raster("coarse.tif", coarse, gsd=0.2)
+    plan = noise_plan.plan_chosen([*images(paths[:1]), *images(paths[1:], 2)], 3)
+    assert "0.1 m and 0.2 m" in str(noise_plan.pixel_size_notice(plan))
+    (request,) = plan.requests
+    assert request.paired
+    assert [part.window.width for part in request.parts] == [1024, 512]

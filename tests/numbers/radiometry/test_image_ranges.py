@@ -6,12 +6,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import Message
-from seam_inspector.plugin.radiometry.measure.assessment import RadiometricOutcome, decide_image
+from seam_inspector.plugin.radiometry.measure.assessment import RadiometricOutcome, decide_image, judge
 from seam_inspector.plugin.radiometry.measure.image_statistics import LargestValue, range_of_set
 from seam_inspector.plugin.radiometry.measure.rules import RuleSet
 
 from tests.numbers.radiometry.jrc import default_rules
-from tests.numbers.radiometry.judging import checked, checked_figure, checked_set, figure, reasons
+from tests.numbers.radiometry.judging import checked, checked_figure, checked_set, figure, measured, reasons
 
 MakeRaster = Callable[..., str]
 RANGE_CHECKS = {"clipped_high", "peak", "contrast", "signal_to_noise"}
@@ -99,3 +99,11 @@ def test_a_range_that_was_given_and_is_too_small_is_doubted(make_raster: MakeRas
     result = checked(make_raster("a.tif", sheet(2000, 500, 3800)), rules=given(0, 1023))
     assert checked_figure(result, "clipped_high").passed is False
     assert "lie beyond the range of 0 to 1023 that was given" in str(result.notices[0])
+
+
+def test_bands_that_end_at_different_values(make_raster: MakeRaster) -> None:
+    colours = np.stack([sheet(380, 150, 1000), sheet(2500, 900, 4095, 1), sheet(800, 150, 1500, 2)])
+    found = measured(make_raster("a.tif", colours), default_rules())
+    assert found.trimmed().largest_value == found.largest_value == LargestValue(4095, True)
+    kept, whole = (judge(one, default_rules(), (0, 4095)) for one in (found.trimmed(), found))
+    assert kept.checked_figures == whole.checked_figures

@@ -9,6 +9,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_north_up
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.resolution.measure.bars import BarLine, measure_line
+from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 
 from tests.numbers.resolution.bar_targets import (
@@ -169,3 +173,13 @@ def test_the_papers_distances() -> None:
     """Tables 3A and 3B: every value is a group of a target whose ninth has 30 cm."""
     groups = [9, 8, 6, 3, 2, 1]
     assert [f"{Target().grd_cm(group):.2f}" for group in groups] == "30.00 33.67 42.43 60.00 67.35 75.60".split()
+
+
+def test_one_band_of_three(make_raster: MakeRaster) -> None:
+    shape, groups = row_of_groups([8.0], 0.0, np.random.default_rng(7))
+    path = make_raster("rgb.tif", np.stack([image(shape, groups, 0.8)] * 3), gsd=0.1)
+    raster, ends = describe_north_up(RasterRef(path)), groups[0].line()
+    third = OpenRaster(raster.ref).band_index(3)
+    line = measure_line(raster, BarLine(1, "along", Segment(ends[:2], ends[2:])), 3, 3.0, third)
+    assert list(line.readings) == ["blue"]
+    assert line.shifts["blue"] == pytest.approx(0, abs=0.01)  # green is looked at all the same

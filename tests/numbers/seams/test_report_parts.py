@@ -9,9 +9,11 @@ from osgeo import gdal
 from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery import clips
 from seam_inspector.plugin.imagery.clips import read_overview
+from seam_inspector.plugin.imagery.limits import judged_band
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.judgement.greatest_loss import greatest_loss
+from seam_inspector.plugin.seams.measure.window_records import PairRecord, contrast_of
 
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture
 
@@ -64,3 +66,15 @@ def test_a_huge_file_without_overviews_is_not_read(make_raster: MakeRaster, monk
     dataset.BuildOverviews("AVERAGE", [4])
     del dataset
     assert read_overview(mosaic, mosaic.extent, 100) is not None
+
+
+def test_contrast_is_the_composites_else_the_largest_of_the_sources() -> None:
+    rows = [("a", "luminance", 0.4), ("b", "luminance", 0.7), ("b", "red", 3.0), ("c", "luminance", None)]
+    pairs = [PairRecord(source, band, None, contrast) for source, band, contrast in rows]
+    assert contrast_of(pairs) == 0.7
+    assert contrast_of([*pairs, PairRecord("composite", "luminance", None, 0.5)]) == 0.5
+    assert contrast_of([*pairs, PairRecord("composite", "luminance", None, None)]) == 0.7
+    assert contrast_of([PairRecord("a", "band_1", None, 0.2)]) == 0.2
+    assert contrast_of([]) is None
+    assert judged_band(["red", "luminance"]) == "luminance"
+    assert judged_band(["nir", "red"]) == "nir"

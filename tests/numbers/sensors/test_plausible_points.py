@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull, HalfspaceIntersection
 from seam_inspector.plugin.imagery.errors import WARNING, SensorModelError
+from seam_inspector.plugin.sensors.measure.adjustment import adjust, suspects
 from seam_inspector.plugin.sensors.measure.points import (
     Points,
     check_against_rpc,
@@ -17,6 +18,7 @@ from seam_inspector.plugin.sensors.measure.points import (
     check_plausible,
     control_coverage,
 )
+from seam_inspector.plugin.sensors.measure.registry import POLYNOMIAL_2D
 
 from tests.numbers.sensors import sensor_scenes
 
@@ -157,3 +159,11 @@ def test_what_is_extrapolated_is_what_of_the_image_the_outline_leaves(corners: l
     inner = HalfspaceIntersection(planes, grid[depth.argmin()])
     expected = 1 - ConvexHull(inner.intersections).volume / 16
     assert control_coverage(control, (0, 0, 4, 4)).extrapolated == pytest.approx(expected, abs=2e-3)
+
+
+def test_two_blunders_are_doubted_where_nobody_looks_for_them() -> None:
+    image = points(30).image + np.random.default_rng(2).normal(0, 0.3, (30, 2))
+    request = POLYNOMIAL_2D.request("1")
+    assert not suspects(adjust(request, replace(points(30), image=image))).any()
+    image[[4, 11]] += [[25, 0], [0, -30]]
+    assert set(np.flatnonzero(suspects(adjust(request, replace(points(30), image=image))))) == {4, 11}

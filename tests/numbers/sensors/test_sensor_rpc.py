@@ -228,3 +228,8 @@ def test_a_wrong_points_file_is_refused(tmp_path: Path) -> None:
         path.write_text(content)
         with pytest.raises(SensorModelError, match=words):
             file_points(path, UTM, None)
+
+
+def test_an_rpc_is_fitted_to_a_hundred_metres_of_height_at_least() -> None:
+    for heights, fitted in (((700, 702), (651, 751)), ((0, 900), (0, 900)), ((-20, 79), (-20.5, 79.5))):
+        assert rpc.rpc_heights(Domain((0, COLUMNS), (0, ROWS), heights, (0, 0))) == fitted
