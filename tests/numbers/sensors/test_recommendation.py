@@ -46,7 +46,7 @@ def test_of_models_about_as_good_the_one_of_fewest_unknowns_is_taken(
     assert recommended.request == chosen
 
 
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize(("turned", "truth"), [(0.0, "rpc_bias shift"), (6.0, "rpc_bias affine")])
 def test_what_the_vendors_rpc_lacks_is_added_and_no_more(turned: float, truth: str) -> None:
     """Points of half a pixel on an RPC that is shifted, and on one that is turned as well."""
