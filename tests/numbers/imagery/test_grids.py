@@ -7,13 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError, WindowError
-from seam_inspector.plugin.imagery.grids import (
-    Extent,
-    Grid,
-    PixelWindow,
-    snap_window,
-    standard_side_px,
-)
+from seam_inspector.plugin.imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_side_px
 
 LEFT, TOP = 500000.0, 5000000.0
 

@@ -13,15 +13,7 @@ from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic,
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 
-from tests.numbers.clips import (
-    SIZE,
-    STRETCHING,
-    MakeRaster,
-    clip_of,
-    inside,
-    metres_by_arcs,
-    scene_raster,
-)
+from tests.numbers.clips import SIZE, STRETCHING, MakeRaster, clip_of, inside, metres_by_arcs, scene_raster
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
 
 

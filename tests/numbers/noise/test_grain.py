@@ -11,10 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseVerdict, measure_noise
-from seam_inspector.plugin.noise.measure.grain import (
-    grain_spectrum,
-    quiet_ground,
-)
+from seam_inspector.plugin.noise.measure.grain import grain_spectrum, quiet_ground
 
 from tests.examples import at_most
 from tests.numbers.synthetic import luminance, patchy_texture, read_pixels, texture

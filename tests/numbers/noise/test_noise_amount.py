@@ -9,11 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseAmount, measure_noise
-from seam_inspector.plugin.noise.measure.noise_amount import (
-    ACCEPTABLE_RATIO,
-    EXCELLENT_RATIO,
-    noise_amount,
-)
+from seam_inspector.plugin.noise.measure.noise_amount import ACCEPTABLE_RATIO, EXCELLENT_RATIO, noise_amount
 
 from tests.examples import at_most
 from tests.numbers.synthetic import luminance, patchy_texture, read_pixels, texture

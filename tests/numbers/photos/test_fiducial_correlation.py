@@ -16,17 +16,8 @@ from seam_inspector.plugin.photos.measure.correlation import (
     fit_surface,
     surface_extremum,
 )
-from seam_inspector.plugin.photos.measure.mark_templates import (
-    MarkKind,
-    MarkShape,
-    cut_out,
-    draw,
-)
-from seam_inspector.plugin.photos.measure.measuring_marks import (
-    MeasuringTemplate,
-    SurfaceBasis,
-    measure_mark,
-)
+from seam_inspector.plugin.photos.measure.mark_templates import MarkKind, MarkShape, cut_out, draw
+from seam_inspector.plugin.photos.measure.measuring_marks import MeasuringTemplate, SurfaceBasis, measure_mark
 from seam_inspector.plugin.photos.measure.photo import PhotoView
 from skimage.feature import match_template
 

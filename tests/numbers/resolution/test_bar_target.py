@@ -15,14 +15,7 @@ from seam_inspector.plugin.resolution.measure.bars import BarLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 
-from tests.numbers.resolution.bar_targets import (
-    STEP,
-    Bars,
-    coverage,
-    image,
-    row_of_groups,
-    theoretical_cycle,
-)
+from tests.numbers.resolution.bar_targets import STEP, Bars, coverage, image, row_of_groups, theoretical_cycle
 from tests.numbers.resolution.measuring_bars import measured, resolution
 
 MakeRaster = Callable[..., str]

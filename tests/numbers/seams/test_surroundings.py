@@ -6,10 +6,7 @@ import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
-from seam_inspector.plugin.seams.measure.window.window_request import (
-    InspectionSettings,
-    WindowRequest,
-)
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of
 from tests.numbers.synthetic import decompose, luminance, orthoimage

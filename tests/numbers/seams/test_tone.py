@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
+from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.tone import Tone, clipped_share, coarse_means, fit_tones
 
 from tests.examples import at_most
@@ -86,3 +87,11 @@ def test_values_that_a_gain_merges_at_the_ends_are_not_clipped(gain: float) -> N
     narrowed = np.rint(gain * source + 20).astype(np.uint8)
     assert np.count_nonzero(narrowed == narrowed.min()) > SIDE  # several values have become one
     assert clipped_share(narrowed, source) == 0
+
+
+@pytest.mark.parametrize("gain", [0.5, -0.5])
+def test_sharpness_is_contrast_over_gain(gain: float) -> None:
+    change = Change(Tone(gain, 0.0), (0.4, None), 0.0, None, None)
+    assert change.sharpness == (pytest.approx(0.8), None)
+    for unknown in (None, Tone(0.0, 90.0)):
+        assert Change(unknown, (0.4, None), 0.0, None, None).sharpness == (None, None)

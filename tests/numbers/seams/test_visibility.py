@@ -14,12 +14,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.judgement.visibility import (
-    Viewing,
-    visibility,
-    white_grey,
-    window_visibility,
-)
+from seam_inspector.plugin.seams.measure.judgement.visibility import Viewing, visibility, white_grey, window_visibility
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 
 from tests.numbers.seams.profile.blends import SIDE, blend

@@ -4,12 +4,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from seam_inspector.plugin.sensors.measure.polynomials import (
-    Rational,
-    fit_chosen_terms,
-    fit_rational,
-    term_names,
-)
+from seam_inspector.plugin.sensors.measure.polynomials import Rational, fit_chosen_terms, fit_rational, term_names
 
 from tests.numbers.sensors.sensor_scenes import made_rational, places
 

@@ -19,13 +19,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import transform_points
 from seam_inspector.plugin.sensors.measure.camera_files import document, read_cameras
 from seam_inspector.plugin.sensors.measure.exterior_files import read_exteriors
-from seam_inspector.plugin.sensors.measure.frames import (
-    BrownLens,
-    FisheyeLens,
-    FrameCamera,
-    FrameInterior,
-    camera_axes,
-)
+from seam_inspector.plugin.sensors.measure.frames import BrownLens, FisheyeLens, FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.oriented_frames import FrameFiles, OrientedFrame, read_block
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 from seam_inspector.plugin.sensors.measure.rpc import open_image

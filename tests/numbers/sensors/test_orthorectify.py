@@ -10,12 +10,7 @@ import numpy as np
 import pytest
 from osgeo import gdal, osr
 from scipy.ndimage import map_coordinates
-from seam_inspector.plugin.imagery.errors import (
-    CancelledError,
-    RasterError,
-    SeamInspectorError,
-    SettingsError,
-)
+from seam_inspector.plugin.imagery.errors import CancelledError, RasterError, SeamInspectorError, SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure.heights import load_terrain

@@ -15,12 +15,7 @@ from seam_inspector.plugin.sensors.measure.heights import (
     above_ellipsoid,
     heights_above_ellipsoid,
 )
-from seam_inspector.plugin.sensors.measure.points import (
-    control_points,
-    file_points,
-    image_points,
-    write_point_file,
-)
+from seam_inspector.plugin.sensors.measure.points import control_points, file_points, image_points, write_point_file
 from seam_inspector.plugin.sensors.measure.rpc import open_image, read_rpc, to_metadata, write_image_with_rpc, write_rpc
 
 from tests.numbers.sensors.sensor_scenes import made_rational

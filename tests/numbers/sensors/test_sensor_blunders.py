@@ -8,13 +8,7 @@ import pytest
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.sensors.measure import registry
-from seam_inspector.plugin.sensors.measure.adjustment import (
-    CHECK_POINTS,
-    LEAVE_ONE_OUT,
-    adjust,
-    all_requests,
-    compare,
-)
+from seam_inspector.plugin.sensors.measure.adjustment import CHECK_POINTS, LEAVE_ONE_OUT, adjust, all_requests, compare
 from seam_inspector.plugin.sensors.measure.heights import is_flat
 from seam_inspector.plugin.sensors.measure.points import choose_check_points, control_coverage, coverage_warnings
 from seam_inspector.plugin.sensors.measure.pushbroom import geocentric, unit

@@ -18,17 +18,7 @@ from seam_inspector.plugin.seams.measure.window.explained_window import judge_by
 
 from benchmarks import aftermaths
 from benchmarks.detail import details
-from benchmarks.scenes import (
-    Scene,
-    Truth,
-    brighton_scenes,
-    cut,
-    explained,
-    feather,
-    gain,
-    truths,
-    whole_values,
-)
+from benchmarks.scenes import Scene, Truth, brighton_scenes, cut, explained, feather, gain, truths, whole_values
 from benchmarks.seam_makings import seam_distance
 
 pytestmark = pytest.mark.release

@@ -7,11 +7,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.followed_source import follow_planes, high_pass
-from seam_inspector.plugin.seams.measure.following.likely_source import (
-    FineDetail,
-    LikelySource,
-    likely_source,
-)
+from seam_inspector.plugin.seams.measure.following.likely_source import FineDetail, LikelySource, likely_source
 
 from tests.numbers.synthetic import texture
 

@@ -10,12 +10,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
-from seam_inspector.plugin.seams.measure.inputs.valid_cells import (
-    CellGrid,
-    ValidCells,
-    nearest_judgeable,
-    valid_cells,
-)
+from seam_inspector.plugin.seams.measure.inputs.valid_cells import CellGrid, ValidCells, nearest_judgeable, valid_cells
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 

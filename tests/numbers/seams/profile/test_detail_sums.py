@@ -4,12 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.profile.cell_table import (
-    CELL_PX,
-    EDGES_PX,
-    FARTHEST,
-    CellTable,
-)
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
 from seam_inspector.plugin.seams.measure.profile.detail_sums import (
     MeetingSources,
     detail_sums,

@@ -7,24 +7,12 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.blocks.block_grid import SQUARE_PX
-from seam_inspector.plugin.seams.measure.blocks.patches import (
-    SquareLook,
-    look_at_squares,
-)
+from seam_inspector.plugin.seams.measure.blocks.patches import SquareLook, look_at_squares
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.aftermaths import jpeg
-from tests.numbers.seams.scan.blocks.scenes import (
-    SHAPE,
-    SIDE,
-    Scene,
-    as_bytes,
-    beside,
-    blended,
-    images,
-    scene,
-)
+from tests.numbers.seams.scan.blocks.scenes import SHAPE, SIDE, Scene, as_bytes, beside, blended, images, scene
 from tests.numbers.synthetic import placed_wavedec, texture
 
 WAVELET, LEVELS = "coif3", 3

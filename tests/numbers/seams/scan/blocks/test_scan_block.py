@@ -9,23 +9,11 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure.blocks import scan_block as scan_block_module
-from seam_inspector.plugin.seams.measure.blocks.block_grid import (
-    LABEL_PX,
-    SQUARE_PX,
-    UNIT_PX,
-    UNITS,
-)
+from seam_inspector.plugin.seams.measure.blocks.block_grid import LABEL_PX, SQUARE_PX, UNIT_PX, UNITS
 from seam_inspector.plugin.seams.measure.blocks.block_parts import DensePart, PartRequest, measure_part
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
-from seam_inspector.plugin.seams.measure.blocks.scan_block import (
-    _halves,
-    scan_block,
-)
-from seam_inspector.plugin.seams.measure.profile.cell_table import (
-    CELL_PX,
-    EDGES_PX,
-    CellTable,
-)
+from seam_inspector.plugin.seams.measure.blocks.scan_block import _halves, scan_block
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 

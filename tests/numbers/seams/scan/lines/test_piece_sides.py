@@ -5,12 +5,7 @@ import numpy as np
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.seam_cells import meant_sources, names_apart
 from seam_inspector.plugin.seams.measure.seamlines.seam_fields import source_numbers
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import (
-    SeamPiece,
-    Side,
-    sided,
-    sources_beside,
-)
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, Side, sided, sources_beside
 
 from tests.numbers.seams.scan.lines.labelled import estimated
 

@@ -11,6 +11,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import CELLS_PX
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.scan.loss_raster import BANDS, NODATA, loss_cells, loss_raster
@@ -132,3 +133,21 @@ def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic
         assert overview.ReadAsArray(column, row, 1, 1) == 2
         pixels = overview.ReadAsArray(*(0, 0) if level > 3 else (column - 90, row - 90), 181, 181)
         assert np.count_nonzero(pixels != NODATA) <= (40 // factor + 2) * (44 // factor + 2)
+
+
+@pytest.mark.parametrize("cell_px", CELLS_PX)
+def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
+    made = blend(33)
+    cells = made.detail().cells
+    side = SIDE // cell_px
+
+    def summed(name: str) -> np.ndarray:
+        each = spread(cells, getattr(cells, name)[0], COUNT).sum(axis=0)
+        return each.reshape(side, cell_px // CELL_PX, side, -1).sum(axis=(1, 3))
+
+    found = pixels_of(33, cell_px)[:, :side, :side]
+    mm, cc, mc = map(summed, ("mm", "cc", "mc"))
+    assert found[CONTRAST] == pytest.approx(np.sqrt(mm / cc), rel=1e-4)
+    assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
+    mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
+    assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)

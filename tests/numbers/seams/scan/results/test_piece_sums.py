@@ -8,12 +8,7 @@ import pytest
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.scan_block import CELLS
 from seam_inspector.plugin.seams.measure.judgement.visibility import white_grey, window_visibility
-from seam_inspector.plugin.seams.measure.profile.cell_table import (
-    CELL_PX,
-    EDGES_PX,
-    CellTable,
-    MixtureTable,
-)
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
 from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities, without_even
