@@ -99,3 +99,10 @@ def test_a_cut_out_has_the_centre_of_its_symmetry() -> None:
         cut_out(mark[:4, :20])
     with pytest.raises(PhotoError, match="alike"):
         cut_out(np.zeros((20, 20)))
+
+
+def test_a_flat_image_and_a_template_without_room_correlate_with_nothing() -> None:
+    template = texture((9, 9), 1.5, 2)
+    assert not correlate(np.full((30, 30), 7.0), template).any()
+    assert not correlate(texture((30, 30)), np.ones((5, 5))).any()
+    assert correlate(np.zeros((5, 5)), template).size == 0

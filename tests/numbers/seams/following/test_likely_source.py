@@ -212,3 +212,15 @@ def test_a_source_that_is_nowhere_true_is_told_by_the_ground_of_others(seed: int
     assert found[:, BORDER + 20 : -10].mean() > 0.6
     assert not found[:, : BORDER - 20].any()
     assert not found_in(mosaic, [first, missing + 0.2 * (other - missing.mean())]).unexplained.any()
+
+
+@pytest.mark.parametrize("change", ["feather", "noise", "blur", "gain"])
+def test_what_was_spoilt_is_still_explained(change: str) -> None:
+    first, second = plane(9, 1), plane(9, 2)
+    weight = np.clip((np.arange(SHAPE[1]) - BORDER) / 60 + 0.5, 0, 1)
+    mosaic = cut_at(BORDER, first, second)
+    changed = {
+        "feather": (1 - weight) * first + weight * second, "gain": 0.5 * mosaic + 30,
+        "noise": mosaic + np.random.default_rng(3).normal(0, 5, SHAPE), "blur": ndimage.gaussian_filter(mosaic, 0.9),
+    }[change].astype(np.float32)
+    assert found_in(changed, [first, second]).unexplained.mean() < 0.01
