@@ -218,3 +218,13 @@ def test_pairs_of_other_pixel_sizes_are_said(make_raster: MakeRaster) -> None:
     (request,) = plan.requests
     assert request.paired
     assert [part.window.width for part in request.parts] == [1024, 512]
+
+
+def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeRaster) -> None:
+    first = make_raster("first.tif", grey((1100, 2300)))
+    second = make_raster("second.tif", grey((1100, 1100), seed=3), origin=(ORIGIN[0] + 120, ORIGIN[1]))
+    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    assert [request.paired for request in plan.requests] == [True]
+    ours, theirs = (part.window for part in plan.requests[0].parts)
+    assert ours.column - theirs.column == 1200
+    assert ours.row == theirs.row

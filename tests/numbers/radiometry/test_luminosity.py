@@ -125,3 +125,13 @@ def test_a_rule_for_one_band_is_for_that_band(make_raster: MakeRaster) -> None:
 def test_two_bands_have_no_luminosity(make_raster: MakeRaster) -> None:
     said = reasons(checked(make_raster("two.tif", orthoimage((200, 200), bands=2))))
     assert said["contrast"].startswith("not measurable: it has no red, green and blue to mix; name one of its bands")
+
+
+def test_every_figure_can_be_of_the_luminosity(make_raster: MakeRaster) -> None:
+    """A channel with noise of its own weighs as much as it does in the mix."""
+    noise = np.random.default_rng(0).normal(0, 10, (3, 256, 256))
+    bands = np.rint(128 + noise).clip(0, 255).astype(np.uint8)
+    rules = RuleSet("own", (Rule("signal_to_noise", 5, None, "s", band="luminosity"),))
+    deviation = 10 * np.sqrt(0.299**2 + 0.587**2 + 0.114**2)
+    ratio = figure(checked(make_raster("a.tif", bands), rules=rules), "signal_to_noise", "luminosity")
+    assert ratio == pytest.approx(128 / deviation, rel=0.1)

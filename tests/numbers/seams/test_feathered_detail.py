@@ -226,3 +226,13 @@ def test_lines_in_another_reference_system(mosaic: Raster) -> None:
     same = drawn(mosaic, own)
     assert same is not None
     np.testing.assert_allclose(distance, same, atol=0.11)
+
+
+def test_widths_are_metres_on_the_ground() -> None:
+    metres = (0.5, 0.25)
+    for distance in assumed_seams(64, 64, metres):
+        feather = place_feather(distance, LINEAR, 6.0, metres)
+        down, right = np.gradient(feather.weight)
+        steep = (feather.weight > 0.15) & (feather.weight < 0.85)
+        slopes = np.hypot(down / metres[0], right / metres[1])[steep]
+        np.testing.assert_allclose(slopes, 1 / 6.0, rtol=1e-3)

@@ -3,10 +3,20 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from seam_inspector.plugin.seams.measure.window.window_request import (
+    ENOUGH_PX,
+    MARGIN_PX,
+    InspectionSettings,
+    WindowRequest,
+    place_in,
+    surroundings,
+)
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of
 from tests.numbers.synthetic import decompose, luminance, orthoimage
@@ -96,3 +106,31 @@ def test_a_mosaic_without_pixels_around_the_window_is_measured_all_the_same(
     own = np.s_[:, 160:288, 176:304]
     (shown, *_) = result.clips
     np.testing.assert_allclose(shown.curves["red"].detail, decompose(image[own][0]).shares[:-1], rtol=1e-4)
+
+
+@given(
+    column=st.integers(0, 900), row=st.integers(0, 900), width=st.integers(8, 100), height=st.integers(8, 100),
+    right=st.integers(0, 900), below=st.integers(0, 900), levels=st.integers(1, 6),
+)
+def test_it_lies_inside_the_mosaic_around_the_window_in_whole_steps(
+    column: int, row: int, width: int, height: int, right: int, below: int, levels: int
+) -> None:
+    step = max(16, 2**levels)
+    window = PixelWindow(column, row, width * 8, height * 8)
+    columns, rows = column + window.width + right, row + window.height + below
+    mosaic = Raster(RasterRef("mosaic.tif"), columns, rows, (0.0, 0.1, 0.0, 0.0, 0.0, -0.1), "", ("red",), "uint8")
+    around = surroundings(window, mosaic, levels)
+    assert around.column >= 0
+    assert around.row >= 0
+    assert around.column + around.width <= columns
+    assert around.row + around.height <= rows
+    inside = place_in(window, around)
+    assert (inside[0].stop - inside[0].start, inside[1].stop - inside[1].start) == (window.height, window.width)
+    down, across = (row, below), (column, right)
+    for place, length, side, room in (
+        (inside[0], around.height, window.height, down), (inside[1], around.width, window.width, across)
+    ):
+        wanted = min(MARGIN_PX, max(ENOUGH_PX - side, 0) // 2)
+        for margin, there in zip((place.start, length - place.stop), room):
+            assert margin % step == 0
+            assert margin == min(wanted, there) // step * step

@@ -181,3 +181,22 @@ def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> 
     assert fitting_side_m(replace(grid, pixel_width=5.0, pixel_height=5.0), STANDARD) == 1280  # 256 px of 5 m
     assert fitting_side_m(replace(grid, pixel_width=1.0, pixel_height=1.0), STANDARD) == 256
     assert window_side_px(grid, PlacingSettings(15.36)) == 512
+
+
+def test_a_moved_window_does_not_double_its_neighbour() -> None:
+    placement = place_windows([seam((0, 500), (600, 500))], KILOMETRE, PlacingSettings(100, 70))
+    assert stations(placement)[:2] == pytest.approx([90, 160])
+    assert [str(message) for message in placement.dropped] == [
+        ("Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
+        "1, on seam 1 (20.0 m).")
+    ]
+
+
+def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
+    placement = place_windows([seam((100, 20), (1900, 20))], KILOMETRE, STANDARD)
+    assert placement.windows == ()
+    (message,) = placement.dropped
+    assert str(message) == (
+        "Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
+        "1, on seam 1 (100.0\u20131700.0 m)."
+    )

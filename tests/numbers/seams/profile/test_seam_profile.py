@@ -65,17 +65,6 @@ def test_the_band_is_where_less_than_nine_tenths_are_kept(width: int, ramp: str,
     assert found.band_width_px == pytest.approx(share * width, rel=0.12, abs=3)
 
 
-def test_a_band_that_faded_all_at_once_is_as_wide_as_it_is() -> None:
-    """To the middle of the bins beside its end."""
-    made = blend(0)
-    faded = made.hard.copy()
-    near = made.distance < 60
-    faded[near] = 120 + 0.6 * (faded[near] - 120)
-    found = profile_of(made, faded)
-    assert found.kept == pytest.approx([0.36] * 3, abs=0.01)
-    assert 2 * 40 <= found.band_width_px <= 2 * 80
-
-
 def unsharp(plane: np.ndarray) -> np.ndarray:
     return 2 * plane - ndimage.gaussian_filter(plane, 1)
 

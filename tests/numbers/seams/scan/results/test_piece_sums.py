@@ -10,7 +10,7 @@ from seam_inspector.plugin.seams.measure.blocks.scan_block import CELLS
 from seam_inspector.plugin.seams.measure.judgement.visibility import white_grey, window_visibility
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
-from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
+from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure
 from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities, without_even
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend
@@ -123,3 +123,14 @@ def test_a_piece_along_even_ground_is_not_measured(grain: float, grey: float, is
     (piece,) = without_even(found, np.array([grain]), np.array([grey]))
     assert (piece.profile is not None) == is_measured
     assert piece.area_px == found[0].area_px
+
+
+def test_the_fit_is_that_of_the_strip() -> None:
+    made = blend(33)
+    detail = made.detail()
+    table = detail.cells
+    strip = table.bin < EDGES_PX.index(STRIP_PX)
+    (found,) = profiles_of(detail, pieces_of(made))
+    mm, cc, mc = (float(one[0, strip].sum()) for one in (table.mm, table.cc, table.mc))
+    assert found.fit == pytest.approx(mc**2 / (mm * cc), rel=1e-4)
+    assert found.area_px == pytest.approx(table.area[0, strip].sum())
