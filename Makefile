@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR)/build/plugins
 ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
 endif
-.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-release-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-deliveries benchmark-programs benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-release test-qt6 test-in-qgis test-release-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-deliveries benchmark-programs benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -51,12 +51,16 @@ check: lint ## Before every commit, in two minutes: style, types, and the quick 
 	$(ONE_THREAD) $(PYTHON) -m pytest -q -p no:pytest_qgis $(SIDE_BY_SIDE) --quick tests/numbers
 
 # Types and what needs no QGIS are a process each, so two of these go side by side; tests take all processors themselves
-test: link ## Check style and types, then run all tests
+test: link ## Check style and types, then run all tests but those of a release
 	$(MAKE) --jobs 2 --output-sync=target SIDE_BY_SIDE_TARGETS=1 lint test-qt6
 	$(MAKE) test-numbers test-in-qgis
 
 test-numbers: link ## Run the tests of the numbers, without QGIS
-	$(ONE_THREAD) $(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
+	$(ONE_THREAD) $(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) -m "not release" tests/numbers
+
+test-release: link ## Run the tests that only a release asks for, after make test: large statistics, killed processes, much real data
+	$(ONE_THREAD) $(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) -m release tests/numbers
+	$(MAKE) test-release-in-qgis
 
 test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what draws without QGIS; against the newest scipy
 	@tools/install_qt6.sh

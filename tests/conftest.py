@@ -69,7 +69,8 @@ def _refuse_processes(event: str, _arguments: object) -> None:
 
 
 def _is_slow(item: pytest.Item) -> bool:
-    return item.get_closest_marker("slow") is not None or "data_folder" in getattr(item, "fixturenames", ())
+    is_marked = any(item.get_closest_marker(name) is not None for name in ("slow", "release"))
+    return is_marked or "data_folder" in getattr(item, "fixturenames", ())
 
 
 @pytest.fixture(scope="session")

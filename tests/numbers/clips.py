@@ -49,11 +49,7 @@ def scene_raster(
     side_m: float = 10.0,
     **options: Any,
 ) -> str:
-    """The scene as a float32 raster in any reference system, about the middle of WINDOW, turned and mirrored.
-
-    Where its pixels lie comes from PROJ, so that it is true whoever warps it. ``gsd`` and ``side_m`` are in
-    units of the system.
-    """
+    """The scene as a float32 raster in any reference system, about the middle of WINDOW, turned and mirrored."""
     to_mosaic = osr.CoordinateTransformation(reference(system), reference(UTM33))
     to_system = osr.CoordinateTransformation(reference(UTM33), reference(system))
     x0, y0, _ = to_system.TransformPoint(ORIGIN[0] + 12.8, ORIGIN[1] - 11.2)

@@ -1,7 +1,4 @@
-"""Compiled functions that the plugin calls, by two threads at once, as scans, windows and tasks call them.
-
-`python -m tests.numbers.hammering` calls each 20,000 times, which takes some minutes.
-"""
+"""Compiled functions that the plugin calls, by two threads at once, as scans, windows and tasks call them."""
 from __future__ import annotations
 
 import time

@@ -21,9 +21,6 @@ GeoTransform = tuple[float, float, float, float, float, float]
 Colour = tuple[int, ...]
 
 
-# --- arrays ----------------------------------------------------------------------------------------------------
-
-
 def texture(shape: tuple[int, int], beta: float = 2.0, seed: int = 0) -> np.ndarray:
     """A periodic texture of mean 0 and standard deviation 1 whose power falls with frequency as f^-beta.
 
@@ -65,9 +62,6 @@ def orthoimage(
     if np.dtype(dtype).kind == "f":
         return values.astype(dtype)
     return np.round(values * (1 if np.dtype(dtype).itemsize == 1 else 16)).astype(dtype)
-
-
-# --- PyWavelets' word ------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -153,9 +147,6 @@ def luminance(bands: np.ndarray) -> np.ndarray:
     """Luminance of red, green and blue as Pyka 2009 mixes it."""
     red, green, blue = bands[:3].astype(np.float64)
     return 0.299 * red + 0.587 * green + 0.114 * blue
-
-
-# --- files -----------------------------------------------------------------------------------------------------
 
 
 def wkt(system: str | int) -> str:

@@ -42,15 +42,6 @@ def test_terms_have_their_polish_word(glossary: dict[str, Any], texts: dict[str,
     assert missing == []
 
 
-def test_every_term_is_in_use(glossary: dict[str, Any], texts: dict[str, str]) -> None:
-    unused = [
-        term["english"]
-        for term in glossary["terms"]
-        if not any(re.search(term["in_text"], source, re.IGNORECASE) for source in texts)
-    ]
-    assert unused == []
-
-
 def test_no_word_that_the_field_does_not_know(glossary: dict[str, Any], texts: dict[str, str]) -> None:
     found = [
         f"{word['instead']}: {translation}"

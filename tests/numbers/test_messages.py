@@ -175,52 +175,6 @@ def test_what_an_exception_carries_is_an_error(all_uses: list[Use]) -> None:
     assert {place: level for place, level in levels.items() if level is not Level.ERROR} == {}
 
 
-@pytest.mark.parametrize(
-    ("code", "why"),
-    [
-        ("messages.WINDOW_OUTSIDE()", ""),
-        ("x = {1: messages.WINDOW_OUTSIDE}", ""),
-        ("messages.NOT_FOUND(path=path)", ""),
-        ("raise RasterError(messages.NOT_FOUND())", "takes ['path'], is given []"),
-        ("messages.NOT_FOUND(name=name)", "takes ['path'], is given ['name']"),
-        ("messages.NOT_FOUND(path)", "named one by one"),
-        ("messages.NOT_FOUND(**values)", "named one by one"),
-        ("raise RasterError(messages.NOT_FOUND)", "lacks ['path']"),
-        ("messages.NOT_FOUNT(path=path)", "no such message"),
-        ("messages.TOO_MANY_INVALID(name=name, share=f'{share}', most=most)", "numbers wanted for ['share']"),
-        ("messages.TOO_MANY_INVALID(name=name, share=share, most=ref.name)", "numbers wanted for ['most']"),
-    ],
-)
-def test_a_wrong_use_is_found(code: str, why: str) -> None:
-    (use,) = uses(f"from . import messages\n{code}", Path("plugin/imagery/some.py"))
-    assert why in fault(use)
-    assert bool(fault(use)) == bool(why)
-
-
-def test_messages_are_found_however_they_are_imported() -> None:
-    for line in (
-        "from ...imagery import messages as imagery_messages\nimagery_messages.NOT_FOUND",
-        "from ...imagery.messages import NOT_FOUND\nNOT_FOUND",
-        "from seam_inspector.plugin.imagery.messages import NOT_FOUND as GONE\nGONE",
-    ):
-        (use,) = uses(line, Path("plugin/seams/measure/some.py"))
-        assert (use.module, use.name) == (Path("plugin/imagery/messages"), "NOT_FOUND"), line
-
-
-def test_wrong_values_are_refused_at_once() -> None:
-    told = Message("{name} has {count:d} bands.")
-    assert str(told(name="a.tif", count=3)) == "a.tif has 3 bands."
-    for values in ({"name": "a.tif"}, {"name": "a.tif", "count": 3, "band": 1}, {}):
-        with pytest.raises(TypeError, match=r"takes \['count', 'name'\] and was given"):
-            told(**values)
-
-
-def test_a_message_is_told_as_a_warning_where_the_work_goes_on() -> None:
-    told = Message("{name} is gone.")(name="a.tif")
-    assert (told.level, told.as_warning().level) == (Level.ERROR, Level.WARNING)
-    assert str(told.as_warning()) == str(told) == "a.tif is gone."
-
-
 @pytest.mark.parametrize("words", [PlaneModel, MarkStatus, OrientationEvidence])
 def test_every_word_of_a_photo_has_its_message(words: type[Enum]) -> None:
     assert {word.value for word in words} <= set(photos_messages.WORDS)

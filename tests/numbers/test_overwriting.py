@@ -68,9 +68,6 @@ def taken(name: str, function: Callable[..., Any]) -> Iterator[str]:
             yield f"{name} {parameter.name}"
 
 
-# --- what writes ---------------------------------------------------------------------------------------------------
-
-
 @dataclasses.dataclass(frozen=True)
 class Writer:
     """A function that writes, with inputs of its own."""
@@ -185,6 +182,7 @@ def names(path: Path) -> Iterator[str]:
         yield from (f"{path}{ending}" for ending in (".ovr", ".msk", ".aux.xml"))
 
 
+@pytest.mark.slow
 def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
     for path in writer.inputs:
         before = path.read_bytes()
@@ -193,9 +191,6 @@ def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
                 writer.write(name)
             assert path.read_bytes() == before
         assert not Path(f"{path}.ovr").exists()
-
-
-# --- what can't be written ------------------------------------------------------------------------------------------
 
 
 def test_a_name_that_cannot_be_written_is_refused_before_anything_is_measured(
@@ -221,6 +216,7 @@ def test_a_name_that_cannot_be_written_is_refused_before_anything_is_measured(
         assert foreign.read_text() == "mine"
 
 
+@pytest.mark.slow
 def test_a_scan_is_written_over_a_scan_and_no_other_layers(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
@@ -236,9 +232,6 @@ def test_a_scan_is_written_over_a_scan_and_no_other_layers(
         with pytest.raises(SeamInspectorError, match="something else"):
             write()
     assert gdal.OpenEx(str(path)).GetLayerByName("mine") is not None
-
-
-# --- which files belong to an input --------------------------------------------------------------------------------
 
 
 @pytest.fixture

@@ -19,9 +19,9 @@ from seam_inspector.plugin.toolkit.executors import measuring_modules
 from tests.made_once import the_first_block
 from tests.releases import built, cloned, run_tool
 from tools import python_pages
-from tools.check_package import check_metadata, check_package
+from tools.check_package import check_package
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.release
 
 ELSEWHERE = {"TZ": "Pacific/Auckland", "LC_ALL": "pl_PL.UTF-8", "LANG": "pl_PL.UTF-8", "QT_HASH_SEED": "7"}
 CHECKED = pytest.mark.skipif(
@@ -193,9 +193,3 @@ def test_what_is_no_package_is_told_in_a_sentence(tmp_path: Path, name: str) -> 
     run = run_tool(Path(__file__).parents[2], "check_package", str(tmp_path / name))
     assert run.returncode == 1
     assert len(run.stderr.splitlines()) == 1, run.stderr
-
-
-def test_placeholders_are_told_until_the_publisher_fills_them_in() -> None:
-    text = "[general]\nhomepage=https://example.org/a\nemail=a@example.org\ntracker=https://notexample.organic/x\n"
-    told = [one.place for one in check_metadata(text, ["a/metadata.txt"]) if "placeholder" in one.rule]
-    assert told == ["homepage", "email"]

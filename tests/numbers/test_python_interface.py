@@ -29,7 +29,6 @@ from seam_inspector import (
     ScanSettings,
     SeamInspectorError,
     SeamInspectorWarning,
-    SeamlineError,
     SettingsError,
     TableRows,
     curve_rows,
@@ -107,16 +106,6 @@ def test_importing_costs_nothing_and_no_name_brings_qgis() -> None:
     assert {entry.name for entry in python_pages.entries()} == {*public}
 
 
-def test_an_unknown_name_is_no_attribute() -> None:
-    assert not hasattr(seam_inspector, "serverClassFactory")
-    with pytest.raises(ImportError, match="nothing_like_it"):
-        from seam_inspector import nothing_like_it  # type: ignore[attr-defined] # noqa: F401
-
-
-def test_the_version_is_that_of_the_metadata(repository: Path) -> None:
-    assert f"version={seam_inspector.__version__}" in (repository / "metadata.txt").read_text("utf-8").splitlines()
-
-
 @pytest.mark.parametrize("entry", python_pages.entries(), ids=lambda entry: entry.name)
 def test_a_name_is_typed_and_documented(entry: python_pages.Entry) -> None:
     assert getattr(seam_inspector, entry.name).__name__ == entry.name
@@ -160,7 +149,6 @@ def test_the_first_steps_agree_with_themselves() -> None:
 def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
     xmin, ymin, xmax, ymax = block.mosaic.extent
     requests = [block.window_at(xmin + 80, ymin + 75, side_m=50), block.window((xmax, ymin, xmax + 50, ymax))]
-    assert requests[0].window is not None
     assert requests[0].window.width == 512
     single = [inspect_window(request) for request in requests]
     assert [one.judgement for one in inspect_windows(requests)] == [one.judgement for one in single]
@@ -169,11 +157,6 @@ def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
     assert (outside["verdict"], outside["kept_1"]) == ("not_comparable", None)
     assert isinstance(outside["reason"], str)
     assert {row["level"] for row in profile_rows(single)} == {1, 2, 3}
-
-
-def test_a_setting_out_of_its_range_is_told_at_once(block: Block) -> None:
-    with pytest.raises(SeamInspectorError, match="9 levels"):
-        block.window(block.mosaic.extent, seam_inspector.InspectionSettings(levels=9))
 
 
 LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
@@ -198,6 +181,7 @@ def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
     assert taken == {found}
 
 
+@pytest.mark.slow
 def test_progress_never_runs_backwards(block: Block, folder: Path, tmp_path: Path) -> None:
     scanning: list[float] = []
     result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg", progress=scanning.append)
@@ -216,28 +200,6 @@ def test_a_decision_is_the_same_after_a_journey(block: Block, folder: Path) -> N
     back = pickle.loads(pickle.dumps(decision))
     assert [str(sentence) for sentence in back.sentences] == [str(sentence) for sentence in decision.sentences]
     assert "%" in " ".join(map(str, decision.sentences))
-
-
-def test_one_path_of_a_mosaic_is_no_list_of_letters(block: Block, folder: Path) -> None:
-    result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg")
-    outcomes = {
-        seam_inspector.decide({"a": result}, seam_inspector.limit_rules(), mosaics=mosaics).outcome
-        for mosaics in (str(folder / "mosaic.tif"), [folder / "mosaic.tif"])
-    }
-    assert len(outcomes) == 1
-
-
-def test_what_is_no_block_is_refused() -> None:
-    with pytest.raises(SettingsError, match=r"block is 'mosaic\.tif'"):
-        seam_inspector.scan("mosaic.tif")  # type: ignore[arg-type]
-
-
-def test_what_is_no_request_and_what_are_no_results_is_refused(block: Block) -> None:
-    with pytest.raises(SettingsError, match="request is"):
-        inspect_window((0, 0, 1, 1))  # type: ignore[arg-type]
-    alone = inspect_window(block.window((0, 0, 1, 1)))
-    with pytest.raises(SettingsError, match="results is"):
-        window_rows(alone)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("extent", [(1, 2, 3), "corner", None, (0, 0, "a", 1)])
@@ -267,11 +229,6 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
         open_block(path, sources, nodata="white")
 
 
-def test_cells_without_polygons_are_told(folder: Path) -> None:
-    with pytest.raises(SeamlineError, match="no polygon on the mosaic that names its source"):
-        open_block(folder / "mosaic.tif", cells=f"{folder}/seamlines.gpkg|layername=seamlines")
-
-
 @pytest.mark.parametrize(
     ("call", "words"),
     [
@@ -295,27 +252,6 @@ def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], o
         call(block)
 
 
-def test_numbers_of_numpy_are_numbers(block: Block) -> None:
-    settings = InspectionSettings(levels=np.int64(2), min_kept=np.float32(0.5))
-    assert block.window_at(*np.float32([0, 0]), settings=settings).settings == settings
-
-
-@pytest.mark.parametrize("order", [(2, 1, 0, 3), (0, 3, 2, 1), (0, 4, 2, 3)])
-def test_a_rectangle_whose_corners_are_none_is_told(block: Block, order: tuple[int, ...]) -> None:
-    sides = (*block.mosaic.extent, math.nan)
-    (found,) = inspect_windows([[sides[place] for place in order]], block)
-    assert "smaller ones first" in str(found.judgement.reason)
-
-
-@pytest.mark.parametrize("table", [window_rows, profile_rows, curve_rows, pair_rows])
-def test_a_table_without_rows_has_its_columns(block: Block, table: Callable[..., TableRows]) -> None:
-    pytest.importorskip("pandas")
-    xmin, ymin, _, _ = block.mosaic.extent
-    full = table([inspect_window(block.window_at(xmin + 80, ymin + 75, side_m=50))])
-    assert full
-    assert [*table([]).to_dataframe().columns] == [*full.to_dataframe().columns]
-
-
 @pytest.mark.parametrize("has_picture", [True, False])
 def test_only_a_scan_with_a_picture_is_said_to_go_on(block: Block, tmp_path: Path, has_picture: bool) -> None:
     with pytest.raises(CancelledError) as told:
@@ -331,26 +267,6 @@ def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
     assert [source.ref.name for source in found.sources] == ["strip1_0141.tif"]
     with pytest.raises(SeamInspectorError, match="does not exist"):
         open_block(tmp_path / "none.tif")
-
-
-@pytest.mark.slow
-def test_a_copy_of_the_mosaic_takes_part_only_if_it_is_asked_for(folder: Path, tmp_path: Path) -> None:
-    sources, copy = sorted(folder.glob("strip*.tif")), tmp_path / "copy.tif"
-    gdal.Translate(str(copy), str(folder / "mosaic.tif"))
-    with pytest.warns(SeamInspectorWarning, match=r"copy\.tif goes with the mosaic") as told:
-        found = open_block(folder / "mosaic.tif", [*sources, copy])
-    assert len(told) == 1
-    assert [source.ref.name for source in found.sources] == [path.name for path in sources]
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        kept = open_block(folder / "mosaic.tif", [*sources, copy], keep_copies=True)
-    assert [source.ref.name for source in kept.sources] == [*(path.name for path in sources), "copy.tif"]
-
-
-def test_cells_say_which_source_is_where(folder: Path) -> None:
-    sources, cells = sorted(folder.glob("strip*.tif")), f"{folder}/seamlines.gpkg|layername=cells"
-    found = open_block(folder / "mosaic.tif", sources, cells)
-    assert len(found.cells) == len(found.sources)
 
 
 @pytest.mark.parametrize("has_sources", [True, False])
@@ -375,6 +291,7 @@ def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path,
     assert line.Length() == pytest.approx(rows[0]["length"], rel=0.01)
 
 
+@pytest.mark.slow
 def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
     def end(share: float) -> None:
         raise KeyboardInterrupt
@@ -388,6 +305,7 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
     assert not list(tmp_path.glob("*.scan"))
 
 
+@pytest.mark.slow
 def test_seams_that_cannot_be_mended_are_left_with_a_reason(
     block: Block, scanned: ScanResult, folder: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -460,22 +378,6 @@ def piece(kept: object, number: int, **others: object) -> dict[str, object]:
     return {"seam_id": 1.0, "station": 25.0 * number, "length": 25.0, "kept_1": kept, "geometry": line, **others}
 
 
-def test_a_delivery_is_decided_by_rows() -> None:
-    nothing = float("nan")
-    rows = [piece(0.9, 0), piece(0.5, 1), piece(nothing, 2), piece(0.8, 3, length=None)]
-    delivery = make_delivery({"one": rows}, METRES)
-    with_heights = [{**row, "geometry": str(row["geometry"]).replace(",", " 7,").replace(")", " 7)")} for row in rows]
-    for one, plain in zip(make_delivery({"one": with_heights}, METRES).pieces, delivery.pieces):
-        np.testing.assert_array_equal(one.vertices, plain.vertices)
-    assert [piece.kept_1 for piece in delivery.pieces] == [0.9, 0.5, None, 0.8]
-    assert {piece.seam_id for piece in delivery.pieces} == {"1"}
-    assert delivery.pieces[3].length_m == 25
-    decision = decide(delivery, limit_rules(max_share=0.7, min_measured=0.7))
-    assert decision.accepted
-    assert decision.whole.measured_m == 75
-    assert not decide(delivery, limit_rules(max_share=0.1, min_measured=0.7)).accepted
-
-
 def test_rows_in_memory_need_no_seal_but_say_nothing_of_other_seams() -> None:
     rows = [piece(0.9, place) for place in range(9)]
     words = "nothing is known of seams that are in no row: one."
@@ -527,3 +429,12 @@ def test_without_gdal_a_sentence_says_what_to_install() -> None:
     code = "import sys; sys.modules['osgeo'] = None\nfrom seam_inspector import open_block"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert run.stderr.splitlines()[-1].startswith("ImportError: GDAL's Python bindings are missing")
+
+
+@pytest.mark.parametrize("table", [window_rows, profile_rows, curve_rows, pair_rows])
+def test_a_table_without_rows_has_its_columns(block: Block, table: Callable[..., TableRows]) -> None:
+    pytest.importorskip("pandas")
+    xmin, ymin, _, _ = block.mosaic.extent
+    full = table([inspect_window(block.window_at(xmin + 80, ymin + 75, side_m=50))])
+    assert full
+    assert [*table([]).to_dataframe().columns] == [*full.to_dataframe().columns]

@@ -95,19 +95,6 @@ def test_a_sheet_without_any_seam_is_undecided(folder: Path, shell: dict[str, st
         assert (run.returncode, run.stdout.startswith("Undecided: there is no seam")) == (2, True), run.stderr
 
 
-def test_a_sheet_that_no_seamline_meets_is_undecided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
-    from osgeo import gdal
-
-    sources, sheet = sorted(map(str, folder.glob("block/strip*.tif"))), str(tmp_path / "sheet.tif")
-    gdal.Translate(sheet, str(folder / "block" / "mosaic.tif"), srcWin=[0, 0, 64, 64])
-    lines = str(folder / "block" / "seamlines.gpkg")
-    command = ["scan", sheet, *sources, "--seamlines", lines, "-o", f"{tmp_path}/seams.gpkg"]
-    run = subprocess.run(["seam-inspector", *command], env=shell, capture_output=True, text=True, check=False)
-    assert run.returncode == 2, run.stderr
-    assert run.stdout.startswith("Undecided: None of the ")
-    assert not (tmp_path / "seams.gpkg").exists()
-
-
 def test_a_table_or_page_of_something_else_stays(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
     sources, mosaic = sorted(map(str, folder.glob("block/strip*.tif"))), str(folder / "block" / "mosaic.tif")
     notes, page, table = tmp_path / "notes.csv", tmp_path / "page.html", tmp_path / "windows.csv"

@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
 ALL_SHOWN = {
     "QAction", "QCheckBox", "QGroupBox", "QLabel", "QMenu", "QPushButton", "QRadioButton", "QgsCollapsibleGroupBox",
     "addAction", "addButton", "addItem", "addItems", "addMenu", "addRow", "addTab", "addToolBar", "insertItem",
@@ -53,20 +51,3 @@ def test_no_shown_text_bypasses_the_translation(repository: Path) -> None:
         if text not in OF_NO_LANGUAGE
     ]
     assert bare == []
-
-
-@pytest.mark.parametrize(
-    ("source", "found"),
-    [
-        ("label.setText('Draw')", ["Draw"]),
-        ("label.setText('Stop' if busy else tr('Scan'))", ["Stop"]),
-        ("label.setText(f'{count} windows')", [" windows"]),
-        ("QAction(icon, 'Draw', parent)", ["Draw"]),
-        ("axes.set_title('Kept', loc='left')", ["Kept"]),
-        ("axes.set_xlabel(tr('level'), 'right')", []),
-        ("label.setText(f'{count} m {names[\"side\"]}')", []),
-        ("label.setText(filled(tr('{count} windows'), count=count))", []),
-    ],
-)
-def test_a_bare_text_is_found(source: str, found: list[str]) -> None:
-    assert [text for _, text in bare_texts(source)] == found

@@ -41,10 +41,7 @@ def translation(entry: ElementTree.Element) -> str:
 
 
 def placeholders(text: str) -> list[tuple[str, str, str | None]]:
-    """Name, format and conversion of every ``{name}``, in an order that does not depend on the sentence's.
-
-    The forms of a word, ``{count:window|windows}``, are words, which a language has or has not.
-    """
+    """Name, format and conversion of every ``{name}``, in an order that does not depend on the sentence's."""
     return sorted(
         (name, form or "", conversion)
         for _, name, form, conversion in string.Formatter().parse(text)
@@ -141,40 +138,6 @@ def test_texts_are_those_of_the_code(entries: list[ElementTree.Element], reposit
     assert sorted(used - set(translated)) == [], "run `make translate`, then translate these"
     assert sorted(set(translated) - used) == [], "run `make translate`: the code has these no longer"
     assert len(translated) == len(set(translated))
-
-
-@pytest.mark.parametrize(
-    ("one", "other"),
-    [
-        ("{share:.2%} of {name}", "{name}: {share:.1%}"),
-        ("{name} has no {band}", "{name}"),
-        ("{packages}", "{packages} {packages}"),
-        ("{name}", "{name!r}"),
-        ("{count}", "{ count}"),
-    ],
-)
-def test_differing_placeholders_are_told_apart(one: str, other: str) -> None:
-    assert placeholders(one) != placeholders(other)
-
-
-def test_the_order_of_placeholders_is_free() -> None:
-    assert placeholders("{share:.2%} of {name}") == placeholders("{name}: {share:.2%}")
-
-
-@pytest.mark.parametrize(
-    "code", ["tr('a text')", "A = Message(\n    'a '\n    'text'\n)", "N = QT_TRANSLATE_NOOP('@default', 'a text')"]
-)
-def test_a_text_in_the_code_is_found(tmp_path: Path, code: str) -> None:
-    (tmp_path / "a.py").write_text(code, encoding="utf-8")
-    assert list(texts(tmp_path)) == ["a text"]
-
-
-@pytest.mark.parametrize(
-    "code", ["{{ tr('a text') }}", '{{ table([tr(\n"a "\n"text"\n).format(a=1)]) }}', "{% set a = tr('a text') %}"]
-)
-def test_a_text_in_a_template_is_found(tmp_path: Path, code: str) -> None:
-    (tmp_path / "a.html.j2").write_text(code, encoding="utf-8")
-    assert list(texts(tmp_path)) == ["a text"]
 
 
 def test_a_text_in_a_template_that_nobody_could_collect_is_refused(tmp_path: Path) -> None:

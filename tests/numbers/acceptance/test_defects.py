@@ -1,12 +1,9 @@
 """What goes back to the producer, failure by failure."""
 from __future__ import annotations
 
-import numpy as np
 import pytest
-from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import defects_of
 
-from tests.numbers.acceptance.deliveries import delivery, rules, seam
 from tests.numbers.acceptance.made_decisions import IMAGES, PIECE_M, decided, window_on, with_windows
 
 
@@ -19,15 +16,6 @@ def test_pieces_without_a_break_are_one_defect_the_longest_first() -> None:
     assert found[1].band_width_m == 2.5
     assert (found[1].worst.piece.left_source, found[1].worst.piece.right_source) == IMAGES
     assert defects_of(decided()) == ()
-
-
-def test_the_figures_are_those_of_the_piece_that_kept_least() -> None:
-    found = defects_of(decide(delivery(seam([0.9, 0.6, 0.2, 0.65, 0.9])), rules()))
-    (one,) = found
-    assert one.worst.piece.kept_1 == 0.2
-    assert (one.worst.piece.kept_low, one.worst.piece.kept_high) == (pytest.approx(0.15), pytest.approx(0.25))
-    assert one.run.length_m == 30  # of whole pieces
-    assert np.ptp(np.concatenate([piece.piece.vertices for piece in one.pieces])[:, 0]) == pytest.approx(30)
 
 
 def test_cause_and_remarks_come_from_the_windows_on_it() -> None:

@@ -10,7 +10,6 @@ import pytest
 from osgeo import gdal, ogr
 from seam_inspector.plugin.acceptance.measure import messages
 from seam_inspector.plugin.acceptance.measure.delivered_files import (
-    CheckedSheet,
     OrderedForm,
     OrderedSheet,
     build_mosaic,
@@ -104,11 +103,6 @@ def test_a_system_with_heights_is_that_of_its_horizontal_part(tmp_path: Path, so
     assert gdal.Open(str(tmp_path / "mosaic.vrt")).RasterXSize == 5 * SIDE
 
 
-def test_names_are_held_against_the_pattern(sound: list[OrderedSheet]) -> None:
-    found = findings(sound, OrderedForm(pattern="ortho_0[0-2].tif"))
-    assert [len(found[one.name]) for one in sound] == [0, 0, 0, 1]
-
-
 def test_no_data_outside_of_the_outline_is_no_fault(tmp_path: Path) -> None:
     made = pixels()
     made[:, :, 30:] = 0
@@ -121,20 +115,6 @@ def test_no_data_outside_of_the_outline_is_no_fault(tmp_path: Path) -> None:
 def test_an_outline_that_gdal_can_not_read_is_told(tmp_path: Path) -> None:
     one = sheet(tmp_path, "bent", 0)
     assert findings([replace(one, outline=one.outline[:40])])["bent"] == [str(messages.MISSING_UNKNOWN())]
-
-
-def test_a_mosaic_is_made_of_the_sheets_that_fit(tmp_path: Path, sound: list[OrderedSheet]) -> None:
-    found: list[CheckedSheet] | None = checked_sheets(
-        [*sound, sheet(tmp_path, "deep", 4, pixels(kind="uint16"))], OrderedForm(), lambda share: True
-    )
-    assert found is not None
-    build_mosaic(str(tmp_path / "all.vrt"), fitting(found))
-    made = gdal.Open(str(tmp_path / "all.vrt"))
-    assert (made.RasterXSize, made.RasterYSize, made.RasterCount) == (4 * SIDE, SIDE, 3)
-
-
-def test_it_can_be_stopped(sound: list[OrderedSheet]) -> None:
-    assert checked_sheets(sound, OrderedForm(), lambda share: share < 0.5) is None
 
 
 def states(sheets: list[OrderedSheet]) -> dict[str, str]:
@@ -153,7 +133,6 @@ def test_what_was_not_ordered_is_no_part_of_the_mosaic(tmp_path: Path, sound: li
     others = [extra(sheet(tmp_path, f"zz_{number}", 0, overview.astype("uint16"))) for number in range(6)]
     others.append(extra(sheet(tmp_path, "zz_overview", 0, overview // 2)))
     found = checked_sheets([*others, *sound], OrderedForm(), lambda share: True)
-    assert found is not None
     assert [one.sheet.name for one in fitting(found)] == [one.name for one in sound]
     assert {str(one.findings[0]) for one in found[: len(others)]} == {"it was not ordered"}
     assert not any(one.findings for one in found[len(others) :])

@@ -67,21 +67,10 @@ def test_a_station_that_lacks_breaks_it() -> None:
     ]  # fmt: skip
 
 
-def test_the_same_seam_number_on_two_sheets_is_not_one_seam() -> None:
-    apart = seam([F, F], sheet="b", start=(0, 500), number=2)
-    assert lengths(seam([F, F]), apart) == [20, 20]
-
-
 def test_three_seams_at_a_node_are_a_line_and_a_branch() -> None:
     along = seam([F, F, F, F])
     branch = seam([F, F], seam_id="2", start=(20, 0), way=(0, 1), number=4)
     assert lengths(along, branch) == [40, 20]
-
-
-def test_a_run_turns_into_another_seam_where_its_own_passes() -> None:
-    along = seam([F, F, P, P])
-    branch = seam([F, F], seam_id="2", start=(20, 0), way=(0, 1), number=4)
-    assert lengths(along, branch) == [40]
 
 
 def test_a_ring_is_one_run() -> None:
@@ -141,17 +130,3 @@ def test_at_a_node_of_three_seams_each_failure_ends_whatever_the_angles(degrees:
     assert lengths(*star(list(zip(degrees, (10, 7, 5))))) == [100, 70, 50]
     assert lengths(*star(list(zip(degrees, (4, 2, 2))), sound=5)) == [40, 20, 20]
     assert lengths(*star(list(zip(degrees, (4, 2, 0))), sound=5)) == [60]
-
-
-def test_two_seams_that_cross_are_two_failures() -> None:
-    along, across = seam([F] * 4), seam([F] * 4, seam_id="2", start=(20, -20), way=(0, 1), number=4)
-    assert lengths(along, across) == [40, 40]
-
-
-def test_a_ring_with_a_tail_is_a_ring_of_seams_that_end_there() -> None:
-    corners = [((0, 0), (1, 0)), ((10, 0), (0, 1)), ((10, 10), (-1, 0)), ((0, 10), (0, -1))]
-    sides = [
-        seam([F], start=start, way=way, seam_id=str(number), number=number)
-        for number, (start, way) in enumerate(corners)
-    ]
-    assert lengths(*sides, seam([F, F], start=(-20, 0), seam_id="tail", number=4)) == [40, 20]

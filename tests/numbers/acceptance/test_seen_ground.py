@@ -28,11 +28,6 @@ def said(**figures: str) -> dict[str, str]:
     return {"seams": "found", "unexplained": "0.0000", **figures}
 
 
-def test_nothing_beside_the_seams_changes_nothing() -> None:
-    found = decided(said(), said(seams="given", unchanged_metres="0.0", nodata_inside="0.2"))
-    assert found.outcome is AcceptanceOutcome.ACCEPTED
-
-
 @pytest.mark.parametrize(("unseen", "outcome"), [(40, AcceptanceOutcome.ACCEPTED), (60, AcceptanceOutcome.UNDECIDED)])
 def test_borders_that_no_seam_tells_of_leave_it_open(unseen: int, outcome: AcceptanceOutcome) -> None:
     found = decided(said(unseen_metres=f"{unseen}.0", unseen_longest="20.0", unseen_at=PLACE))
@@ -87,12 +82,6 @@ def test_sheets_that_were_scanned_apart_are_told() -> None:
     assert "one by one" not in sentences('[["a.tif", 1, 2, "3"]]', '[["a.tif", 1, 2, "3"]]')
 
 
-def test_what_is_broken_stays_broken() -> None:
-    layer = DeliveredLayer("a", True, 0.0, said(unseen_metres="500.0", unseen_longest="500.0"))
-    found = decide(replace(delivery(seam([0.3] * 100)), layers=(layer,)), rules())
-    assert found.outcome is AcceptanceOutcome.REJECTED
-
-
 def test_all_scans_together() -> None:
     layers = tuple(
         DeliveredLayer(name, True, 0.0, said(**figures)) for name, figures in (
@@ -111,23 +100,6 @@ def test_all_scans_together() -> None:
     assert found.seen_m(1000) == 1045
 
 
-def test_a_sample_of_several_scans_says_what_they_say_together() -> None:
-    """Two scans with the same metres, and with shares that are not the same."""
-    scans = [DeliveredLayer("a", Seal.WHOLE, 0.0, said(unread=unread, unexplained=unread, **dict.fromkeys(
-        ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres"), "12.5"))) for unread in "12"]
-    united = DeliveredLayer("sample", Seal.WHOLE, 0.0, united_settings(scans))
-    assert (united.unread, united.unexplained, united.unseen_m) == (2, 2, 25)
-    ground = SeenGround.of_settings(united.settings)
-    assert (ground.unseen_m, ground.hidden_m, ground.unchanged_m, ground.unexplained) == (25, 25, 25, 2)
-
-
-def test_nothing_said_and_nonsense_are_nothing_known() -> None:
-    assert not SeenGround.of_settings({}).is_known
-    assert not SeenGround.of_delivery(delivery(seam(SOUND))).is_known
-    found = SeenGround.of_settings({"unexplained": "x", "unseen_metres": "many", "unseen_at": "here"})
-    assert (found.unexplained, found.unseen_m, found.unseen_at) == (0, 0, ())
-
-
 def test_what_a_scan_tells_of_the_ground_counts_for_its_rows() -> None:
     rows = [
         {"seam_id": 1, "station": 25.0 * place, "length": 25.0, "kept_1": 0.97, "kept_low": 0.9, "kept_high": 1.02,
@@ -138,3 +110,13 @@ def test_what_a_scan_tells_of_the_ground_counts_for_its_rows() -> None:
     unseen = said(unseen_metres="400.0", unseen_longest="400.0", unseen_at=PLACE)
     found = decide(make_delivery({"a": rows}, UTM, {"a": unseen}), rules())
     assert found.outcome is AcceptanceOutcome.UNDECIDED
+
+
+def test_a_sample_of_several_scans_says_what_they_say_together() -> None:
+    """Two scans with the same metres, and with shares that are not the same."""
+    scans = [DeliveredLayer("a", Seal.WHOLE, 0.0, said(unread=unread, unexplained=unread, **dict.fromkeys(
+        ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres"), "12.5"))) for unread in "12"]
+    united = DeliveredLayer("sample", Seal.WHOLE, 0.0, united_settings(scans))
+    assert (united.unread, united.unexplained, united.unseen_m) == (2, 2, 25)
+    ground = SeenGround.of_settings(united.settings)
+    assert (ground.unseen_m, ground.hidden_m, ground.unchanged_m, ground.unexplained) == (25, 25, 25, 2)

@@ -65,7 +65,7 @@ def coarse() -> list[Simulated]:
     return [simulated(seed, 8, 12.5) for seed in range(200)]
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_nothing_clearly_bad_is_accepted_and_nothing_clearly_good_rejected(
     found: list[Simulated], coarse: list[Simulated]
 ) -> None:
@@ -77,7 +77,7 @@ def test_nothing_clearly_bad_is_accepted_and_nothing_clearly_good_rejected(
     assert wrong == []
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_few_are_left_undecided(found: list[Simulated]) -> None:
     open_ = [one.planted / ALLOWED for one in found if one.outcome is AcceptanceOutcome.UNDECIDED]
     assert len(open_) < 0.2 * len(found)
@@ -85,13 +85,13 @@ def test_few_are_left_undecided(found: list[Simulated]) -> None:
     assert np.percentile(open_, 10) > 0.65
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_sums_of_pieces_have_no_bias(found: list[Simulated]) -> None:
     planted, failed = np.array([(one.planted, one.failed) for one in found]).T
     assert failed.sum() == pytest.approx(planted.sum(), rel=0.08)
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_a_hundred_thousand_pieces_are_decided() -> None:
     """100 sheets of ten seams."""
     kept = np.random.default_rng(1).choice([0.95, 0.85, 0.5], (100, 10, 100), p=[0.7, 0.27, 0.03]).tolist()

@@ -29,8 +29,3 @@ def test_parts_of_arrays_and_other_orders_are_what_they_show() -> None:
     found = unpacked(packed(shown, ["part"]))
     for name, array in shown.items():
         assert (found[name] == array).all()
-
-
-def test_runs_are_stored_small_where_that_is_asked_for() -> None:
-    even = {"labels": np.zeros((512, 512), np.uint8)}
-    assert len(packed(even, ["labels"])) < 4096 < len(packed(even))

@@ -46,10 +46,6 @@ def test_the_raster_the_window_and_gdals_words_are_told(damaged: str) -> None:
     )
 
 
-def test_the_other_tiles_are_read(damaged: str) -> None:
-    np.testing.assert_array_equal(OpenRaster(RasterRef(damaged)).read(SOUND).bands, read_pixels(damaged, 0, 0, 64, 64))
-
-
 def test_whoever_asks_again_is_told_again(damaged: str) -> None:
     """What GDAL made up must not come out of its cache."""
     raster = OpenRaster(RasterRef(damaged))
@@ -76,22 +72,6 @@ def test_bytes_behind_a_photo_do_no_harm(make_raster: MakeRaster, tmp_path: Path
     expected = read_pixels(str(path), 0, 0, 64, 64)
     path.write_bytes(whole[:-2] + bytes(16) + whole[-2:])
     np.testing.assert_array_equal(OpenRaster(RasterRef(str(path))).read(PixelWindow(0, 0, 64, 64)).bands, expected)
-
-
-def test_what_is_no_word_of_a_decoder_is_no_damage(make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch) -> None:
-    raster = OpenRaster(RasterRef(make_raster("a.tif", orthoimage((64, 64)))))
-    dataset = raster.dataset
-
-    class Talking:
-        def ReadAsArray(self, *window: int, **options: int) -> np.ndarray:  # noqa: N802 - GDAL's name
-            gdal.Error(gdal.CE_Warning, gdal.CPLE_AppDefined, "TIFFReadDirectory: unknown field with tag 33922")
-            return np.asarray(dataset.ReadAsArray(*window, **options))
-
-        def __getattr__(self, name: str) -> object:
-            return getattr(dataset, name)
-
-    monkeypatch.setattr(raster, "dataset", Talking())
-    assert raster.read(SOUND).invalid is None
 
 
 def test_sound_tiles_are_read_smaller_though_gdal_doubts_them(make_raster: MakeRaster) -> None:

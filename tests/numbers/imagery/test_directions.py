@@ -50,9 +50,3 @@ def test_lines_show_up_in_their_direction(make_raster: MakeRaster) -> None:
         ((finest, *coarser),) = measure_directions(read(path), "haar", 2).values()
         assert finest == pytest.approx([float(place == one) for one in range(3)], abs=1e-9)
         assert coarser == [pytest.approx((0, 0, 0), abs=1e-9)]
-
-
-def test_a_constant_clip_has_none(make_raster: MakeRaster) -> None:
-    directions = measure_directions(read(make_raster("flat.tif", np.full((SIDE, SIDE), 7, np.uint8))), "coif3", 2)
-    assert np.isnan(directions["band_1"]).all()
-    assert np.shape(directions["band_1"]) == (2, 3)

@@ -107,14 +107,6 @@ def test_the_files_that_a_raster_consists_of_are_in_its_identity(
     assert names(outer) >= {name, beside, "all.vrt"}
 
 
-def test_a_raster_without_a_date_is_no_vrt(part: Path) -> None:
-    os.utime(part, ns=(0, 0))
-    outer = virtual(part, "all.tif")
-    assert {os.path.basename(file): state.is_vrt for file, state in known_states([str(outer)]).items()} == {
-        "part.tif": False, "all.tif": True
-    }  # fmt: skip
-
-
 LARGE = 70_000_000
 
 

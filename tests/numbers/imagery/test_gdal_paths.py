@@ -13,11 +13,11 @@ from xml.sax.saxutils import escape
 
 import numpy as np
 import pytest
-from osgeo import gdal, ogr
+from osgeo import gdal
 from seam_inspector.plugin.imagery import gdal_paths, limits
 from seam_inspector.plugin.imagery.documents import document_bytes, json_document
 from seam_inspector.plugin.imagery.errors import RasterError
-from seam_inspector.plugin.imagery.gdal_paths import holds_only_tables, is_layer_file, vrt_parts, with_parts
+from seam_inspector.plugin.imagery.gdal_paths import holds_only_tables, is_layer_file, vrt_parts
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
@@ -146,14 +146,6 @@ def test_databases_that_never_end_are_not_read(tmp_path: Path, statement: str) -
     assert not holds_only_tables(tmp_path)
 
 
-def test_a_geopackage_of_gdal_holds_only_tables(tmp_path: Path) -> None:
-    made = gdal.GetDriverByName("GPKG").Create(str(tmp_path / "a.gpkg"), 0, 0, 0, gdal.GDT_Unknown)
-    made.CreateLayer("a", geom_type=ogr.wkbPolygon)
-    made = None
-    assert holds_only_tables(tmp_path / "a.gpkg")
-    assert is_layer_file(tmp_path / "a.gpkg")
-
-
 def test_files_of_marks_are_tables_and_lead_nowhere(tmp_path: Path) -> None:
     source = f"<SrcDataSource>{tmp_path}/b.csv</SrcDataSource>"
     (tmp_path / "a.csv").write_text(f"<OGRVRTDataSource>{source}</OGRVRTDataSource>")
@@ -190,24 +182,6 @@ def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:
         (tmp_path / f"{number}.vrt").write_text(VRT.format(SOURCE.format(tmp_path / f"{(number + 1) % 5}.vrt")))
     assert vrt_parts(str(tmp_path / "4.vrt")) == (str(tmp_path / "0.vrt"),)
     assert refusal(tmp_path / "0.vrt").endswith(".")
-
-
-def test_what_stays_as_it_is_is_looked_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A mosaic of ten thousand files is opened for every window. One that changed is seen though its size and time are
-    as before."""
-    parts = [tmp_path / f"{number}.tif" for number in range(20)]
-    for part in parts:
-        part.write_text(vrt("old.tif"))
-    mosaic = tmp_path / "mosaic.vrt"
-    mosaic.write_text(vrt(*map(str, parts)))
-    assert list(with_parts(str(mosaic))) == [str(mosaic), *map(str, parts), "old.tif"]
-    with monkeypatch.context() as patch:
-        patch.setattr(gdal_paths, "_document", lambda path: pytest.fail("it is looked at again"))
-        assert len(list(with_parts(str(mosaic)))) == 22
-    before = parts[7].stat()
-    parts[7].write_text(vrt("new.tif"))
-    os.utime(parts[7], ns=(before.st_atime_ns, before.st_mtime_ns))
-    assert list(with_parts(str(mosaic)))[-2:] == ["old.tif", "new.tif"]
 
 
 def test_bands_and_blocks_beyond_all_memory_are_refused(tmp_path: Path) -> None:

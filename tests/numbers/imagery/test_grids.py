@@ -3,19 +3,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError, WindowError
-from seam_inspector.plugin.imagery.grids import (
-    Extent,
-    Grid,
-    PixelWindow,
-    snap_window,
-    standard_side_px,
-    standard_window,
-)
+from seam_inspector.plugin.imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_side_px
 
 LEFT, TOP = 500000.0, 5000000.0
 
@@ -27,9 +19,6 @@ def grid(gsd: float = 0.1, columns: int = 4000, rows: int = 3000, **metres: floa
 def extent(left: float, top: float, right: float, bottom: float, gsd: float = 0.1) -> Extent:
     """A rectangle by pixels from the upper left corner of ``grid``."""
     return (LEFT + left * gsd, TOP - bottom * gsd, LEFT + right * gsd, TOP - top * gsd)
-
-
-# --- the standard window ---------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -63,30 +52,10 @@ def test_standard_side_counts_metres_on_the_ground() -> None:
     assert Grid(0, 0, 0.3, 0.2, 10, 10).ground_sample_distance == 0.2  # the shorter side
 
 
-@given(st.floats(0.01, 10), st.floats(0.1, 1000))
-def test_standard_side_is_the_smallest_power_of_two_that_spans_the_side(gsd: float, side_m: float) -> None:
-    side_px = standard_side_px(grid(gsd), side_m)
-    assert side_px & (side_px - 1) == 0
-    assert side_px * gsd >= side_m * (1 - 1e-6) - 1e-6 * gsd
-    assert side_px == 1 or side_px / 2 * gsd < side_m
-
-
 @pytest.mark.parametrize("side_m", [0.0, -100.0, math.nan, math.inf])
 def test_a_side_that_is_no_length_is_refused(side_m: float) -> None:
     with pytest.raises(SettingsError, match="give a positive number of metres"):
         standard_side_px(grid(), side_m)
-
-
-@given(st.floats(-50, 450), st.floats(-50, 350), st.sampled_from([64, 256, 1024]))
-def test_a_standard_window_is_centred_on_its_point(right_m: float, down_m: float, side_px: int) -> None:
-    window = standard_window(grid(), LEFT + right_m, TOP - down_m, side_px)
-    assert (window.width, window.height) == (side_px, side_px)
-    xmin, ymin, xmax, ymax = grid().window_extent(window)
-    assert (xmin + xmax) / 2 == pytest.approx(LEFT + right_m, abs=0.05 + 1e-6)
-    assert (ymin + ymax) / 2 == pytest.approx(TOP - down_m, abs=0.05 + 1e-6)
-
-
-# --- drawn rectangles ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -135,14 +104,6 @@ def test_a_snapped_window_can_be_decomposed_and_covers_what_was_drawn(
     assert snap_window(grid(), grid().window_extent(window), levels) == window
 
 
-@given(st.integers(0, 2000), st.integers(0, 1500), st.integers(8, 100), st.integers(8, 100), st.floats(0.01, 3))
-def test_a_window_of_the_right_size_comes_back_as_it_is(
-    column: int, row: int, width: int, height: int, gsd: float
-) -> None:
-    window = PixelWindow(column, row, 8 * width, 8 * height)
-    assert snap_window(grid(gsd), grid(gsd).window_extent(window)) == window
-
-
 @pytest.mark.parametrize(
     ("drawn", "levels", "sentence"),
     [
@@ -173,43 +134,3 @@ def test_a_window_that_memory_could_not_hold_is_refused() -> None:
     with pytest.raises(WindowError, match="covers 400000 x 400000 px of the mosaic and 67 million px are the most"):
         snap_window(huge, huge.extent)
     assert snap_window(huge, extent(0, 0, 8192, 8192)).width == 8192
-
-
-# --- the grid --------------------------------------------------------------------------------------------------
-
-
-def test_places_on_the_map_are_columns_and_rows() -> None:
-    points = np.array([[LEFT, TOP], [LEFT + 0.5, TOP - 0.25], [LEFT - 1, TOP + 2]])
-    np.testing.assert_allclose(grid(0.1).to_pixels(points), [[0, 0], [5, 2.5], [-10, -20]], atol=1e-6)
-    assert grid(0.1).column_at(LEFT + 7) == pytest.approx(70)
-    assert grid(0.1).row_at(TOP - 7) == pytest.approx(70)
-
-
-def test_a_window_lies_where_its_pixels_lie() -> None:
-    assert grid().window_extent(PixelWindow(10, 20, 30, 40)) == pytest.approx(
-        (500001.0, 4999994.0, 500004.0, 4999998.0)
-    )
-    assert grid().extent == pytest.approx((500000.0, 4999700.0, 500400.0, 5000000.0))
-
-
-@pytest.mark.parametrize(
-    ("other", "shared"),
-    [
-        (PixelWindow(10, 20, 30, 40), 1200),
-        (PixelWindow(25, 40, 30, 40), 15 * 20),
-        (PixelWindow(0, 0, 11, 21), 1),
-        (PixelWindow(40, 20, 30, 40), 0),
-        (PixelWindow(500, 500, 30, 40), 0),
-        (PixelWindow(15, 25, 5, 5), 25),
-    ],
-)
-def test_shared_pixels(other: PixelWindow, shared: int) -> None:
-    window = PixelWindow(10, 20, 30, 40)
-    assert window.shared_pixels(other) == other.shared_pixels(window) == shared
-
-
-def test_a_window_with_its_margin_lies_around_it_and_moved_has_its_size() -> None:
-    window = PixelWindow(10, 20, 30, 40)
-    assert window.with_margin(5) == PixelWindow(5, 15, 40, 50)
-    assert window.with_margin(5).margins_of(window) == ((5, 5), (5, 5))
-    assert window.moved_by(-3, 4) == PixelWindow(7, 24, 30, 40)

@@ -26,9 +26,6 @@ def test_a_plane_is_correlated_as_by_scipy(shape: tuple[int, int], taps: tuple[i
     np.testing.assert_array_equal(plane, before)
 
 
-# --- where numpy's products go to a plain library, as in QGIS on Debian and Ubuntu ------------------------------
-
-
 @pytest.fixture
 def plain(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(filters, "numpy_has_plain_products", lambda: True)

@@ -10,11 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
-from seam_inspector.plugin.imagery import open_raster
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
-from seam_inspector.plugin.imagery.rasters import Raster, RasterRef, is_range_known, value_range
+from seam_inspector.plugin.imagery.rasters import RasterRef
 
 from tests.examples import at_most
 from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_plain, write_raster
@@ -71,23 +70,6 @@ def test_pixels_on_one_line_or_nowhere_have_no_place(tmp_path: Path, numbers: st
     assert not describe(RasterRef(str(path))).has_place
 
 
-@pytest.mark.parametrize("array", [np.zeros((8, 8), np.complex64)])
-def test_what_has_no_real_values_is_refused(make_raster: MakeRaster, array: np.ndarray) -> None:
-    with pytest.raises(RasterError, match="complex"):
-        OpenRaster(RasterRef(make_raster("c.tif", array)))
-
-
-def test_palettes_and_masks_come_as_they_are_measured(make_raster: MakeRaster) -> None:
-    indices = np.array([[0, 1], [2, 1]], np.uint8).repeat(8, 0).repeat(8, 1)
-    entries = [(10, 20, 30, 255), (40, 50, 60, 255), (0, 0, 0, 255)]
-    pixels = OpenRaster(RasterRef(make_raster("p.tif", indices, palette=entries, nodata=2, options=[])))
-    bands, invalid = pixels.read(PixelWindow(4, 4, 8, 8))
-    assert bands[:, 0, 0].tolist() == [10, 20, 30]
-    assert invalid is not None
-    assert invalid.tolist() == (indices[4:12, 4:12] == 2).tolist()
-    assert pixels.raster.data_type == "uint8"
-
-
 @pytest.fixture(scope="module")
 def rasters(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     """One picture in tiles, in strips, and in one strip per row."""
@@ -118,51 +100,6 @@ def test_blocks_cover_a_window_once_and_keep_to_their_size(
     assert seen.sum() == window.width * window.height
     inside = seen[window.row : window.row + window.height, window.column : window.column + window.width]
     assert (inside == 1).all()
-
-
-def test_a_huge_tile_is_worked_on_row_by_row(make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(open_raster, "_MOST_OF_A_TILE", 210 * 40)
-    path = make_raster("whole.tif", orthoimage((300, 210)), options=["TILED=YES", "BLOCKXSIZE=224", "BLOCKYSIZE=304"])
-    blocks = list(OpenRaster(RasterRef(path)).blocks(PixelWindow(5, 10, 200, 200), 100))
-    assert [(block.row, block.height) for block in blocks] == [(10, 40), (50, 40), (90, 40), (130, 40), (170, 40)]
-    assert {(block.column, block.width) for block in blocks} == {(5, 200)}
-
-
-def test_a_thinned_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> None:
-    bands, _ = OpenRaster(RasterRef(rasters["tiles"])).thinned(PixelWindow(10, 20, 160, 80), 8)
-    assert bands.shape == (2, 10, 20)
-    values = set(read_pixels(rasters["tiles"], 10, 20, 160, 80)[0].ravel().tolist())
-    assert set(bands[0].ravel().tolist()) <= values
-
-
-@pytest.mark.parametrize(
-    ("data_type", "bits", "largest", "expected"),
-    [
-        ("uint8", None, 3, (0, 255)),
-        ("uint16", None, 4000, (0, 4095)),
-        ("uint16", None, 4096, (0, 16383)),
-        ("uint16", None, 200, (0, 255)),
-        ("uint16", 10, 600, (0, 1023)),
-        ("uint16", None, 65535, (0, 65535)),
-        ("int16", None, 100, (-32768, 32767)),
-        ("float32", None, 1, None),
-        ("uint32", None, 1, None),
-    ],
-)
-def test_the_range_of_values(
-    data_type: str, bits: int | None, largest: float, expected: tuple[float, float] | None
-) -> None:
-    image = Raster(RasterRef("x"), 9, 9, None, "", ("band_1",), data_type, bits)
-    assert value_range(image, largest) == expected
-    assert is_range_known(image) == (data_type == "uint8" or bits is not None)
-
-
-@pytest.mark.parametrize(("nodata", "all_valid"), [(None, True), (0, False)])
-def test_a_file_that_says_nothing_of_missing_pixels_is_all_valid(
-    make_raster: MakeRaster, nodata: float | None, all_valid: bool
-) -> None:
-    pixels = np.ones((1, 8, 8), np.uint8)
-    assert OpenRaster(RasterRef(make_raster("a.tif", pixels, nodata=nodata))).is_all_valid is all_valid
 
 
 def test_a_file_that_may_not_be_read_is_not_called_damaged(

@@ -11,7 +11,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
+from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.clips import (
@@ -29,8 +29,6 @@ from tests.numbers.clips import (
     inside,
 )
 from tests.numbers.synthetic import orthoimage
-
-# --- gaps ------------------------------------------------------------------------------------------------------
 
 
 def nodata_in(kind: type, value: float) -> Callable[..., str]:
@@ -110,22 +108,6 @@ def test_a_raster_with_more_invalid_pixels_takes_no_part(make_raster: MakeRaster
     assert clip_of(path, mosaic, PixelWindow(0, 0, 64, 64)).invalid_share == 0
 
 
-@pytest.mark.parametrize("kind", GAPS)
-def test_a_raster_without_any_valid_pixel_takes_no_part(make_raster: MakeRaster, mosaic: Raster, kind: str) -> None:
-    path = GAPS[kind](make_raster, orthoimage(SIZE), np.ones(SIZE, bool))
-    with pytest.raises(NotCoveredError, match=r"100\.00% of the pixels of gaps\.tif are invalid"):
-        clip_of(path, mosaic)
-
-
-def test_a_pixel_with_nodata_in_one_band_only_is_valid(make_raster: MakeRaster, mosaic: Raster) -> None:
-    image = orthoimage(SIZE)
-    image[2] = 0  # no blue at all
-    image[1, :, ::2] = 0
-    clip = clip_of(make_raster("source.tif", image, nodata=0), mosaic)
-    assert clip.invalid_share == 0
-    np.testing.assert_array_equal(clip.bands, inside(image))
-
-
 def test_each_band_has_its_own_nodata(tmp_path: Path, make_raster: MakeRaster, mosaic: Raster) -> None:
     image = orthoimage(SIZE, 2)
     image[0, 90:92, 100:102], image[1, 90:92, 100:102] = 3, 250
@@ -139,30 +121,6 @@ def test_each_band_has_its_own_nodata(tmp_path: Path, make_raster: MakeRaster, m
     dataset.GetRasterBand(2).SetNoDataValue(250)
     del dataset
     assert clip_of(path, mosaic).invalid_share == 4 / 4096
-
-
-def test_nodata_that_the_data_type_cannot_hold_is_no_gap(
-    tmp_path: Path, make_raster: MakeRaster, mosaic: Raster
-) -> None:
-    image = orthoimage(SIZE)
-    image[:, 100:110, 100:110] = 241  # -9999 in 8 bit
-    path = make_raster("source.tif", image, nodata=-9999)
-    clip = clip_of(path, mosaic)
-    assert clip.invalid_share == 0
-    np.testing.assert_array_equal(clip.bands, inside(image))
-
-
-def test_validity_is_checked_from_a_part_of_the_pixels(make_raster: MakeRaster) -> None:
-    image = orthoimage(SIZE)
-    image[:, :100] = 0
-    image[:, 150, 150] = 0
-    is_valid = OpenRaster(RasterRef(make_raster("mosaic.tif", image, nodata=0))).is_valid
-    assert is_valid(PixelWindow(0, 100, 128, 128))
-    assert not is_valid(PixelWindow(0, 0, 64, 64))
-    assert not is_valid(PixelWindow(100, 92, 128, 128))
-
-
-# --- bands -----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -217,16 +175,6 @@ def test_the_name_of_a_band_goes_before_its_colour(make_raster: MakeRaster, mosa
     np.testing.assert_array_equal(clip.bands, before[[1, 2, 0]])
 
 
-def test_bands_keep_their_roles_when_warped(make_raster: MakeRaster, mosaic: Raster) -> None:
-    image = orthoimage((512, 512), 5)
-    image[4] = 255
-    path = make_raster("source.tif", image, gsd=0.05, colours=[BLUE, GREEN, RED, UNDEFINED, ALPHA])
-    clip = clip_of(path, mosaic)
-    assert clip.raster.band_names == ("red", "green", "blue", "nir")
-    averaged = image.reshape(5, 256, 2, 256, 2).mean(axis=(2, 4))
-    np.testing.assert_allclose(clip.bands, inside(averaged)[[2, 1, 0, 3]], atol=0.51)
-
-
 PALETTE = [(10, 200, 30, 255), (255, 0, 0, 255), (0, 0, 128, 255), (90, 90, 90, 255), (7, 8, 9, 255)]
 
 
@@ -268,9 +216,6 @@ def test_gaps_of_a_palette(
     colours = np.array(PALETTE)[inside(indices)][..., :3]
     np.testing.assert_array_equal(np.moveaxis(clip.bands, 0, -1)[valid], colours[valid])
     np.testing.assert_allclose(clip.bands[:, ~valid].mean(axis=1), colours[valid].mean(axis=0), atol=1)
-
-
-# --- what a user calls no data ------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("gsd", [0.1, 0.05])

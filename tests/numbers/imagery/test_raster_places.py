@@ -1,32 +1,20 @@
 """Where a raster lies on the map, and what is no raster to measure: one sentence."""
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal, osr
+from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import NotCoveredError, RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow, standard_side_px
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic, describe_placed
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 
-from tests.numbers.clips import (
-    SIZE,
-    STRETCHING,
-    MakeRaster,
-    clip_of,
-    inside,
-    metres_by_arcs,
-    reference,
-    scene_raster,
-)
+from tests.numbers.clips import SIZE, STRETCHING, MakeRaster, clip_of, inside, metres_by_arcs, scene_raster
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
-
-# --- place on the map ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -118,37 +106,6 @@ def test_a_raster_without_a_position_is_refused(tmp_path: Path) -> None:
         describe_placed(RasterRef(path))
 
 
-def test_the_extent_bounds_all_corners(make_raster: MakeRaster) -> None:
-    turned = make_raster("a.tif", orthoimage((40, 30)), geotransform=(1000.0, 0.3, 0.4, 2000.0, 0.4, -0.3))
-    assert describe(RasterRef(turned)).extent == pytest.approx((1000, 1988, 1025, 2012))
-    upright = describe(RasterRef(make_raster("b.tif", orthoimage((40, 30)), gsd=0.5)))
-    assert upright.extent == upright.grid.extent == pytest.approx((500000, 4999980, 500015, 5000000))
-
-
-@pytest.mark.parametrize(
-    ("latitude", "along_meridian", "along_parallel"),
-    [  # metres per degree of WGS 84, from the usual table of the length of a degree
-        (0, 110574, 111320),
-        (15, 110649, 107550),
-        (30, 110852, 96486),
-        (45, 111132, 78847),
-        (-60, 111412, 55800),
-        (75, 111618, 28902),
-    ],
-)
-def test_metres_mean_metres_in_a_geographic_system(
-    make_raster: MakeRaster, latitude: float, along_meridian: float, along_parallel: float
-) -> None:
-    step = 1e-6
-    geotransform = (15.0, step, 0.0, latitude + 32 * step, 0.0, -step)
-    path = make_raster("degrees.tif", orthoimage((64, 64)), geotransform=geotransform, system=4326)
-    grid = describe_mosaic(RasterRef(path)).grid
-    assert grid.metres_y == pytest.approx(along_meridian, abs=1)
-    assert grid.metres_x == pytest.approx(along_parallel, abs=1)
-    metres = min(along_meridian, along_parallel) * step
-    assert standard_side_px(grid, 100) == 2 ** math.ceil(math.log2(100 / metres))
-
-
 @pytest.mark.parametrize(("system", "longitude", "latitude"), STRETCHING.values(), ids=STRETCHING.keys())
 def test_metres_are_those_on_the_ground_whatever_the_system(
     make_raster: MakeRaster, system: str | int, longitude: float, latitude: float
@@ -160,12 +117,6 @@ def test_metres_are_those_on_the_ground_whatever_the_system(
     grid = describe_mosaic(RasterRef(path)).grid
     assert (grid.metres_x, grid.metres_y) == pytest.approx((east, north), rel=1e-6)
     assert standard_side_px(grid, 12.0) == 128
-
-
-def test_a_metre_of_web_mercator_is_two_thirds_of_one_in_switzerland(make_raster: MakeRaster) -> None:
-    (x, y), _, _ = metres_by_arcs(3857, 7.0, 46.85)
-    path = make_raster("web.tif", orthoimage((64, 64)), geotransform=(x, 0.1, 0.0, y, 0.0, -0.1), system=3857)
-    assert describe(RasterRef(path)).ground_sample_distance == pytest.approx(0.1 * 24.6 / 36.0, rel=0.001)
 
 
 @pytest.mark.parametrize(
@@ -190,24 +141,6 @@ def test_rasters_in_degrees_are_compared_as_they_are(make_raster: MakeRaster) ->
     assert clip.offset_x == pytest.approx(-0.25, abs=1e-3)
     assert abs(clip.offset_y) == pytest.approx(0.5, abs=1e-3)
     assert clip.bands.shape == (3, 64, 64)
-
-
-def test_an_extent_is_carried_to_another_system() -> None:
-    extent = (499000.0, 4990000.0, 509000.0, 5000000.0)
-    assert extent_on(extent, wkt(UTM33), wkt(UTM33)) == extent
-    xmin, ymin, xmax, ymax = extent_on(extent, wkt(UTM33), wkt(4326))
-    to_degrees = osr.CoordinateTransformation(reference(UTM33), reference(4326))
-    edge = np.linspace(0, 1, 11)
-    border = [(499000 + 10000 * s, y) for s in edge for y in (extent[1], extent[3])]
-    border += [(x, 4990000 + 10000 * s) for s in edge for x in (extent[0], extent[2])]
-    degrees = np.array(to_degrees.TransformPoints(border))
-    assert xmin == pytest.approx(degrees[:, 0].min(), abs=1e-6)
-    assert xmax == pytest.approx(degrees[:, 0].max(), abs=1e-6)
-    assert ymin == pytest.approx(degrees[:, 1].min(), abs=1e-6)
-    assert ymax == pytest.approx(degrees[:, 1].max(), abs=1e-6)
-
-
-# --- what is no raster to measure ------------------------------------------------------------------------------
 
 
 LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
@@ -262,12 +195,6 @@ class TestWithAndWithoutGdalsExceptions:
         with pytest.raises(RasterError, match=r"cut.tif (can't be read; the file may be truncated|is not a raster)"):
             clip_of(str(path), mosaic)
 
-    def test_a_file_truncated_before_its_directory(self, make_raster: MakeRaster, mosaic: Raster) -> None:
-        path = Path(make_raster("cut.tif", orthoimage(SIZE)))
-        path.write_bytes(path.read_bytes()[:6])
-        with pytest.raises(RasterError, match=r"cut.tif is not a raster that GDAL can read"):
-            clip_of(str(path), mosaic)
-
     def test_a_damaged_mask(self, make_raster: MakeRaster, mosaic: Raster) -> None:
         valid = np.random.default_rng(0).random(SIZE) < 0.5
         path = make_raster("source.tif", orthoimage(SIZE), valid=valid, mask_inside=False)
@@ -297,11 +224,6 @@ class TestWithAndWithoutGdalsExceptions:
         with pytest.raises(NotCoveredError, match=r"pixel.tif does not cover the whole window"):
             clip_of(path, mosaic)
 
-    def test_no_reference_system(self, make_raster: MakeRaster, mosaic: Raster) -> None:
-        path = make_raster("bare.tif", orthoimage(SIZE), system=None)
-        with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system"):
-            clip_of(path, mosaic)
-
     @pytest.mark.parametrize("system", [LOCAL, "nonsense"])
     def test_a_system_that_leads_nowhere(self, make_raster: MakeRaster, mosaic: Raster, system: str) -> None:
         with pytest.raises(RasterError, match="can't be transformed to the mosaic's coordinate reference system"):
@@ -309,11 +231,5 @@ class TestWithAndWithoutGdalsExceptions:
         path = make_raster("site.tif", orthoimage(SIZE), system=None)
         with pytest.raises(RasterError, match="can't be transformed to the mosaic's coordinate reference system"):
             clip_of(path, mosaic, system=system)
-
-    def test_an_unknown_place(self, make_raster: MakeRaster, mosaic: Raster) -> None:
-        path = make_raster("far.tif", orthoimage(SIZE), origin=(1e7, 9e6), system=32634)
-        with pytest.raises(NotCoveredError, match=r"far\.tif"):
-            clip_of(path, mosaic)
-
 
 WINDOW_BELOW = PixelWindow(96, 150, 64, 64)

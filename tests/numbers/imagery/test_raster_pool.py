@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.raster_pool import KEPT_OPEN, close_rasters, open_raster, rasters_kept
+from seam_inspector.plugin.imagery.raster_pool import KEPT_OPEN, open_raster, rasters_kept
 from seam_inspector.plugin.imagery.rasters import RasterRef
 
 from tests.numbers.conftest import MakeRaster
@@ -69,21 +69,6 @@ def test_each_thread_has_its_own_and_the_end_of_the_run_closes_all(make_raster: 
     assert len(set(found)) == 2
 
 
-def test_a_thread_that_ends_closes_what_it_had_open(make_raster: MakeRaster, tmp_path: Path) -> None:
-    ref = RasterRef(make_raster("a.tif", orthoimage((64, 64))))
-    thread = threading.Thread(target=open_raster, args=(ref,))
-    thread.start()
-    thread.join(10)
-    assert open_files(tmp_path) == []
-
-
-def test_what_is_being_read_when_the_run_ends_stays_readable(make_raster: MakeRaster) -> None:
-    image = orthoimage((64, 64))
-    raster = open_raster(RasterRef(make_raster("a.tif", image)))
-    close_rasters()
-    np.testing.assert_array_equal(raster.read(WINDOW).bands, image)
-
-
 def test_a_file_that_was_replaced_is_opened_anew(make_raster: MakeRaster) -> None:
     ref = RasterRef(make_raster("a.tif", orthoimage((64, 64), seed=1)))
     newer = orthoimage((64, 64), seed=2)
@@ -104,10 +89,3 @@ def test_one_that_can_not_be_read_is_not_kept(make_raster: MakeRaster, tmp_path:
         with pytest.raises(RasterError, match=r"a\.tif can't be read"):
             raster.read(PixelWindow(0, 0, 512, 512))
         assert open_raster(RasterRef(path)) is not raster
-
-
-def test_one_that_can_not_be_opened_is_asked_for_again(make_raster: MakeRaster, tmp_path: Path) -> None:
-    with rasters_kept():
-        with pytest.raises(RasterError, match="does not exist"):
-            open_raster(RasterRef(str(tmp_path / "a.tif")))
-        open_raster(RasterRef(make_raster("a.tif", orthoimage((64, 64)))))

@@ -15,7 +15,7 @@ from seam_inspector.plugin.imagery.raster_writer import WrittenBands, raster_wri
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.disks import full_disk
-from tests.numbers.synthetic import orthoimage, write_mask, write_plain, write_raster
+from tests.numbers.synthetic import orthoimage, write_mask, write_raster
 
 BANDS = WrittenBands(3, np.dtype(np.uint8))
 PIXELS = orthoimage((300, 400))
@@ -86,13 +86,6 @@ def test_an_older_raster_takes_its_own_files_with_it_and_no_others(folder: Path,
     assert OpenRaster(RasterRef(str(folder / "out.tif"))).read(like.whole).invalid is None
 
 
-def test_an_older_file_that_is_no_raster_any_more_is_replaced(folder: Path, like: Raster) -> None:
-    (folder / "out.tif").write_text("damaged")
-    write(folder / "out.tif", like)
-    assert not {"out.tif.msk", "out.tif.ovr", "out.tif.aux.xml"} & contents(folder).keys()
-    assert OpenRaster(RasterRef(str(folder / "out.tif"))).read(like.whole).invalid is None
-
-
 def test_the_sources_of_an_older_virtual_raster_stay(folder: Path, like: Raster) -> None:
     gdal.Translate(str(folder / "out.vrt"), str(folder / "out.tif"), format="VRT")
     before = contents(folder)
@@ -126,27 +119,3 @@ def test_a_full_disk_is_a_sentence_and_leaves_an_older_file_as_it_was(
         with said, full_disk(most_bytes):
             write(folder / name, like)
         assert contents(folder) == before
-
-
-def test_where_there_is_no_folder_or_a_folder_of_that_name(tmp_path: Path, like: Raster) -> None:
-    for path in (tmp_path / "gone" / "out.tif", tmp_path / "input"):
-        with pytest.raises(RasterError, match="can't be written"):
-            write(path, like)
-    assert os.listdir(tmp_path) == ["input"]
-    assert os.listdir(tmp_path / "input") == ["like.tif"]
-
-
-def test_gdals_own_file_systems(like: Raster) -> None:
-    path = "/vsimem/whole-or-not.tif"
-    write(Path(path), like)
-    assert np.array_equal(OpenRaster(RasterRef(path)).read(like.whole).bands, PIXELS)
-    with suppress(CancelledError), raster_writer(path, like, BANDS):
-        raise CancelledError(Message("enough"))
-    assert gdal.VSIStatL(path) is None
-
-
-def test_a_raster_without_a_place_gives_none(tmp_path: Path) -> None:
-    like = describe(RasterRef(write_plain(tmp_path / "scan.bmp", PIXELS[0])))
-    write(tmp_path / "out.tif", like)
-    made = describe(RasterRef(str(tmp_path / "out.tif")))
-    assert (made.geotransform, made.wkt) == (None, "")

@@ -1,13 +1,10 @@
 """The pixels of a clip: as they are in the file, or warped where grids do not agree."""
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import NotCoveredError, RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
@@ -27,9 +24,7 @@ from tests.numbers.clips import (
     scene,
     scene_raster,
 )
-from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, texture
-
-# --- pixels as they are ----------------------------------------------------------------------------------------
+from tests.numbers.synthetic import ORIGIN, orthoimage, texture
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int16, np.int32, np.float32, np.float64])
@@ -59,12 +54,6 @@ def test_how_a_file_is_laid_out_does_not_matter(
     image = orthoimage(SIZE, dtype=np.uint16)
     clip = clip_of(make_raster("source.tif", image, options=options), mosaic)
     np.testing.assert_array_equal(clip.bands, inside(image))
-
-
-def test_pixels_equal_those_gdal_reads(make_raster: MakeRaster, mosaic: Raster) -> None:
-    path = make_raster("source.tif", orthoimage((300, 400)), origin=(ORIGIN[0] - 2.0, ORIGIN[1] + 3.0))
-    clip = clip_of(path, mosaic)
-    np.testing.assert_array_equal(clip.bands, read_pixels(path, 96 + 20, 80 + 30, 64, 64))
 
 
 @pytest.mark.parametrize("shift_x", [0.0, 0.3, -0.3, 0.49, 7.25])
@@ -143,31 +132,6 @@ def test_a_source_may_end_just_inside_the_window(make_raster: MakeRaster, side: 
         np.testing.assert_allclose(clip.bands[0][edge], part.mean(), atol=1)
 
 
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(st.integers(-300, 300), st.integers(-300, 300))
-def test_a_window_beside_or_across_the_edge_is_not_covered(
-    make_raster: MakeRaster, mosaic: Raster, column: int, row: int
-) -> None:
-    window = PixelWindow(column, row, 64, 64)
-    if window.cut_to(mosaic.columns, mosaic.rows) == window:
-        assert clip_of(mosaic.ref.path, mosaic, window).bands.shape == (3, 64, 64)
-    else:
-        with pytest.raises(NotCoveredError, match="does not cover the whole window"):
-            clip_of(mosaic.ref.path, mosaic, window)
-
-
-def test_threads_read_the_same_file_at_once(mosaic: Raster) -> None:
-    windows = [PixelWindow(8 * index, 4 * index, 64, 64) for index in range(24)]
-    with ThreadPoolExecutor(8) as pool:
-        clips = list(pool.map(lambda window: clip_of(mosaic.ref.path, mosaic, window), windows))
-    image = orthoimage(SIZE)
-    for window, clip in zip(windows, clips):
-        np.testing.assert_array_equal(clip.bands, inside(image, window))
-
-
-# --- resampled -------------------------------------------------------------------------------------------------
-
-
 def scene_in_window() -> np.ndarray:
     row, column = np.mgrid[80:144, 96:160]
     return scene(ORIGIN[0] + (column + 0.5) * 0.1, ORIGIN[1] - (row + 0.5) * 0.1)
@@ -194,14 +158,6 @@ def test_a_source_too_fine_to_be_averaged_is_refused(tmp_path: Path, mosaic: Ras
     finest = None
     with pytest.raises(RasterError, match=r"finest.tif has pixels 1000 times finer than the mosaic's"):
         clip_of(path, mosaic)
-
-
-def test_a_finer_8_bit_source_is_averaged_to_8_bit(make_raster: MakeRaster, mosaic: Raster) -> None:
-    image = orthoimage((512, 512), 3)
-    clip = clip_of(make_raster("source.tif", image, gsd=0.05), mosaic)
-    assert clip.bands.dtype == np.uint8
-    averaged = image.reshape(3, 256, 2, 256, 2).mean(axis=(2, 4))
-    np.testing.assert_allclose(clip.bands, inside(averaged), atol=0.51)
 
 
 @pytest.mark.parametrize("gsd", [0.12, 0.2, 0.25])
@@ -276,15 +232,6 @@ def test_gaps_of_a_warped_source_count(make_raster: MakeRaster, mosaic: Raster) 
     np.testing.assert_allclose(clip.bands[:, ~hole], averaged[:, ~hole], atol=0.51)
     for band, filled in zip(averaged, clip.bands):
         np.testing.assert_allclose(filled[hole], band[~hole].mean(), atol=1.5)
-
-
-def test_nodata_in_one_band_of_a_warped_source_stays_valid(make_raster: MakeRaster, mosaic: Raster) -> None:
-    image = orthoimage((512, 512), 3)
-    image[2, ::2, 1::2] = 0  # a quarter of the blue pixels, one in each pixel of the window
-    clip = clip_of(make_raster("source.tif", image, gsd=0.05, nodata=0), mosaic)
-    assert clip.invalid_share == 0
-    averaged = image.reshape(3, 256, 2, 256, 2).mean(axis=(2, 4))
-    np.testing.assert_allclose(clip.bands, inside(averaged), atol=0.51)
 
 
 def test_a_warped_source_that_ends_in_the_window_does_not_cover_it(make_raster: MakeRaster, mosaic: Raster) -> None:

@@ -4,12 +4,10 @@ from __future__ import annotations
 import os
 import tempfile
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery import record_store
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.record_store import RecordFiles, RecordFolder
 
@@ -94,21 +92,6 @@ def test_a_folder_of_somebody_else_is_left_as_it_is(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["mine"]
 
 
-def test_a_folder_that_is_removed_as_it_is_opened_is_made_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path, lock, others = tmp_path / "records", record_store._lock, [filled(tmp_path / "records")]
-
-    def lock_as_the_other_ends(file: Any) -> None:
-        if others:
-            others.pop().remove()
-        lock(file)
-
-    monkeypatch.setattr(record_store, "_lock", lock_as_the_other_ends)
-    filled(path).close()
-    assert held(path) == SAVED
-
-
 def another(path: Path, kind: str) -> None:
     """What somebody who hands over a folder can put there by the name of one that we keep."""
     if kind == "pipe":
@@ -154,11 +137,3 @@ def test_links_and_pipes_among_the_records_lead_nowhere(tmp_path: Path, name: st
         folder.remove()
         assert not path.exists()
     assert outside.read_bytes() == b"mine"
-
-
-def test_of_a_disk_that_is_gone_nothing_is_held_and_saving_says_so(tmp_path: Path) -> None:
-    """A folder of the network may be gone while a scan goes on."""
-    files = RecordFiles(tmp_path / "blocks")
-    assert files.names == set()
-    with pytest.raises(FileNotFoundError):
-        files.save("block", b"payload")

@@ -17,8 +17,6 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from tests.numbers.imagery.conftest import SIDE, WHOLE, WINDOW, expected, read
 from tests.range_server import NONE, Answer, Fault, RangeServer, serving
 
-# --- faults that pass ------------------------------------------------------------------------------------------
-
 
 def first(count: int, fault: Fault, method: str = "") -> Callable[[Answer], Fault]:
     """The fault for so many requests."""
@@ -47,12 +45,6 @@ def test_a_fault_while_reading_that_passes_costs_nothing(
     np.testing.assert_array_equal(raster.read(WINDOW).bands, expected(folder))
 
 
-@pytest.mark.parametrize("fault", PASSING, ids=["503", "500", "429", "dropped", "cut"])
-def test_a_fault_while_opening_that_passes_costs_nothing(server: RangeServer, folder: Path, fault: Fault) -> None:
-    server.fault = first(2, fault)
-    np.testing.assert_array_equal(read(server.vsi("cog.tif")), expected(folder))
-
-
 @pytest.fixture
 def one_second(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without an answer is long enough."""
@@ -63,9 +55,6 @@ def one_second(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_no_answer_once_is_asked_again(server: RangeServer, folder: Path) -> None:
     server.fault = first(1, Fault(silent=True), "GET")
     np.testing.assert_array_equal(read(server.vsi("cog.tif")), expected(folder))
-
-
-# --- faults that stay ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.slow
@@ -170,11 +159,6 @@ def test_a_file_that_is_truncated_there_is_named_and_its_whole_part_can_be_read(
         read(path, WHOLE)
 
 
-def test_a_page_instead_of_a_raster_is_named(server: RangeServer) -> None:
-    with pytest.raises(RasterError, match=r"page\.tif is not a raster that GDAL can read"):
-        read(server.vsi("page.tif"))
-
-
 def test_a_part_of_a_vrt_that_is_gone_is_named_and_costs_its_place_only(
     server: RangeServer, folder: Path, tmp_path: Path
 ) -> None:
@@ -197,4 +181,3 @@ def test_a_part_of_a_vrt_that_is_gone_is_named_and_costs_its_place_only(
     with pytest.raises(RasterError, match=r"gone\.tif is not on its server \(HTTP 404\)"):
         read(path, WHOLE)
     np.testing.assert_array_equal(read(path, left), expected(folder, window=left))
-

@@ -3,19 +3,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
 import numpy as np
 import pytest
 import pywt
 from hypothesis import given
 from hypothesis import strategies as st
-from osgeo import gdal
-from scipy import ndimage
 from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.wavelets import (
-    FLOAT32_WAVELETS,
     Curve,
     clip_curves,
     component_products,
@@ -51,25 +47,6 @@ def assert_curve(curve: Curve, band: np.ndarray, wavelet: str, levels: int) -> N
     assert curve.variance == pytest.approx(expected.energy / band.size, rel=1e-7)
 
 
-def smooth_clips(shape: tuple[int, int]) -> dict[str, np.ndarray]:
-    """Clips with next to no detail, which is where a difference of two energies has no digits left."""
-    y, x = np.mgrid[: shape[0], : shape[1]] / np.array(shape).reshape(2, 1, 1)
-    waves = np.sin(2 * np.pi * x) + 0.7 * np.cos(2 * np.pi * (2 * y + x))
-    return {
-        "blurred noise": ndimage.gaussian_filter(texture(shape, 0, seed=1), 6, mode="wrap"),
-        "blurred noise far from 0": 1e6 + ndimage.gaussian_filter(texture(shape, 0, seed=2), 4, mode="wrap"),
-        "waves": waves,
-        "waves in 16 bit": np.round(30000 + 9000 * waves).astype(np.uint16),
-        "plane": 3 * x + 5 * y,
-        "plane in 8 bit": np.round(250 * (x + y) / 2).astype(np.uint8),
-        "one step": np.where(x < 0.5, 7.0, 9.0),
-        "one bright pixel": ((x == 0) & (y == 0)) * 200.0,
-    }
-
-
-# --- equal to PyWavelets ---------------------------------------------------------------------------------------
-
-
 def test_the_wavelets_are_the_orthogonal_ones_of_pywavelets() -> None:
     """dmey's published coefficients are orthonormal to 0.2 % only."""
     discrete = pywt.wavelist(kind="discrete")
@@ -86,20 +63,6 @@ def test_curve_with_every_wavelet(wavelet: str) -> None:
         (0.2 + 0.1 * texture((66, 90), 0.5), 1),
     ]
     for band, levels in clips:
-        assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
-
-
-@pytest.mark.parametrize("wavelet", imagery_limits.WAVELETS)
-def test_curve_of_smooth_clips_with_every_wavelet(wavelet: str) -> None:
-    for band in smooth_clips((64, 96)).values():
-        assert_curve(curve_of(band, wavelet, 4), band, wavelet, 4)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("wavelet", ["haar", "db2", "coif3", "sym20", "db38", "coif17"])
-@pytest.mark.parametrize("levels", range(1, 9))
-def test_curve_at_every_level(wavelet: str, levels: int) -> None:
-    for band in (orthoimage((256, 512), 1)[0], 500 + texture((256, 256), 4.0)):
         assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
 
 
@@ -163,36 +126,6 @@ def test_curve_of_a_window(kind: str, side: int) -> None:
     assert_curve(curve_of(band, "coif3", 3), band, "coif3", 3)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("wavelet", FLOAT32_WAVELETS)
-@pytest.mark.parametrize("levels", [1, 4, 7])
-def test_curve_of_a_window_with_every_wavelet_in_float32(wavelet: str, levels: int) -> None:
-    for shape in ((256, 256), (512, 384)):
-        for beta in (1.0, 2.0, 3.0):
-            texels = texture(shape, beta, seed=7)
-            for band in (np.round(250 + 60 * texels).clip(0, 255).astype(np.uint8), (9 + texels).astype(np.float32)):
-                assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
-
-
-@pytest.mark.parametrize("image", ["brighton/DJI_0028_ortho.tif", "packo/19FD5606Ax00020_16372.tif"])
-def test_curve_of_real_windows(data_folder: Path, image: str) -> None:
-    raster = gdal.Open(str(data_folder / "seams" / image))
-    fractions = np.random.default_rng(4)
-    for side in (256, 512):
-        if side > min(raster.RasterXSize, raster.RasterYSize):
-            continue
-        for share in (0.4, 0.5, 0.6):
-            column, row = (int(share * (length - side)) for length in (raster.RasterXSize, raster.RasterYSize))
-            band = raster.GetRasterBand(2).ReadAsArray(column, row, side, side)
-            finer = 16 * band.astype(np.uint16) + fractions.integers(0, 16, band.shape, np.uint16)
-            far = 60000 + 8 * band.astype(np.uint16)
-            for clip in (band, finer, far, band * np.float32(1 / 4095)):
-                assert_curve(curve_of(clip), clip, "coif3", 3)
-
-
-# --- bands together --------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("bands", [3, 4, 5])
 @pytest.mark.parametrize("wavelet", ["coif3", "haar"])
 def test_luminance_is_that_of_the_mixed_bands(bands: int, wavelet: str) -> None:
@@ -213,13 +146,6 @@ def nearly_grey(shape: tuple[int, int], rest: float) -> np.ndarray:
 @pytest.mark.parametrize("rest", [10, 1, 0.1, 1e-3, 1e-5])
 def test_luminance_of_bands_that_nearly_cancel(rest: float) -> None:
     clip = nearly_grey((128, 96), rest)
-    assert_curve(clip_curves(clip, "coif3", 3, WEIGHTS)[0][-1], luminance(clip), "coif3", 3)
-
-
-@pytest.mark.parametrize("rest", [10, 1])
-@pytest.mark.parametrize("side", SIDES)
-def test_luminance_of_bands_that_nearly_cancel_in_a_window(rest: float, side: int) -> None:
-    clip = nearly_grey((side, side), rest).astype(np.float32)
     assert_curve(clip_curves(clip, "coif3", 3, WEIGHTS)[0][-1], luminance(clip), "coif3", 3)
 
 
@@ -251,21 +177,6 @@ def test_coarse_components_hold_the_coefficients_of_pywavelets(levels: int, wave
         expected = decompose(band, wavelet, levels).coarse
         assert found.shape == expected.shape
         np.testing.assert_allclose(found - found.mean(), expected, atol=1e-4)
-
-
-# --- directions ------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("wavelet", ["coif3", "db4"])
-def test_directional_components_are_those_of_pywavelets(wavelet: str) -> None:
-    band = orthoimage((256, 192), 1)[0].astype(np.float64)
-    found = list(detail_components(band[np.newaxis], wavelet, 3))
-    for directions, level in zip(found, reversed(wavedec(band, wavelet, 3)[1:])):
-        for mine, theirs in zip(directions[:, 0], level):
-            np.testing.assert_allclose(mine, theirs, atol=1e-9)
-    energies = [np.sum(directions**2) for directions in found]
-    curve = curve_of(band, wavelet)
-    np.testing.assert_allclose(np.array(energies) / band.size, np.array(curve.detail) * curve.variance, rtol=1e-6)
 
 
 @pytest.mark.parametrize("wavelet", ["coif3", "db4", "sym5", "haar", "coif1"])
@@ -302,60 +213,6 @@ def test_components_of_float32_planes_with_every_wavelet(wavelet: str, shape: tu
                 np.testing.assert_allclose(np.linalg.norm(mine), np.linalg.norm(theirs), rtol=2e-5)
 
 
-@pytest.mark.parametrize("direction", ["horizontal", "vertical", "diagonal"])
-def test_edges_are_found_in_their_direction(direction: str) -> None:
-    row, column = np.mgrid[:64, :64]
-    stripes = {"horizontal": row, "vertical": column, "diagonal": row + column}[direction] % 2
-    (finest,) = detail_components(stripes[np.newaxis].astype(np.uint8), "haar", 1)
-    energies = dict(zip(("horizontal", "vertical", "diagonal"), np.sum(finest[:, 0] ** 2, axis=(1, 2))))
-    assert energies.pop(direction) == pytest.approx(64 * 64 / 4)
-    assert max(energies.values()) < 1e-9
-
-
-# --- facts -----------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("wavelet", ["coif3", "haar", "db20"])
-def test_white_noise(wavelet: str) -> None:
-    noise = np.random.default_rng(5).standard_normal((512, 512))
-    expected = np.array([3 / 4, 3 / 16, 3 / 64, 1 / 64])
-    sampling_error = np.sqrt(2 / expected) / 512  # of a sum of squares of that many of the coefficients
-    assert (np.abs(shares(curve_of(noise, wavelet)) / expected - 1) < 5 * sampling_error).all()
-
-
-@given(st.integers(0, 2**32 - 1), st.sampled_from(imagery_limits.WAVELETS), st.integers(1, 5), st.floats(0, 4))
-def test_shares_add_up_to_one(seed: int, wavelet: str, levels: int, beta: float) -> None:
-    curve = curve_of(texture((96, 64), beta, seed), wavelet, levels)
-    assert shares(curve).sum() == pytest.approx(1, abs=1e-9)
-    assert (shares(curve) >= 0).all()
-
-
-@given(st.sampled_from(imagery_limits.WAVELETS), st.floats(0.01, 100), st.floats(-1e4, 1e4), st.booleans())
-def test_a_linear_tone_change_leaves_the_curve(wavelet: str, gain: float, shift: float, negative: bool) -> None:
-    band = texture((64, 64), 1.5)
-    toned = shift + (-gain if negative else gain) * band
-    np.testing.assert_allclose(shares(curve_of(toned, wavelet)), shares(curve_of(band, wavelet)), rtol=1e-6)
-
-
-@given(st.sampled_from(imagery_limits.WAVELETS), st.integers(1, 4), st.integers(-3, 3), st.integers(-3, 3))
-def test_moving_by_whole_coarse_pixels_leaves_the_curve(wavelet: str, levels: int, down: int, right: int) -> None:
-    band = orthoimage((64, 96), 1)[0]
-    moved = np.roll(band, (down * 2**levels, right * 2**levels), (0, 1))
-    here, there = curve_of(band, wavelet, levels), curve_of(moved, wavelet, levels)
-    np.testing.assert_allclose(shares(there), shares(here), rtol=1e-9)
-
-
-def test_a_blend_of_two_sources_loses_what_they_do_not_share() -> None:
-    common = texture((128, 128), 1.5)
-    one, other = (100 + 30 * common + 20 * texture((128, 128), 0.5, seed=seed) for seed in (1, 2))
-    products = component_products(np.stack([one, other]), "coif3", 3, [(0, 1)])
-    mean = products.own.sum(axis=0) / 2
-    correlation = products.cross[0] / mean
-    blended = curve_of((one + other) / 2)
-    np.testing.assert_allclose(shares(blended) * blended.variance * one.size, mean * (1 + correlation) / 2, rtol=1e-9)
-    assert 0.1 < correlation[0] < correlation[1] < correlation[2] < 0.95
-
-
 @pytest.mark.parametrize("value", [0, 255, 60000, 0.1, 1e6, -3.3])
 @pytest.mark.parametrize("shape", [(64, 72), LARGE])
 def test_a_constant_clip_has_no_variance_and_no_shares(value: float, shape: tuple[int, int]) -> None:
@@ -374,9 +231,6 @@ def test_a_constant_band_does_not_spoil_the_others() -> None:
     for index in (0, 2):
         assert_curve(curves[index], clip[index], "coif3", 3)
     assert_curve(curves[3], luminance(clip), "coif3", 3)
-
-
-# --- settings --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -403,9 +257,6 @@ def test_other_settings_are_refused_with_the_reason(wavelet: str, levels: int, s
         next(detail_components(band[np.newaxis], wavelet, levels))
 
 
-# --- any memory layout, any thread -----------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("side", [96, 1024])
 def test_the_layout_in_memory_does_not_matter(side: int) -> None:
     clip = orthoimage((side, side), 3)
@@ -419,12 +270,6 @@ def test_the_layout_in_memory_does_not_matter(side: int) -> None:
         assert curves == expected
         np.testing.assert_array_equal(found, coarse)
         np.testing.assert_array_equal(view, before)
-
-
-def test_a_read_only_clip_is_measured() -> None:
-    clip = orthoimage((64, 64), 1)
-    clip.setflags(write=False)
-    assert_curve(clip_curves(clip, "coif3", 3)[0][0], clip[0], "coif3", 3)
 
 
 def test_threads_do_not_get_in_each_others_way() -> None:

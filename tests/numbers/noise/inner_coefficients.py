@@ -9,10 +9,7 @@ from tests.numbers.synthetic import wavedec
 
 
 def inner_kurtoses(band: np.ndarray, wavelet: str, levels: int) -> list[float]:
-    """The kurtosis of each level, the three components less their means together.
-
-    Left out are the coefficients that differ where the band is a part of a larger one.
-    """
+    """The kurtosis of each level, the three components less their means together."""
     sides = [_inner(length, wavelet, levels) for length in band.shape]
     found = []
     for components, rows, columns in zip(wavedec(band, wavelet, levels)[:0:-1], *sides):

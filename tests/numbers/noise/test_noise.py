@@ -7,7 +7,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.wavelets import detail_components
 from seam_inspector.plugin.noise.measure.band_noise import (
     BandNoise,
     NoiseVerdict,
@@ -34,24 +33,6 @@ def noise(sigma: float, shape: tuple[int, int] = (512, 512), seed: int = 1) -> n
     return np.random.default_rng(seed).normal(0, sigma, shape)
 
 
-# --- the components --------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("wavelet", ["coif3", "db4", "db3", "haar", "sym5"])
-@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float64])
-def test_components_are_those_of_pywavelets_at_their_places(wavelet: str, dtype: type) -> None:
-    bands = orthoimage((256, 192), bands=2, dtype=dtype)
-    for index, band in enumerate(bands):
-        expected = wavedec(band, wavelet, 3)[:0:-1]
-        scale = max(float(np.abs(diagonal).max()) for *_, diagonal in expected)
-        for level, ours in zip(expected, detail_components(bands, wavelet, 3)):
-            for theirs, component in zip(level, ours[:, index]):
-                assert np.allclose(component, theirs, atol=1e-5 * scale)
-
-
-# --- the curve, kurtosis and sigma -----------------------------------------------------------------------------
-
-
 def test_figures_are_those_of_pywavelets_and_scipy() -> None:
     bands = orthoimage((512, 512))
     found = measure_noise(bands, RGB)
@@ -75,37 +56,6 @@ def test_gaussian_noise_has_kurtosis_three_and_its_sigma(sigma: float, seed: int
         assert kurtosis == pytest.approx(3, abs=6 * np.sqrt(24 / (3 * 512 * 512 / 4**level)))
     assert found.curve.detail == pytest.approx((3 / 4, 3 / 16, 3 / 64), rel=0.05)
     assert found.verdict == NoiseVerdict.STRONG
-
-
-def test_kurtosis_of_edges_is_far_above_three() -> None:
-    field = np.zeros((256, 256))
-    field[:, 101:] = 80
-    assert min(k for k in measured(field + noise(0.3, (256, 256))).kurtosis if k is not None) > 20
-
-
-@at_most(10)
-@given(beta=st.floats(2.3, 4.0), seed=st.integers(0, 50))
-def test_natural_textures_rise_with_their_power_law(beta: float, seed: int) -> None:
-    found = measured(texture((512, 512), beta, seed))
-    rises = np.divide(found.curve.detail[1:], found.curve.detail[:-1])
-    # The finest level holds the corners of the spectrum beyond Nyquist's circle, and the wavelet leaks a little.
-    assert rises == pytest.approx([2 ** (beta - 2)] * 2, rel=0.2)
-    assert found.verdict in (NoiseVerdict.LOW, NoiseVerdict.UNCERTAIN)  # all of it alike, and Gaussian: so is grain
-    assert found.grain is None
-
-
-@pytest.mark.parametrize("beta", [2.0, 2.5, 3.0])
-def test_the_power_law_holds_in_the_mean(beta: float) -> None:
-    details = np.mean([measured(texture((512, 512), beta, seed)).curve.detail for seed in range(6)], axis=0)
-    assert details[1:] / details[:-1] == pytest.approx([2 ** (beta - 2)] * 2, rel=0.06)
-
-
-@pytest.mark.parametrize("beta", [0.5, 1.0, 1.5])
-def test_below_two_they_fall(beta: float) -> None:
-    assert measured(texture((256, 256), beta, 3)).verdict == NoiseVerdict.STRONG
-
-
-# --- the verdict -----------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -150,36 +100,12 @@ def test_sigma_recovers_what_was_added_to_a_smooth_image(sigma: float, dtype: ty
     assert measured(pixels).sigma == pytest.approx(sigma, rel=0.05)
 
 
-def test_the_bands_and_the_luminance_agree_on_the_verdict() -> None:
-    clean = np.stack([120 + 25 * patchy_texture((512, 512), 2.8, seed) for seed in (1, 1, 1)])
-    for sigma, verdict in ((0, NoiseVerdict.LOW), (25, NoiseVerdict.STRONG)):
-        found = measure_noise(clean + np.stack([noise(sigma, seed=seed) for seed in range(3)]), RGB)
-        assert {one.verdict for one in found.values()} == {verdict}
-
-
 def test_the_bands_are_judged_and_not_the_luminance_that_averages_their_noise() -> None:
     clean = np.stack([120 + 25 * patchy_texture((512, 512), 2.8, 1)] * 3)
     found = measure_noise(clean + np.stack([noise(6, seed=seed) for seed in range(3)]), RGB)
     assert {found[name].verdict.value for name in RGB} == {"strong"}
     assert found["luminance"].verdict.value == "moderate"
     assert noisiest_band(found) in RGB
-
-
-def test_the_noisiest_band_stands_for_a_clip() -> None:
-    clean = np.stack([120 + 25 * patchy_texture((512, 512), 2.8, 1)] * 3)
-    clean[2] += noise(12)
-    assert noisiest_band(measure_noise(clean, RGB)) == "blue"
-    assert noisiest_band(measure_noise(clean[2:], ("band_1",))) == "band_1"
-    clean[:2] = 7  # nothing can be measured there
-    assert noisiest_band(measure_noise(clean, RGB)) == "blue"
-
-
-def test_twelve_bits_in_sixteen_and_a_linear_tone_change_leave_the_curve() -> None:
-    fine = np.rint(2000 + 300 * texture((256, 256), 2.5, 4)).astype(np.uint16)
-    a, b = measured(fine), measured(fine.astype(np.float64) * 0.25 + 40)
-    assert a.curve.detail == pytest.approx(b.curve.detail, rel=1e-6)
-    assert a.kurtosis == pytest.approx(b.kurtosis, rel=1e-4)
-    assert a.sigma == pytest.approx(4 * b.sigma, rel=1e-4)  # type: ignore[operator]
 
 
 def test_a_constant_band_has_no_figures_and_says_why() -> None:
@@ -192,9 +118,6 @@ def test_a_constant_band_has_no_figures_and_says_why() -> None:
 def test_settings_that_make_no_sense_are_refused(wavelet: str, levels: int) -> None:
     with pytest.raises(SettingsError):
         check_noise_settings(wavelet, levels)
-
-
-# --- filled pixels ---------------------------------------------------------------------------------------------
 
 
 @at_most(8)
@@ -211,41 +134,6 @@ def test_a_filled_hole_does_not_disturb_the_curve(beta: float, side: int, column
     assert holed.curve.detail == pytest.approx(whole.curve.detail, rel=0.02 + 1.2 * mask.mean())
     assert holed.sigma == pytest.approx(whole.sigma, rel=0.02)
     assert holed.kurtosis == pytest.approx(whole.kurtosis, rel=0.06)
-
-
-def test_filling_keeps_valid_pixels_their_type_and_their_range() -> None:
-    bands = orthoimage((97, 130), bands=2)
-    mask = np.random.default_rng(0).random((97, 130)) < 0.6
-    result = filled(bands, mask)
-    assert result.dtype == np.uint8
-    assert (result[:, ~mask] == bands[:, ~mask]).all()
-    for before, after in zip(bands, result):
-        assert before[~mask].min() <= after.min() <= after.max() <= before[~mask].max()
-    assert filled(bands, np.zeros_like(mask)) is bands
-
-
-def test_whole_numbers_are_filled_with_the_nearest_whole_numbers() -> None:
-    bands = orthoimage((64, 64), bands=1)
-    mask = np.random.default_rng(0).random((64, 64)) < 0.5
-    exact = filled(bands.astype(np.float64), mask)
-    assert np.array_equal(filled(bands, mask), np.rint(exact))
-
-
-def test_filling_does_not_look_at_what_it_replaces() -> None:
-    bands = orthoimage((64, 64), bands=1).astype(np.float64)
-    mask = np.zeros((64, 64), bool)
-    mask[20:40, 10:30] = True
-    expected = filled(bands, mask)
-    bands[:, mask] = np.nan
-    assert np.array_equal(filled(bands, mask), expected)
-
-
-def test_a_plane_is_filled_as_a_plane() -> None:
-    rows, columns = np.mgrid[:128, :128]
-    plane = (2.0 * rows + 3.0 * columns)[np.newaxis]
-    mask = np.zeros((128, 128), bool)
-    mask[50:70, 40:60] = True
-    assert np.abs(filled(plane, mask) - plane).max() < 25  # of 635, and of 100 across the hole
 
 
 def test_what_a_hole_is_filled_with_is_in_neither_kurtosis_nor_sigma() -> None:

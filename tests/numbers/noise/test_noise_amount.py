@@ -1,7 +1,6 @@
 """How much noise there is whatever the scene: sigma without texture, signal to noise, and the second verdict."""
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 import numpy as np
@@ -10,13 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseAmount, measure_noise
-from seam_inspector.plugin.noise.measure.grain import QuietGround
-from seam_inspector.plugin.noise.measure.noise_amount import (
-    ACCEPTABLE_RATIO,
-    EXCELLENT_RATIO,
-    noise_amount,
-    white_noise,
-)
+from seam_inspector.plugin.noise.measure.noise_amount import ACCEPTABLE_RATIO, EXCELLENT_RATIO, noise_amount
 
 from tests.examples import at_most
 from tests.numbers.synthetic import luminance, patchy_texture, read_pixels, texture
@@ -65,18 +58,6 @@ def test_noise_that_is_most_of_what_there_can_be_is_all_of_it(noise: float, amou
     assert noise_amount(noise, 130, (15.0, 22.0, 32.0), "coif3", are_whole=True) is amount
 
 
-@pytest.mark.parametrize("rise", [2.0, 2.2, 2.5])
-def test_texture_takes_no_part_however_it_rises(rise: float) -> None:
-    """Levels have noise of 5 DN and texture of 6 DN at level 1 that rises alike from level to level."""
-    quiet = [1.02 * math.hypot(5, 6 * rise**level) for level in range(3)]
-    assert white_noise([QuietGround(one, one, 1.0) for one in quiet], 50.0) == pytest.approx(5)
-
-
-def test_what_the_curve_calls_low_is_not_little_noise_for_that() -> None:
-    found = measured(120 + 60 * patchy_texture((512, 512), 2.6, 2) + white(4))
-    assert (found.verdict.value, found.amount.value) == ("low", "some")
-
-
 @pytest.mark.parametrize("size", [0.7, 1.0, 1.35, 2.0])
 def test_grain_as_strong_as_that_is_never_little(size: float) -> None:
     grain = ndimage.gaussian_filter(white(1), size, mode="wrap")
@@ -119,24 +100,6 @@ def test_bands_tell_noise_from_texture_that_is_as_strong_everywhere(
     found = in_colour(ROUGH, sigma * noise / noise.std())
     assert found.noise == pytest.approx(sigma, rel=error)
     assert found.amount == amount
-
-
-def test_noise_that_all_bands_share_is_told_as_that_of_one() -> None:
-    smooth = 10 * patchy_texture((512, 512), 3, 1)
-    assert in_colour(smooth, np.broadcast_to(white(6), (3, 512, 512))).noise == pytest.approx(6, rel=0.1)
-    same = np.broadcast_to(np.rint(120 + smooth + white(6)), (3, 512, 512)).astype(np.uint8)
-    found = measure_noise(same, ("red", "green", "blue"))["green"]
-    assert found.noise == pytest.approx(measure_noise(same[:1], ("band_1",))["band_1"].noise)
-
-
-def test_figures_follow_the_scale_of_values_and_rounding_is_no_noise() -> None:
-    ground = (120 + 10 * texture((512, 512), 4, 2) + white(5)) / 255
-    one, other = measured(ground, whole=False), measured(1000 * ground, whole=False)
-    assert one.amount == other.amount == NoiseAmount.SOME
-    assert other.signal_to_noise == pytest.approx(one.signal_to_noise)
-    dark = measured(8 + 2 * texture((512, 512), 4, 2) + white(0.35))
-    assert (dark.signal_to_noise or 0) < 40
-    assert dark.amount == NoiseAmount.LITTLE
 
 
 def test_without_a_signal_nothing_is_said_of_the_amount() -> None:

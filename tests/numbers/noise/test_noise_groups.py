@@ -2,16 +2,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.clips import DrawnWindow
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock, describe
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, noise_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
@@ -38,9 +36,6 @@ def chosen(path: str, levels: int = 3) -> list[PixelWindow]:
 
 def grey(side: tuple[int, int] = (512, 512), seed: int = 0) -> np.ndarray:
     return orthoimage(side, bands=1, seed=seed)
-
-
-# --- the choice ------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -78,38 +73,6 @@ def test_up_to_25_windows_of_1024_are_spread_and_the_least_saturated_come_first(
         assert any(window.row + 512 in edge for window in found)
 
 
-def test_a_large_raster_is_looked_at_by_few_pixels(large: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    read: list[int] = []
-    real = OpenRaster.read
-
-    def counted(self: OpenRaster, window: PixelWindow, *size: Any) -> PixelBlock:
-        block = real(self, window, *size)
-        read.append(block.bands.size)
-        return block
-
-    monkeypatch.setattr(OpenRaster, "read", counted)
-    chosen(str(large))
-    assert sum(read) <= 100 * 128 * 128  # of 240 million pixels
-    assert len(read) <= 100
-
-
-def test_saturated_windows_are_taken_when_there_are_no_others(make_raster: MakeRaster) -> None:
-    pixels = np.full((300, 300), 255, np.uint8)
-    assert len(chosen(make_raster("white.tif", pixels))) == 1
-
-
-def test_invalid_parts_are_avoided(make_raster: MakeRaster) -> None:
-    pixels = grey((1500, 2600))
-    pixels[:, :, :1400] = 0
-    for window in chosen(make_raster("half.tif", pixels, nodata=0)):
-        assert window.column >= 1400
-
-
-@pytest.mark.parametrize(("side", "expected"), [(1023, 512), (300, 256), (64, 64)])
-def test_small_rasters_get_smaller_windows(make_raster: MakeRaster, side: int, expected: int) -> None:
-    assert {window.width for window in chosen(make_raster("small.tif", grey((side, side))))} == {expected}
-
-
 def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeRaster) -> None:
     tiny = make_raster("tiny.tif", grey((60, 200)))
     empty = make_raster("empty.tif", np.zeros((200, 200), np.uint8), nodata=0)
@@ -118,9 +81,6 @@ def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeR
     said = [str(notice) for notice in plan.notices]
     assert said[0].startswith("tiny.tif has no valid part of 64 x 64 px")
     assert said[1].startswith("empty.tif has no valid part of 64 x 64 px")
-
-
-# --- one group -------------------------------------------------------------------------------------------------
 
 
 def test_a_photograph_without_a_place_on_the_map_is_measured(tmp_path: Path) -> None:
@@ -167,9 +127,6 @@ def test_a_window_with_too_many_invalid_pixels_says_so_and_costs_nothing_else(ma
     assert second.bands
 
 
-# --- two groups ------------------------------------------------------------------------------------------------
-
-
 def test_the_same_pixels_are_left_out_of_both(make_raster: MakeRaster) -> None:
     pixels = grey()
     holes = np.ones((512, 512), bool)
@@ -208,50 +165,6 @@ def test_a_pair_is_cut_to_what_both_show_and_who_shows_less_than_half_takes_no_p
         assert found == [(1, shared), (2, theirs)]
 
 
-def test_masks_go_over_to_other_pixel_sizes(make_raster: MakeRaster) -> None:
-    fine = grey((1024, 1024))
-    coarse = fine.reshape(1, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8)
-    holes = np.ones((1024, 1024), bool)
-    holes[401, 601] = False
-    first = make_raster("fine.tif", fine, gsd=0.1, valid=holes)
-    second = make_raster("coarse.tif", coarse, gsd=0.2)
-    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
-    notice = noise_plan.pixel_size_notice(plan)
-    assert notice is not None
-    assert "0.1 m and 0.2 m" in str(notice)
-    (request,) = plan.requests
-    assert request.paired
-    sides = [part.window.width for part in request.parts]
-    assert sides == [1024, 512]
-    masks = group_noise._joined_masks(request.parts, [~holes, np.zeros((512, 512), bool)])
-    assert np.argwhere(masks[0]).tolist() == [[401, 601]]
-    assert np.argwhere(masks[1]).tolist() == [[200, 300]]
-    masks = group_noise._joined_masks(request.parts, [np.zeros((1024, 1024), bool), masks[1]])
-    assert np.argwhere(masks[0]).tolist() == [[400, 600], [400, 601], [401, 600], [401, 601]]
-
-
-@pytest.mark.parametrize(("beside", "rows", "columns"), [
-    ((0.0, 0.0), (200, 200), (300, 300)),
-    ((0.2, 0.2), (199, 200), (300, 301)),  # a fifth of a pixel of the others beside: an edge is enough
-    ((-0.2, -0.2), (200, 201), (299, 300)),
-    ((0.0004, 0.0004), (200, 200), (300, 300)),  # what rounding of coordinates leaves is no edge
-])
-def test_pixels_that_touch_an_invalid_one_with_an_edge_are_left_out(
-    make_raster: MakeRaster, beside: tuple[float, float], rows: tuple[int, int], columns: tuple[int, int]
-) -> None:
-    origin = (ORIGIN[0] + 0.1 * (beside[0] - 40), ORIGIN[1] + 0.1 * (beside[1] + 30))  # right and up, in pixels
-    first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
-    middle = DrawnWindow(1, (ORIGIN[0] + 6.4, ORIGIN[1] - 44.8, ORIGIN[0] + 44.8, ORIGIN[1] - 6.4), wkt(32633))
-    (request,) = noise_plan.plan_drawn([*images([first]), *images([second], 2)], [middle], 3).requests
-    ours, theirs = (part.window for part in request.parts)
-    invalid = np.zeros((theirs.height, theirs.width), bool)
-    invalid[200 + 30 - theirs.row, 300 + 40 - theirs.column] = True
-    mask, _ = group_noise._joined_masks(request.parts, [np.zeros((ours.height, ours.width), bool), invalid])
-    found = np.argwhere(mask) + (ours.row, ours.column)
-    assert found.min(axis=0).tolist() == [rows[0], columns[0]]
-    assert found.max(axis=0).tolist() == [rows[1], columns[1]]
-
-
 def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster: MakeRaster) -> None:
     pixels = grey()
     holes = np.ones((512, 512), bool)
@@ -271,25 +184,6 @@ def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster:
     assert "0.6% of the window is invalid" in str(alone.reason)
 
 
-def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeRaster) -> None:
-    first = make_raster("first.tif", grey((1100, 2300)))
-    second = make_raster("second.tif", grey((1100, 1100), seed=3), origin=(ORIGIN[0] + 120, ORIGIN[1]))
-    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
-    assert [request.paired for request in plan.requests] == [True]
-    ours, theirs = (part.window for part in plan.requests[0].parts)
-    assert ours.column - theirs.column == 1200
-    assert ours.row == theirs.row
-
-
-def test_groups_without_common_ground_are_measured_apart_and_that_is_said(make_raster: MakeRaster) -> None:
-    first = make_raster("first.tif", grey())
-    second = make_raster("second.tif", grey(seed=3), origin=(ORIGIN[0] + 900, ORIGIN[1]))
-    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
-    assert [request.paired for request in plan.requests] == [False, False]
-    assert [request.window_id for request in plan.requests] == [1, 2]
-    assert "no common ground" in str(plan.notices[-1])
-
-
 def test_noise_tells_two_cameras_of_the_same_ground_apart(make_raster: MakeRaster) -> None:
     random = np.random.default_rng(3)
     ground = 120 + 25 * patchy_texture((1100, 1100), 2.7, 8)
@@ -298,22 +192,6 @@ def test_noise_tells_two_cameras_of_the_same_ground_apart(make_raster: MakeRaste
     a, b = measure(noise_plan.plan_chosen([*images([clean]), *images([make_raster("film.tif", film)], 2)], 3))
     assert [one.bands["band_1"].verdict.value for one in (a, b)] == ["low", "strong"]
     assert b.bands["band_1"].sigma == pytest.approx(9, rel=0.08)
-
-
-def test_the_work_stops_when_it_is_cancelled(make_raster: MakeRaster) -> None:
-    plan = noise_plan.plan_chosen(images([make_raster("a.tif", grey((2100, 2100)))]), 3)
-    assert len(plan.requests) == 4
-    taken: list[object] = []
-    with ThreadPoolExecutor(1) as executor:
-        for clips in group_noise.measure_requests(plan.requests, "coif3", 3, executor, 2, lambda: len(taken) >= 1):
-            taken.append(clips)
-    assert len(taken) == 1
-    assert noise_plan.plan_chosen(images([plan.requests[0].parts[0].member.image.ref.path]), 3, lambda: True) == Plan(
-        (), ()
-    )
-
-
-# --- what windows tell together --------------------------------------------------------------------------------
 
 
 def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_bright(make_raster: MakeRaster) -> None:
@@ -331,15 +209,22 @@ def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_b
     assert beside_quiet.largest_sigma == pytest.approx(quiet.bands["band_1"].largest_sigma)
 
 
-def test_windows_as_bright_have_the_noise_of_the_quietest_of_them(make_raster: MakeRaster) -> None:
-    """Sharp texture, beside which the noise of the window alone is off by a fifth."""
-    rough, smooth = (120 + scale * texture((512, 512), beta, 1) for scale, beta in ((30, 1.6), (2, 3.0)))
-    wide = np.concatenate([rough, smooth], axis=1) + np.random.default_rng(2).normal(0, 5, (512, 1024))
-    image, = images([make_raster("a.tif", np.rint(wide).clip(0, 255).astype(np.uint8))])
-    own, quiet = measured(
-        [NoiseRequest(1, (Part(image, PixelWindow(column, 0, 512, 512)),)) for column in (0, 512)]
-    )
-    alone, together = (group_noise.pooled(clips, "coif3")[0].bands["band_1"] for clips in ([own], [own, quiet]))
-    assert abs((alone.noise or 0) / 5 - 1) > 0.2
-    assert together.noise == pytest.approx(5, rel=0.05)
-    assert together.signal_to_noise == pytest.approx(wide[:, :512].mean() / 5, rel=0.05)
+def test_pairs_of_other_pixel_sizes_are_said(make_raster: MakeRaster) -> None:
+    fine = grey((1024, 1024))
+    coarse = fine.reshape(1, 512, 2, 512, 2).mean(axis=(2, 4)).astype(np.uint8)
+    paths = make_raster("fine.tif", fine, gsd=0.1), make_raster("coarse.tif", coarse, gsd=0.2)
+    plan = noise_plan.plan_chosen([*images(paths[:1]), *images(paths[1:], 2)], 3)
+    assert "0.1 m and 0.2 m" in str(noise_plan.pixel_size_notice(plan))
+    (request,) = plan.requests
+    assert request.paired
+    assert [part.window.width for part in request.parts] == [1024, 512]
+
+
+def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeRaster) -> None:
+    first = make_raster("first.tif", grey((1100, 2300)))
+    second = make_raster("second.tif", grey((1100, 1100), seed=3), origin=(ORIGIN[0] + 120, ORIGIN[1]))
+    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    assert [request.paired for request in plan.requests] == [True]
+    ours, theirs = (part.window for part in plan.requests[0].parts)
+    assert ours.column - theirs.column == 1200
+    assert ours.row == theirs.row

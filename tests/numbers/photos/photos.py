@@ -88,10 +88,7 @@ def make_frame(
     offset: Place = (0.0, 0.0),
     seed: int = 0,
 ) -> Frame:
-    """A scan of a photo: a picture, dark corners with a mark each, grain, and what else the look says.
-
-    ``share`` of the side lies between the marks; ``rotation`` is clockwise in degrees.
-    """
+    """A scan of a photo: a picture, dark corners with a mark each, grain, and what else the look says."""
     camera = camera or CAMERA
     random = np.random.default_rng(seed)
     points = np.array(list(camera.values()))

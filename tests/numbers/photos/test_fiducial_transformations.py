@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.optimize import least_squares
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
 from seam_inspector.plugin.photos.measure.interior_orientation import fail_misplaced_marks, fit_marks
@@ -24,7 +23,6 @@ from seam_inspector.plugin.photos.measure.transformations import (
     PlaneModel,
     Transformation,
     fit_transformation,
-    redundancy,
 )
 
 from tests.numbers.photos.photos import CAMERA
@@ -55,27 +53,6 @@ def test_a_transformation_is_found_again(model: PlaneModel, seed: int) -> None:
     assert made.inverse.matrix[2, 2] == pytest.approx(1)
 
 
-def applied(model: PlaneModel, p: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """A model with its parameters in a row, written down once more."""
-    x, y = points.T
-    if model is PlaneModel.SIMILARITY:
-        return np.stack([p[0] * x - p[1] * y + p[2], p[1] * x + p[0] * y + p[3]], axis=1)
-    below = p[6] * x + p[7] * y + 1 if model is PlaneModel.PROJECTIVE else 1
-    return np.stack([(p[0] * x + p[1] * y + p[2]) / below, (p[3] * x + p[4] * y + p[5]) / below], axis=1)
-
-
-@pytest.mark.parametrize("model", PlaneModel)
-def test_least_squares_are_scipys(model: PlaneModel) -> None:
-    random = np.random.default_rng(1)
-    points = random.uniform(-1, 1, (8, 2))
-    target = 20 * points @ [[0.9, 0.1], [-0.1, 0.9]] + 3 + random.normal(0, 0.1, (8, 2))
-    affine = [18, 2, 3, -2, 18, 3]
-    start = {PlaneModel.SIMILARITY: [18, -2, 3, 3], PlaneModel.AFFINE: affine}.get(model, [*affine, 0, 0])
-    theirs = least_squares(lambda p: (applied(model, p, points) - target).ravel(), start, xtol=1e-14, ftol=1e-14)
-    ours = fit_transformation(model, points, target)(points)
-    assert ours == pytest.approx(applied(model, theirs.x, points), abs=1e-5)
-
-
 @pytest.mark.parametrize("model", PlaneModel)
 def test_too_few_points_or_points_on_a_line(model: PlaneModel) -> None:
     line = np.array([(float(n), 2.0 * n) for n in range(6)])
@@ -94,11 +71,6 @@ def test_marks_nearly_on_a_line_determine_nothing_beside_it(model: PlaneModel, n
     for source, target in ((points, 25 * points), (25 * points, points)):
         with pytest.raises(PhotoError, match="on one line"):
             fit_transformation(model, source, target)
-
-
-def test_redundancy() -> None:
-    models = PlaneModel.AFFINE, PlaneModel.SIMILARITY, PlaneModel.PROJECTIVE
-    assert [redundancy(model, 4) for model in models] == [2, 4, 0]
 
 
 def marks(
@@ -122,14 +94,12 @@ def failed(made: list[MarkResult]) -> set[str]:
 def test_an_outlier_among_eight_is_found_by_the_model() -> None:
     fitted, made, notices = fit_marks(marks(EIGHT, {"7": (9, 0)}), PlaneModel.AFFINE)
     assert failed(made) == {"7"}
-    assert fitted is not None
     assert (fitted.marks, fitted.redundancy) == (7, 8)
     assert fitted.rms < 5
     assert notices == []
     clean, made, notices = fit_marks(marks(EIGHT), PlaneModel.AFFINE)
     assert failed(made) == set()
     assert notices == []
-    assert clean is not None
     assert clean.redundancy == 10
 
 
@@ -162,21 +132,8 @@ def test_film_that_is_deformed_costs_no_mark(model: PlaneModel, names: str, seed
     assert failed(fit_marks(fail_misplaced_marks(made), model)[1]) == set()
 
 
-def test_the_limit_follows_the_frame() -> None:
-    small = {name: (x / 4, y / 4) for name, (x, y) in EIGHT.items()}  # a medium format
-    for camera, far in ((EIGHT, set()), (small, {"7"})):
-        made = fit_marks(fail_misplaced_marks(marks(camera, {"7": (4, 0)})), PlaneModel.AFFINE)[1]
-        assert failed(made) == far
-
-
-def test_two_gross_errors_of_eight_cost_two_marks() -> None:
-    made = fail_misplaced_marks(marks(EIGHT, {"2": (30, -10), "5": (-20, 40)}))
-    assert failed(made) == {"2", "5"}
-
-
 def test_residuals_are_where_the_transformation_puts_a_mark_less_where_it_should_be() -> None:
     fitted, made, _ = fit_marks(marks(CAMERA, {"2": (2, -1)}), PlaneModel.AFFINE)
-    assert fitted is not None
     for mark in made:
         assert mark.place is not None
         put = fitted.to_mm(np.array([mark.place]))[0]

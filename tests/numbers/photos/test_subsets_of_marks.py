@@ -60,7 +60,7 @@ def farthest(made: PhotoOrientation, scan: Scan) -> float:
     return max(math.dist(mark.place, scan.places[mark.name]) for mark in made.marks if mark.place)
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
     """A photo of eight marks holds turned ones of a subset too: where nothing tells which it is, that is said."""
     models = list(PlaneModel)

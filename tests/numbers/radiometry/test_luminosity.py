@@ -65,6 +65,7 @@ def test_grey_pixels_keep_their_value() -> None:
         assert (luminosity(np.stack([values] * 3)) == values).all()
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("name", "box"), REAL_WINDOWS)
 def test_figures_of_real_images_are_numpys(data_folder: Path, name: str, box: tuple[int, int, int, int] | None) -> None:
     path = data_folder / name
@@ -121,6 +122,11 @@ def test_a_rule_for_one_band_is_for_that_band(make_raster: MakeRaster) -> None:
     assert reasons(result) == {"contrast": "not measurable: it has no band nir."}
 
 
+def test_two_bands_have_no_luminosity(make_raster: MakeRaster) -> None:
+    said = reasons(checked(make_raster("two.tif", orthoimage((200, 200), bands=2))))
+    assert said["contrast"].startswith("not measurable: it has no red, green and blue to mix; name one of its bands")
+
+
 def test_every_figure_can_be_of_the_luminosity(make_raster: MakeRaster) -> None:
     """A channel with noise of its own weighs as much as it does in the mix."""
     noise = np.random.default_rng(0).normal(0, 10, (3, 256, 256))
@@ -129,8 +135,3 @@ def test_every_figure_can_be_of_the_luminosity(make_raster: MakeRaster) -> None:
     deviation = 10 * np.sqrt(0.299**2 + 0.587**2 + 0.114**2)
     ratio = figure(checked(make_raster("a.tif", bands), rules=rules), "signal_to_noise", "luminosity")
     assert ratio == pytest.approx(128 / deviation, rel=0.1)
-
-
-def test_two_bands_have_no_luminosity(make_raster: MakeRaster) -> None:
-    said = reasons(checked(make_raster("two.tif", orthoimage((200, 200), bands=2))))
-    assert said["contrast"].startswith("not measurable: it has no red, green and blue to mix; name one of its bands")

@@ -32,23 +32,6 @@ TABLE_4B = ((1314, -35), (1383, -31), (1453, -28))
 """Mean minimum heights, m, and their tolerances, %."""
 
 
-@pytest.mark.parametrize(("table", "reference"), [
-    *((TABLE_4A, reference) for reference in (2713, 2714, 2715)), (TABLE_4B, 2015)
-])
-def test_all_cells_of_tables_4a_and_4b_follow_one_reference(
-    table: tuple[tuple[float, int], ...], reference: float
-) -> None:
-    found = [minimum_heights([Observation(mean, (30,))], 30, {"": reference})[0].tolerance_percent for mean, _ in table]
-    assert [round(percent or 0) for percent in found] == [percent for _, percent in table]
-
-
-@pytest.mark.parametrize("reference", [2712, 2716, 2704])
-def test_no_other_whole_reference_does(reference: float) -> None:
-    passes = [Observation(mean, (30,), (str(mean),)) for mean, _ in TABLE_4A]
-    found = [one.tolerance_percent for one in minimum_heights(passes, 30, {"": reference})]
-    assert [round(percent or 0) for percent in found] != [percent for _, percent in TABLE_4A]
-
-
 def test_observers_of_a_pass_are_averaged_and_their_spread_is_told() -> None:
     """Two passes of three and two observers, after tables 3A and 3B: groups of a target whose ninth has 30 cm."""
     passes = [Observation(3000, (33.67, 30.0, 37.8)), Observation(2500, (30.0, 33.67))]

@@ -4,7 +4,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
@@ -21,18 +20,8 @@ from tests.numbers.seams.inspecting import (
     block_of,
     inspect,
     mosaic_of,
-    softened,
 )
 from tests.numbers.synthetic import ORIGIN, orthoimage
-
-# --- bands that fit and bands that don't -----------------------------------------------------------------------
-
-
-def test_one_band(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 1, dtype=np.uint16)
-    result = inspect(block_of(mosaic_of(make_raster, softened(scene, 1)), make_raster("a.tif", scene)))
-    assert [list(clip.curves) for clip in result.clips] == [["band_1"], ["band_1"]]
-    assert result.judgement.verdict is Verdict.SIGNIFICANT
 
 
 def test_near_infrared_is_compared_where_both_have_it(make_raster: MakeRaster) -> None:
@@ -51,14 +40,6 @@ def test_near_infrared_is_compared_where_both_have_it(make_raster: MakeRaster) -
     assert "nir" not in [pair.band for pair in fewer.pairs]
 
 
-def test_infrared_is_no_part_of_the_luminance(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 4)
-    four = [gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand, gdal.GCI_Undefined]
-    mosaic = mosaic_of(make_raster, np.concatenate([scene[:3], 255 - scene[3:]]), colours=four)
-    result = inspect(block_of(mosaic, make_raster("a.tif", scene, colours=four)))
-    assert result.judgement.ratios.detail == (1.0, 1.0, 1.0)
-
-
 def test_a_source_of_one_band_takes_no_part_in_a_coloured_mosaic(make_raster: MakeRaster) -> None:
     scene = orthoimage(SIZE, 3)
     mosaic, colour = mosaic_of(make_raster, scene), make_raster("colour.tif", scene)
@@ -74,29 +55,6 @@ def test_a_source_of_one_band_takes_no_part_in_a_coloured_mosaic(make_raster: Ma
     assert "grey.tif has no luminance" in str(alone.judgement.reason)
     other_way = inspect(block_of(describe_mosaic(RasterRef(grey)), colour))
     assert "colour.tif has no band_1 (its bands: red, green, blue)" in str(other_way.judgement.reason)
-
-
-def test_a_source_of_another_bit_depth_is_compared(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 3)
-    mosaic = mosaic_of(make_raster, scene)
-    deep = make_raster("deep.tif", scene.astype(np.uint16) * 257)
-    real = make_raster("real.tif", (scene / 255).astype(np.float32))
-    ratios = [pair.ratios.detail for pair in inspect(block_of(mosaic, deep, real)).pairs]
-    assert len(ratios) == 8
-    for ratio in ratios:
-        assert ratio == pytest.approx((1, 1, 1), rel=1e-4)
-
-
-def test_a_source_of_another_pixel_size_is_marked(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 3)
-    fine = np.kron(scene, np.ones((1, 2, 2), np.uint8))
-    block = block_of(mosaic_of(make_raster, scene), make_raster("fine.tif", fine, gsd=0.05))
-    result = inspect(block)
-    assert all(pair.resampled for pair in result.pairs)
-    assert result.judgement.ratios.detail == pytest.approx((1, 1, 1), rel=1e-4)
-
-
-# --- windows that can't be compared ----------------------------------------------------------------------------
 
 
 def test_a_rectangle_that_is_no_window_gives_its_reason(make_raster: MakeRaster) -> None:
@@ -165,12 +123,3 @@ def test_constant_images(make_raster: MakeRaster) -> None:
     result = inspect(block_of(mosaic, constant, source))
     assert result.judgement.verdict is Verdict.PRESERVED
     assert [str(notice).split(" ")[0] for notice in result.notices] == ["flat.tif"]
-
-
-def test_a_source_without_the_finest_detail(make_raster: MakeRaster) -> None:
-    blocks = np.kron(orthoimage((128, 128), 1), np.ones((1, 2, 2), np.uint8))
-    mosaic = mosaic_of(make_raster, orthoimage(SIZE, 1))
-    result = inspect(block_of(mosaic, make_raster("enlarged.tif", blocks)), wavelet="haar")
-    assert result.judgement.verdict is Verdict.NOT_COMPARABLE
-    assert "No source has detail at level 1" in str(result.judgement.reason)
-    assert [ratio is None for ratio in result.judgement.ratios.detail] == [True, False, False]

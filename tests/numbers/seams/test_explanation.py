@@ -14,9 +14,8 @@ from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands, measure
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause
 from seam_inspector.plugin.seams.measure.judgement.explanation import explain
-from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from benchmarks.scenes import Scene, explained, whole_values
+from benchmarks.scenes import Scene, blur, explained, whole_values
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of
 from tests.numbers.synthetic import ORIGIN, orthoimage
 
@@ -40,12 +39,7 @@ def test_a_shift_is_told_on_the_ground_wherever_the_pixel_grids_lie(
     source = make_raster("source.tif", seen_from(ground, *beside), gsd=GSD, origin=origin)
     mosaic = mosaic_of(make_raster, seen_from(ground, -off[0], -off[1]), gsd=GSD)  # what it shows lies off its place
     (change, *_) = (pair.change for pair in inspect(block_of(mosaic, source), PixelWindow(64, 64, 128, 128)).pairs)
-    assert change is not None
-    assert change.shift is not None
     assert (change.shift.x, change.shift.y) == pytest.approx(off, abs=0.05)
-
-
-# --- a part of the window that lies elsewhere ------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("share", "is_moved"), [(0.4, False), (0.6, True), (1.0, True)])
@@ -68,11 +62,7 @@ def test_a_part_is_misregistered_when_moving_a_source_explains_half_of_it(
     assert (Cause.MISSING_SOURCE in found.causes) is (share < 1)
     if is_moved:
         shift = found.changes[1][LUMINANCE].shift
-        assert shift is not None
         assert (shift.x, shift.y) == pytest.approx((3, 0), abs=0.1)
-
-
-# --- where cells say what was taken from which source ----------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -91,18 +81,6 @@ def detail_of_composite(mosaic: Raster, bands: np.ndarray, sources: Sequence[np.
     own, *others = (MeasuredClip(clip, *measure_clip(clip, DEFAULT_WAVELET, DEFAULT_LEVELS)) for clip in clips)
     found = explain(own, others, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
     return found.curves[LUMINANCE]
-
-
-def test_pixels_that_no_cell_covers_follow_what_they_show(
-    mosaic: Raster, sharp_and_soft: tuple[np.ndarray, np.ndarray]
-) -> None:
-    east = np.arange(256) >= 128
-    bands = np.where(east, sharp_and_soft[1], sharp_and_soft[0])
-    known = np.full((256, 256), UNKNOWN, np.uint8)
-    known[:, :100] = 0
-    found = detail_of_composite(mosaic, bands, sharp_and_soft, known)
-    expected = measure_bands(bands, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS)[0][LUMINANCE]
-    assert found.detail == pytest.approx(expected.detail, rel=0.01)
 
 
 def test_cells_are_believed_even_where_the_mosaic_shows_another_source(
@@ -126,3 +104,19 @@ def test_luminance_is_as_clipped_as_the_band_that_is_most(
     change = explained(place, bands)[0].changes[-1]
     assert share > 0.03
     assert (change[LUMINANCE].clipped, change["red"].clipped, change["green"].clipped) == (share, share, 0)
+
+
+def test_a_blur_is_not_taken_for_the_shift_between_sources(mosaic: Raster) -> None:
+    rng = np.random.default_rng(8)
+    scene = ndimage.gaussian_filter(orthoimage((264, 264)).astype(np.float32), (0, 0.6, 0.6))  # as a lens draws it
+    images = [scene, ndimage.shift(scene, (0, 0.6, -1.5), order=3)]
+    noisy = [image[:, 4:-4, 4:-4] + rng.normal(0, 1.5, (3, 256, 256)) for image in images]
+    clips = tuple(Clip(mosaic, whole_values(image), 0.0) for image in noisy)
+    labels = np.where(np.arange(256) < 180, 0, 1) + np.zeros((256, 1), np.uint8)
+    window = PixelWindow(0, 0, 256, 256)
+    place = Scene(window, labels.astype(np.uint8), clips, mosaic)
+    found = explained(place, blur(place, 0.8))[0]
+    assert found.cause is Cause.BLUR
+    for change in (found.changes[0], found.changes[1]):
+        shift = change[LUMINANCE].shift
+        assert shift.length < 0.1

@@ -17,11 +17,9 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import geometry_on
 from seam_inspector.plugin.seams.measure.judgement.feather_prediction import (
     KeptDetail,
-    Seamlines,
     assumed_seams,
     drawn_seam,
     kept_detail,
-    least_kept,
     place_feather,
 )
 from seam_inspector.plugin.seams.measure.limits import COSINE, GAUSSIAN, LINEAR, RAMPS
@@ -125,13 +123,6 @@ def brighton_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
             yield from combinations([Image(clip) for clip in clips if (clip > 0).all()], 2)
 
 
-def packo_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
-    planes = [luminance(read_pixels(str(path), 0, 0, 256, 256)) for path in sorted(folder.glob("*.tif"))]
-    for row in range(0, 256 - side + 1, step):
-        for column in range(0, 256 - side + 1, step):
-            yield from combinations([Image(plane[row : row + side, column : column + side]) for plane in planes], 2)
-
-
 def errors(
     pairs: list[Pair], width: float, ramp: str, is_seam_known: bool
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -165,14 +156,6 @@ def brighton(data_folder: Path) -> list[Pair]:
     return pairs[:: max(len(pairs) // 12, 1)]
 
 
-@pytest.fixture(scope="module")
-def packo(data_folder: Path) -> list[Pair]:
-    return list(packo_pairs(data_folder / "seams" / "packo", 192, 32))
-
-
-# --- what is promised ------------------------------------------------------------------------------------------
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("ramp", RAMPS)
 @pytest.mark.parametrize("width", [13, 66])
@@ -183,6 +166,7 @@ def test_the_detail_of_generated_images_is_foretold(generated: list[Pair], width
     assert_promise_kept(window)
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("width", "ramp"), [(13, COSINE), (33, GAUSSIAN), (66, LINEAR), (256, COSINE)])
 def test_the_detail_of_brightons_orthoimages_is_foretold(brighton: list[Pair], width: float, ramp: str) -> None:
     assert len(brighton) >= 12
@@ -193,17 +177,6 @@ def test_the_detail_of_brightons_orthoimages_is_foretold(brighton: list[Pair], w
     assert_promise_kept(strip[:, :1])  # coarser detail is too sparse in a strip whose place is not known
 
 
-@pytest.mark.parametrize(("width", "ramp"), [(13, COSINE), (33, LINEAR), (66, GAUSSIAN)])
-def test_the_detail_of_packos_orthoimages_is_foretold(packo: list[Pair], width: float, ramp: str) -> None:
-    for differences in errors(packo, width, ramp, is_seam_known=True):
-        assert_promise_kept(differences)
-    window, _ = errors(packo, width, ramp, is_seam_known=False)
-    assert_promise_kept(window)
-
-
-# --- what follows from arithmetic ------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("ramp", RAMPS)
 def test_equal_images_keep_all_whatever_step_of_tone_is_between_them(ramp: str) -> None:
     """A cut's own edge is detail of neither."""
@@ -212,47 +185,6 @@ def test_equal_images_keep_all_whatever_step_of_tone_is_between_them(ramp: str) 
     for other in (a, a + 60):
         assert foretold(a, other, seams, 9, ramp).strip == pytest.approx((1, 1, 1))
         assert foretold(a, other, seams, 9, ramp).window == pytest.approx((1, 1, 1))
-
-
-def test_it_does_not_matter_which_of_two_comes_first() -> None:
-    a, b = related(2, 64)
-    places = [signed(crooked(64, np.random.default_rng(2)))]
-    one, turned = foretold(a, b, places, 20, COSINE), foretold(b, a, places, 20, COSINE)
-    assert one.window == pytest.approx(turned.window)
-    assert one.strip == pytest.approx(turned.strip)
-
-
-@pytest.mark.parametrize("ramp", RAMPS)
-def test_wider_feathers_leave_less_in_the_window(ramp: str) -> None:
-    a, b = related(3)
-    seams = assumed_seams(*a.shape, PIXEL)
-    left = [foretold(a, b, seams, width, ramp).window[0] for width in (0.5, 4, 16, 64, 256)]
-    assert left == sorted(left, reverse=True)  # type: ignore[type-var]
-    assert left[0] == pytest.approx(1, abs=0.005)
-
-
-def test_widths_are_metres_on_the_ground() -> None:
-    metres = (0.5, 0.25)
-    for distance in assumed_seams(64, 64, metres):
-        feather = place_feather(distance, LINEAR, 6.0, metres)
-        down, right = np.gradient(feather.weight)
-        steep = (feather.weight > 0.15) & (feather.weight < 0.85)
-        slopes = np.hypot(down / metres[0], right / metres[1])[steep]
-        np.testing.assert_allclose(slopes, 1 / 6.0, rtol=1e-3)
-
-
-def test_without_detail_there_is_no_figure() -> None:
-    flat = np.full((64, 64), 7.0)
-    kept = foretold(flat, flat, assumed_seams(64, 64, PIXEL), 9, COSINE)
-    assert kept == KeptDetail((None,) * LEVELS, (None,) * LEVELS)
-
-
-def test_of_several_pairs_the_least_counts_at_every_level() -> None:
-    pairs = [KeptDetail((0.9, None), (0.7, None)), KeptDetail((0.95, 0.8), (0.6, None))]
-    assert least_kept(pairs) == KeptDetail((0.9, 0.8), (0.6, None))
-
-
-# --- where the seam runs ---------------------------------------------------------------------------------------
 
 
 WINDOW = PixelWindow(64, 32, 128, 96)
@@ -279,25 +211,9 @@ def drawn(mosaic: Raster, *lines: str) -> np.ndarray | None:
 
 def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:
     distance = drawn(mosaic, line(mosaic, (48, -20), (48, 150)))
-    assert distance is not None
     expected = 0.1 * (np.arange(128) + 0.5 - 48)
     np.testing.assert_allclose(distance, np.broadcast_to(expected, (96, 128)), atol=0.11)  # to a pixel
     assert (distance[:, 60:] > 0).all()  # the larger part
-
-
-def test_the_border_of_a_polygon_and_a_line_in_pieces_are_the_same_seam(mosaic: Raster) -> None:
-    whole = drawn(mosaic, line(mosaic, (48, -20), (48, 150)))
-    assert whole is not None
-    corners = vertices(mosaic, (-30, -20), (48, -20), (48, 150), (-30, 150), (-30, -20))
-    pieces = [line(mosaic, (48, row), (48, row + 1)) for row in range(-5, 100)]
-    np.testing.assert_array_equal(drawn(mosaic, f"POLYGON (({corners}))"), whole)
-    np.testing.assert_array_equal(drawn(mosaic, *pieces), whole)
-
-
-def test_lines_that_do_not_divide_the_window_are_no_seam(mosaic: Raster) -> None:
-    assert drawn(mosaic) is None
-    assert drawn(mosaic, line(mosaic, (48, -20), (48, 50))) is None
-    assert drawn(mosaic, line(mosaic, (-9, -20), (-9, 150))) is None
 
 
 def test_lines_in_another_reference_system(mosaic: Raster) -> None:
@@ -312,8 +228,11 @@ def test_lines_in_another_reference_system(mosaic: Raster) -> None:
     np.testing.assert_allclose(distance, same, atol=0.11)
 
 
-def test_seamlines_over_a_window() -> None:
-    lines = [wkb(f"LINESTRING ({x} 0, {x} 10)") for x in (0, 5, 9)]
-    assert Seamlines(lines).over((4, 2, 6, 3)) == (lines[1],)
-    assert Seamlines(lines).over((-2, -2, 9, 0)) == tuple(lines)
-    assert Seamlines([]).over((0, 0, 1, 1)) == ()
+def test_widths_are_metres_on_the_ground() -> None:
+    metres = (0.5, 0.25)
+    for distance in assumed_seams(64, 64, metres):
+        feather = place_feather(distance, LINEAR, 6.0, metres)
+        down, right = np.gradient(feather.weight)
+        steep = (feather.weight > 0.15) & (feather.weight < 0.85)
+        slopes = np.hypot(down / metres[0], right / metres[1])[steep]
+        np.testing.assert_allclose(slopes, 1 / 6.0, rtol=1e-3)

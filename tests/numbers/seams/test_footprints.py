@@ -35,10 +35,6 @@ def test_footprints_that_are_no_numbers_meet_nothing_and_endless_ones_everything
     assert Footprints(sources).meeting((0, 0, 2, 2)) == [1, 2]
 
 
-def test_without_sources_nothing_is_found() -> None:
-    assert Footprints([]).meeting((0, 0, 1, 1)) == []
-
-
 def test_of_many_footprints_all_are_looked_at_at_once() -> None:
     sources = [source(n, (n, 0, n + 1, 1)) for n in range(10_000)]
     footprints = Footprints(sources)

@@ -5,16 +5,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal, ogr
+from osgeo import ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import describe_mosaic
-from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.seam_cells import Cell
 from seam_inspector.plugin.seams.measure.source_images import Source
-from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.seams.inspecting import (
@@ -29,9 +28,7 @@ from tests.numbers.seams.inspecting import (
     softened,
     templates,
 )
-from tests.numbers.synthetic import ORIGIN, decompose, luminance, orthoimage, write_raster
-
-# --- the block -------------------------------------------------------------------------------------------------
+from tests.numbers.synthetic import ORIGIN, decompose, luminance, orthoimage
 
 
 def test_the_mosaic_among_its_sources_is_dropped_with_a_notice(make_raster: MakeRaster, tmp_path: Path) -> None:
@@ -95,21 +92,6 @@ def test_cells_that_name_other_sources_are_told(make_raster: MakeRaster) -> None
         assert templates(notices) == expected
 
 
-def test_footprints_lie_in_the_mosaics_system(make_raster: MakeRaster) -> None:
-    mosaic = mosaic_of(make_raster, orthoimage(SIZE))
-    # 15 degrees east is 500 000 m in zone 33; the upper left corner lies at 45.1535 degrees north.
-    degrees = (15.0, 1.27e-6, 0.0, 45.1535, 0.0, -9e-7)
-    block = block_of(mosaic, make_raster("degrees.tif", orthoimage(SIZE), geotransform=degrees, system=4326))
-    xmin, ymin, xmax, ymax = block.sources[0].extent
-    assert xmin == pytest.approx(500000.0, abs=0.01)
-    assert xmax - xmin == pytest.approx(25.6, rel=0.01)
-    assert ymax - ymin == pytest.approx(25.6, rel=0.01)
-    assert ymax == pytest.approx(5000000, abs=20)
-
-
-# --- overlap ---------------------------------------------------------------------------------------------------
-
-
 def test_a_source_outside_the_window_is_never_opened(make_raster: MakeRaster) -> None:
     image = orthoimage(SIZE)
     mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image // 2 + 60)  # no copy
@@ -124,30 +106,6 @@ def test_a_source_outside_the_window_is_never_opened(make_raster: MakeRaster) ->
     result = inspect(make_block(mosaic, [RasterRef(source)], [over])[0])
     assert [str(notice) for notice in result.notices] == ["/nowhere/over.tif does not exist; check the path."]
     assert result.source_count == 1
-
-
-@pytest.mark.parametrize("side", range(4), ids=["left", "bottom", "right", "top"])
-@pytest.mark.parametrize(
-    ("metres", "taken"), [(5.0, True), (0.0, True), (-0.1, True), (-3.0, True), (-6.3, True), (-13.0, False)]
-)
-def test_a_footprint_that_meets_the_window_is_looked_at(side: int, metres: float, taken: bool) -> None:
-    """``metres`` is how far the source reaches beyond that side of the window, which is 6.4 x 12.8 m."""
-    mosaic = a_mosaic()
-    extent = list(mosaic.grid.window_extent(WINDOW))
-    extent[side] += metres if side >= 2 else -metres
-    source = Source(RasterRef("/nowhere.tif"), tuple(extent))  # type: ignore[arg-type]
-    assert (source in Block(mosaic, (source,)).sources_over(WINDOW)) is taken
-
-
-def a_mosaic() -> Raster:
-    """One that is nowhere on disk."""
-    path = "/vsimem/seam_inspector_mosaic.tif"
-    if gdal.VSIStatL(path) is None:
-        write_raster(Path(path), orthoimage(SIZE))
-    return describe_mosaic(RasterRef(path))
-
-
-# --- one window ------------------------------------------------------------------------------------------------
 
 
 def test_the_result_of_a_window(make_raster: MakeRaster) -> None:
@@ -215,20 +173,9 @@ def test_the_softer_the_mosaic_the_worse_the_verdict(
     assert result.reference == reference
     reason = result.judgement.reason
     if reference == "seam" and verdict is not Verdict.SIGNIFICANT:  # one source: the sharpness alone is judged
-        assert reason is not None
         assert reason.template == seams_messages.NO_SEAM.template
     else:
         assert reason is None
-
-
-def test_the_largest_loss_of_one_source_is_not_a_loss_against_every_source(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 3)
-    mosaic = mosaic_of(make_raster, softened(scene, 1.0))
-    brighter = softened(scene, 1.0) + 3  # or it would be taken for a copy
-    sharp, soft = make_raster("sharp.tif", scene), make_raster("soft.tif", brighter)
-    assert inspect(block_of(mosaic, sharp), reference="sources").judgement.verdict is Verdict.SIGNIFICANT
-    both = inspect(block_of(mosaic, sharp, soft), reference="sources")
-    assert both.judgement.verdict is both.paper_verdict is Verdict.PRESERVED
 
 
 @pytest.mark.parametrize("reference", ["seam", "composite"])
@@ -254,22 +201,6 @@ def test_cells_say_how_a_mosaic_was_cut_that_no_source_explains(make_raster: Mak
     cell = Cell("stranger.tif", bytes(box.ExportToWkb()), mosaic.extent)
     block, _ = make_block(mosaic, [RasterRef(stranger)], cells=[cell])
     assert inspect(block, reference="composite").judgement.verdict is not Verdict.NOT_COMPARABLE
-
-
-def test_the_settings_are_those_of_the_request(make_raster: MakeRaster) -> None:
-    scene = orthoimage(SIZE, 1)
-    mosaic = mosaic_of(make_raster, softened(scene, 0.3))
-    block = block_of(mosaic, make_raster("source.tif", scene))
-    result = inspect(block, wavelet="db4", levels=5, reference="sources")
-    shares = decompose(inside(softened(scene, 0.3))[0], "db4", 5).shares
-    curve = result.clips[0].curves["band_1"]
-    np.testing.assert_allclose([*curve.detail, curve.background], shares, rtol=1e-4)
-    ratio = result.judgement.ratios.detail[0]
-    assert 0.5 < ratio < 0.99
-    assert result.judgement.verdict is Verdict.REDUCED
-    stricter = inspect(block, wavelet="db4", levels=5, max_ratio=0.99, reference="sources")
-    assert stricter.judgement.verdict is Verdict.SIGNIFICANT
-    assert inspect(block, wavelet="db4", levels=5, max_ratio=0.99).paper_verdict is Verdict.SIGNIFICANT
 
 
 def test_settings_out_of_range_are_refused() -> None:

@@ -50,26 +50,6 @@ def test_distance_is_that_of_ogr(several: list[list[tuple[int, int]]], place: tu
         assert index.nearest(x, y, expected - 1e-6) is None
 
 
-def test_beyond_the_ends_it_is_the_end() -> None:
-    index = SeamIndex([seam((0, 0), (10, 0))])
-    assert index.nearest(EAST + 13, NORTH + 4, 5.0) == pytest.approx((EAST + 10, NORTH))
-    assert index.nearest(EAST - 3, NORTH - 4, 5.0) == pytest.approx((EAST, NORTH))
-    assert index.nearest(EAST + 4, NORTH + 2, 5.0) == pytest.approx((EAST + 4, NORTH))
-
-
-def test_two_seams_are_not_joined() -> None:
-    index = SeamIndex([seam((0, 0), (10, 0)), seam((10, 100), (0, 100))])
-    assert index.nearest(EAST + 10, NORTH + 50, 20.0) is None
-
-
-def test_without_seams_nothing_is_near() -> None:
-    assert SeamIndex([]).nearest(EAST, NORTH, math.inf) is None
-
-
-def test_a_piece_without_length_is_a_point() -> None:
-    assert SeamIndex([seam((0, 0), (0, 0), (1, 0))]).nearest(EAST - 1, NORTH, 2.0) == pytest.approx((EAST, NORTH))
-
-
 def test_a_hundred_thousand_pieces_do_not_hold_up_the_mouse() -> None:
     angle = np.linspace(0, 60, 100_000)
     spiral = np.column_stack([EAST + angle * np.cos(angle), NORTH + angle * np.sin(angle)])

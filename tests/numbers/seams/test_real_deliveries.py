@@ -40,7 +40,7 @@ def decision(mosaic: Path, orthoimages: list[Path], seamlines: Path | str = "") 
     return made
 
 
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize("is_given", [False, True])
 @pytest.mark.parametrize("is_jpeg", [False, True])
 def test_a_sound_delivery_is_accepted(tmp_path: Path, data_folder: Path, is_jpeg: bool, is_given: bool) -> None:
@@ -80,7 +80,7 @@ def as_lines(given: Path, path: Path, lines: list[ogr.Geometry]) -> Path:
     return path
 
 
-@pytest.mark.slow
+@pytest.mark.release
 @pytest.mark.parametrize("left_out", [slice(0, 1), slice(3, 6), slice(5, 8)])
 def test_seams_left_out_of_the_seamlines_leave_it_open(tmp_path: Path, data_folder: Path, left_out: slice) -> None:
     """The longest, or some of 190 to 530 px each."""
@@ -94,7 +94,7 @@ def test_seams_left_out_of_the_seamlines_leave_it_open(tmp_path: Path, data_fold
     assert "are in no figure (the longest around" in str(found.sentences[0])
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_a_sound_part_with_seamlines_is_accepted(tmp_path: Path, data_folder: Path) -> None:
     """Filters and ground are learned from all of it, however little that is."""
     mosaic, orthoimages, seamlines = files(data_folder)
@@ -102,7 +102,7 @@ def test_a_sound_part_with_seamlines_is_accepted(tmp_path: Path, data_folder: Pa
     assert decision(made, orthoimages, seamlines).accepted
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_a_strip_cut_out_along_a_seam_leaves_it_open(tmp_path: Path, data_folder: Path) -> None:
     mosaic, orthoimages, _ = files(data_folder)
     label = gdal.Open(str(mosaic.with_name("source_label.tif"))).ReadAsArray()

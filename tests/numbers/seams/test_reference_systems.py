@@ -80,11 +80,7 @@ def test_a_seam_has_the_length_that_it_has_on_the_ground(
         assert decision.whole.failed_m == pytest.approx(LENGTH, abs=0.02)
     xmin, ymin, xmax, ymax = block.mosaic.extent
     window = block.window_at((xmin + xmax) / 2, (ymin + ymax) / 2, side_m=12.0).window
-    assert window is not None
     assert (window.width, window.height) == (128, 128)
-
-
-# --- a system that is chosen -------------------------------------------------------------------------------------
 
 
 def test_the_system_that_is_given_holds_whatever_files_name(tmp_path: Path) -> None:
@@ -105,9 +101,6 @@ def test_the_system_that_is_given_holds_whatever_files_name(tmp_path: Path) -> N
         open_block(wrong[0], wrong[1:], crs="EPSG:0")
 
 
-# --- rows that run north, and the neighbouring zone ----------------------------------------------------------------
-
-
 def inspected(mosaic: str, sources: Sequence[str]) -> WindowResult:
     block = open_block(mosaic, sources)
     whole = PixelWindow(0, 0, COLUMNS, ROWS)
@@ -126,8 +119,6 @@ def test_rows_that_run_north_change_nothing(tmp_path: Path, feather: int) -> Non
     expected, found = inspected(path, [a, b]), inspected(path, [a, turned])
     assert found.judgement == expected.judgement
     assert found.notices == ()
-    assert found.profile is not None
-    assert expected.profile is not None
     assert found.profile.kept == expected.profile.kept
     assert kept(scan(open_block(path, [a, turned]))) == kept(scan(open_block(path, [a, b])))
 
@@ -149,12 +140,8 @@ def test_an_orthoimage_of_the_neighbouring_zone_takes_part_in_windows_as_in_scan
     path = write_raster(tmp_path / "mosaic.tif", mixed, geotransform=place)
     result, found = inspected(path, [a, there]), scan(open_block(path, [a, there]))
     assert result.notices == ()
-    assert result.profile is not None
     assert result.profile.kept[0] == pytest.approx(1 if feather == HARD else 0.52, abs=0.06)
     assert kept(found) == pytest.approx([result.profile.kept[0]], abs=0.05)
-
-
-# --- seams that can't be -----------------------------------------------------------------------------------------
 
 
 def test_more_seams_than_outlines_allow_are_told_and_not_listed(tmp_path: Path) -> None:

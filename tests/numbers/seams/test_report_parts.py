@@ -5,8 +5,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from osgeo import gdal
 from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery import clips
@@ -20,9 +18,6 @@ from seam_inspector.plugin.seams.measure.window_records import PairRecord, contr
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture
 
 MakeRaster = Callable[..., str]
-
-
-# --- the part that lost most -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("row", "column"), [(0, 0), (96, 208), (352, 352), (200, 40)])
@@ -45,19 +40,6 @@ def test_neither_darkness_nor_what_one_source_alone_shows_is_a_loss() -> None:
     mosaic[:160, 352:] -= 90
     mosaic[352:, 100:260] = gaussian_filter(mosaic, 0.6)[352:, 100:260]
     assert np.abs(np.subtract(greatest_loss(mosaic, sources, 160), (352, 100))).max() <= 16
-
-
-@given(st.integers(64, 300), st.integers(64, 300), st.integers(64, 160), st.booleans())
-def test_the_part_lies_inside(rows: int, columns: int, side: int, with_source: bool) -> None:
-    random = np.random.default_rng(rows)
-    mosaic, source = random.integers(0, 255, (2, rows, columns)).astype(np.uint8)
-    side = min(side, rows, columns)
-    row, column = greatest_loss(mosaic, [source] if with_source else [], side)
-    assert 0 <= row <= rows - side
-    assert 0 <= column <= columns - side
-
-
-# --- the overview ----------------------------------------------------------------------------------------------
 
 
 def test_the_overview_is_a_small_picture_of_the_place(make_raster: MakeRaster) -> None:
@@ -84,9 +66,6 @@ def test_a_huge_file_without_overviews_is_not_read(make_raster: MakeRaster, monk
     dataset.BuildOverviews("AVERAGE", [4])
     del dataset
     assert read_overview(mosaic, mosaic.extent, 100) is not None
-
-
-# --- contrast from pairs ---------------------------------------------------------------------------------------
 
 
 def test_contrast_is_the_composites_else_the_largest_of_the_sources() -> None:

@@ -33,15 +33,6 @@ def labels(*cells: Cell) -> np.ndarray:
     return cell_labels(cells, NAMES, GRID, WINDOW)
 
 
-def test_pixels_take_the_place_of_their_cells_source() -> None:
-    found = labels(box("west.tif", -50, -50, 20, 100), box("east.tif", 20, -50, 40, 30))
-    expected = np.full((48, 64), UNKNOWN)
-    expected[:, :20] = 0
-    expected[:30, 20:40] = 1
-    np.testing.assert_array_equal(found, expected)
-    assert found.dtype == np.uint8
-
-
 def test_a_pixel_belongs_to_the_cell_that_holds_its_centre() -> None:
     found = labels(cell("west.tif", (0, 0), (64, 0), (0, 48)), cell("east.tif", (64, 0), (64, 48), (0, 48)))
     row, column = np.mgrid[:48, :64] + 0.5
@@ -63,30 +54,6 @@ def test_a_cell_of_a_source_that_takes_no_part_says_nothing(name: str) -> None:
     assert (known == 1).all()
 
 
-def test_names_with_dots_keep_them() -> None:
-    found = cell_labels([box("a.2.tif", 0, 0, 64, 48)], ["a.1.tif", "a.2.tif"], GRID, WINDOW)
-    assert (found == 1).all()
-
-
-def test_without_cells_nothing_is_known() -> None:
-    assert labels().shape == (48, 64)
-    assert (labels() == UNKNOWN).all()
-
-
-def test_cells_with_holes_and_several_parts() -> None:
-    ring = box("west", 0, 0, 40, 40)
-    hole = ogr.CreateGeometryFromWkb(ring.wkb).Difference(
-        ogr.CreateGeometryFromWkb(box("west", 10, 10, 20, 20).wkb)
-    )
-    parts = hole.Union(ogr.CreateGeometryFromWkb(box("west", 50, 0, 64, 48).wkb))
-    found = labels(Cell("west", bytes(parts.ExportToWkb()), ring.extent))
-    expected = np.full((48, 64), UNKNOWN)
-    expected[:40, :40] = 0
-    expected[10:20, 10:20] = UNKNOWN
-    expected[:, 50:] = 0
-    np.testing.assert_array_equal(found, expected)
-
-
 @pytest.mark.parametrize("corners", [(-9, 0, 0, 48), (64, 0, 70, 48), (0, -9, 64, 0), (0, 48, 64, 60)])
 def test_a_cell_that_touches_a_rectangle_at_any_side_is_not_over_it(corners: tuple[float, ...]) -> None:
     extent = GRID.window_extent(WINDOW)
@@ -96,9 +63,3 @@ def test_a_cell_that_touches_a_rectangle_at_any_side_is_not_over_it(corners: tup
     left, top, right, bottom = corners
     overlapping = box("west", left - 1, top - 1, right + 1, bottom + 1)
     assert cells_over([overlapping], rounded[0]) == (overlapping,)
-
-
-def test_only_cells_over_a_rectangle_matter() -> None:
-    over, beside = box("west", 10, 10, 20, 20), box("west", 64, 0, 80, 48)  # touches it
-    far = box("east", 300, 300, 310, 310)
-    assert cells_over([over, beside, far], GRID.window_extent(WINDOW)) == (over,)

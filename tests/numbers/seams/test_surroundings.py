@@ -1,18 +1,13 @@
 """The ground around a small window: where it lies, that it is read, and that it changes nothing but what it is for."""
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster
-from seam_inspector.plugin.imagery.raster_pool import one_by_one
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
-from seam_inspector.plugin.seams.measure.window.explained_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
 from seam_inspector.plugin.seams.measure.window.window_request import (
     ENOUGH_PX,
@@ -20,7 +15,6 @@ from seam_inspector.plugin.seams.measure.window.window_request import (
     InspectionSettings,
     WindowRequest,
     place_in,
-    read_with_surroundings,
     surroundings,
 )
 
@@ -43,7 +37,75 @@ def blended(images: tuple[np.ndarray, np.ndarray], width: float) -> np.ndarray:
     return np.rint((1 - weight) * images[0] + weight * images[1]).astype(np.uint8)
 
 
-# --- where it lies ----------------------------------------------------------------------------------------------
+def request_of(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: float,
+               window: PixelWindow = WINDOW, **of_sources: object) -> WindowRequest:
+    mosaic = mosaic_of(make_raster, blended(images, width))
+    paths = [make_raster(f"{number}.tif", image, **of_sources) for number, image in enumerate(images)]
+    block = block_of(mosaic, *paths)
+    return WindowRequest(1, mosaic, block.sources, window, InspectionSettings())
+
+
+@pytest.mark.parametrize(("width", "verdict"), [(0, Verdict.PRESERVED), (33, Verdict.SIGNIFICANT)])
+def test_a_window_of_128_px_is_measured_and_its_curves_are_its_own(
+    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: int, verdict: Verdict
+) -> None:
+    """Curves as PyWavelets has them of exactly its pixels, whatever lies around."""
+    request = request_of(make_raster, images, width)
+    assert request.around == PixelWindow(48, 32, 384, 384)
+    result = inspect_window(request)
+    assert result.judgement.verdict is verdict
+    assert result.profile.by_energy is not None
+    own = np.s_[:, 160:288, 176:304]
+    for clip, pixels in zip(result.clips, (blended(images, width), *images)):
+        for band, plane in zip(("red", "green", "blue"), pixels[own]):
+            curve = clip.curves[band]
+            np.testing.assert_allclose((*curve.detail, curve.background), decompose(plane).shares, rtol=1e-4)
+    first = decompose(luminance(blended(images, width)[own])).shares[0]
+    ratios = [first / decompose(luminance(image[own])).shares[0] for image in images]
+    assert result.judgement.ratios.detail[0] == pytest.approx(max(ratios), rel=1e-4)
+
+
+def test_a_window_keeps_what_a_larger_one_keeps_there(
+    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
+) -> None:
+    """That is what the ground around is for."""
+    small, large = (
+        inspect_window(request_of(make_raster, images, 66, window)).profile
+        for window in (WINDOW, PixelWindow(48, 32, 384, 384))
+    )
+    assert small.low <= large.high
+    assert large.low <= small.high
+    assert small.kept[0] == pytest.approx(large.kept[0], abs=0.06)
+
+
+def test_a_source_that_ends_beside_the_window_takes_part_as_far_as_it_goes(
+    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
+) -> None:
+    first, second = (image.copy() for image in images)
+    mosaic = mosaic_of(make_raster, blended(images, 33))
+    first[:, :, WINDOW.column + WINDOW.width + 20 :] = 0
+    second[:, : WINDOW.row - 40] = 0
+    paths = [make_raster(f"{number}.tif", one, nodata=0) for number, one in enumerate((first, second))]
+    block = block_of(mosaic, *paths)
+    result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
+    assert len(result.clips) == 3  # the window itself is covered by both
+    whole = inspect_window(request_of(make_raster, images, 33)).profile
+    assert result.profile.kept[0] == pytest.approx(whole.kept[0], abs=0.06)
+    assert not result.notices
+
+
+def test_a_mosaic_without_pixels_around_the_window_is_measured_all_the_same(
+    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
+) -> None:
+    image = blended(images, 33)
+    image[:, :, : WINDOW.column - 8] = 0
+    mosaic = mosaic_of(make_raster, image, nodata=0)
+    block = block_of(mosaic, *(make_raster(f"{number}.tif", image) for number, image in enumerate(images)))
+    result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
+    assert result.judgement.verdict is Verdict.SIGNIFICANT
+    own = np.s_[:, 160:288, 176:304]
+    (shown, *_) = result.clips
+    np.testing.assert_allclose(shown.curves["red"].detail, decompose(image[own][0]).shares[:-1], rtol=1e-4)
 
 
 @given(
@@ -72,130 +134,3 @@ def test_it_lies_inside_the_mosaic_around_the_window_in_whole_steps(
         for margin, there in zip((place.start, length - place.stop), room):
             assert margin % step == 0
             assert margin == min(wanted, there) // step * step
-
-
-@pytest.mark.parametrize("side", [512, 1024])
-def test_a_large_window_has_ground_enough_of_its_own(mosaic: Raster, side: int) -> None:
-    window = PixelWindow(300, 300, side, side)
-    assert surroundings(window, replace(mosaic, columns=4000, rows=4000), 3) == window
-
-
-def test_half_of_what_lacks_is_read_on_either_side(mosaic: Raster) -> None:
-    large = replace(mosaic, columns=4000, rows=4000)
-    assert surroundings(PixelWindow(1000, 1000, 384, 128), large, 3) == PixelWindow(936, 872, 512, 384)
-    assert surroundings(PixelWindow(10, 1000, 128, 128), large, 3) == PixelWindow(10, 872, 256, 384)
-
-
-# --- what is read of it -----------------------------------------------------------------------------------------
-
-
-def request_of(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: float,
-               window: PixelWindow = WINDOW, **of_sources: object) -> WindowRequest:
-    mosaic = mosaic_of(make_raster, blended(images, width))
-    paths = [make_raster(f"{number}.tif", image, **of_sources) for number, image in enumerate(images)]
-    block = block_of(mosaic, *paths)
-    return WindowRequest(1, mosaic, block.sources, window, InspectionSettings())
-
-
-@pytest.mark.parametrize(("width", "verdict"), [(0, Verdict.PRESERVED), (33, Verdict.SIGNIFICANT)])
-def test_a_window_of_128_px_is_measured_and_its_curves_are_its_own(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray], width: int, verdict: Verdict
-) -> None:
-    """Curves as PyWavelets has them of exactly its pixels, whatever lies around."""
-    request = request_of(make_raster, images, width)
-    assert request.around == PixelWindow(48, 32, 384, 384)
-    result = inspect_window(request)
-    assert result.judgement.verdict is verdict
-    assert result.profile is not None
-    assert result.profile.by_energy is not None
-    own = np.s_[:, 160:288, 176:304]
-    for clip, pixels in zip(result.clips, (blended(images, width), *images)):
-        for band, plane in zip(("red", "green", "blue"), pixels[own]):
-            curve = clip.curves[band]
-            np.testing.assert_allclose((*curve.detail, curve.background), decompose(plane).shares, rtol=1e-4)
-    first = decompose(luminance(blended(images, width)[own])).shares[0]
-    ratios = [first / decompose(luminance(image[own])).shares[0] for image in images]
-    assert result.judgement.ratios.detail[0] == pytest.approx(max(ratios), rel=1e-4)
-
-
-def test_pixels_around_the_window_change_no_curve(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
-) -> None:
-    request = request_of(make_raster, images, 33)
-    plain = inspect_window(request)
-    changed = [image.copy() for image in images]
-    for one in changed:
-        one[:, :150] = one[:, :150] // 2 + 40
-    other = inspect_window(request_of(make_raster, (changed[0], changed[1]), 33))
-    assert [clip.curves for clip in other.clips] == [clip.curves for clip in plain.clips]
-    assert other.paper_verdict is plain.paper_verdict
-
-
-def test_what_is_live_has_the_same_ground(make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]) -> None:
-    request = request_of(make_raster, images, 33)
-    pixels = read_live(request, one_by_one)
-    assert pixels is not None
-    live, whole = live_profile(pixels), inspect_window(request).profile
-    assert live is not None
-    assert whole is not None
-    assert live.kept == pytest.approx(whole.kept, rel=1e-3)
-    assert (live.low, live.high) == pytest.approx((whole.low, whole.high), rel=1e-3)
-    assert live.by_energy == pytest.approx(whole.by_energy, rel=1e-3)
-
-
-def test_a_window_keeps_what_a_larger_one_keeps_there(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
-) -> None:
-    """That is what the ground around is for."""
-    small, large = (
-        inspect_window(request_of(make_raster, images, 66, window)).profile
-        for window in (WINDOW, PixelWindow(48, 32, 384, 384))
-    )
-    assert small is not None
-    assert large is not None
-    assert small.low <= large.high
-    assert large.low <= small.high
-    assert small.kept[0] == pytest.approx(large.kept[0], abs=0.06)
-
-
-def test_clips_of_the_window_are_cut_from_what_is_read(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
-) -> None:
-    request = request_of(make_raster, images, 0)
-    raster = OpenRaster(request.mosaic.ref)
-    clip, wide, factor = read_with_surroundings(raster, request.mosaic, WINDOW, request.around, partly=False)
-    np.testing.assert_array_equal(clip.bands, blended(images, 0)[:, 160:288, 176:304])
-    np.testing.assert_array_equal(wide.bands, blended(images, 0)[:, 32:416, 48:432])
-    assert factor == 1
-
-
-def test_a_source_that_ends_beside_the_window_takes_part_as_far_as_it_goes(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
-) -> None:
-    first, second = (image.copy() for image in images)
-    mosaic = mosaic_of(make_raster, blended(images, 33))
-    first[:, :, WINDOW.column + WINDOW.width + 20 :] = 0
-    second[:, : WINDOW.row - 40] = 0
-    paths = [make_raster(f"{number}.tif", one, nodata=0) for number, one in enumerate((first, second))]
-    block = block_of(mosaic, *paths)
-    result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
-    assert len(result.clips) == 3  # the window itself is covered by both
-    assert result.profile is not None
-    whole = inspect_window(request_of(make_raster, images, 33)).profile
-    assert whole is not None
-    assert result.profile.kept[0] == pytest.approx(whole.kept[0], abs=0.06)
-    assert not result.notices
-
-
-def test_a_mosaic_without_pixels_around_the_window_is_measured_all_the_same(
-    make_raster: MakeRaster, images: tuple[np.ndarray, np.ndarray]
-) -> None:
-    image = blended(images, 33)
-    image[:, :, : WINDOW.column - 8] = 0
-    mosaic = mosaic_of(make_raster, image, nodata=0)
-    block = block_of(mosaic, *(make_raster(f"{number}.tif", image) for number, image in enumerate(images)))
-    result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
-    assert result.judgement.verdict is Verdict.SIGNIFICANT
-    own = np.s_[:, 160:288, 176:304]
-    (shown, *_) = result.clips
-    np.testing.assert_allclose(shown.curves["red"].detail, decompose(image[own][0]).shares[:-1], rtol=1e-4)

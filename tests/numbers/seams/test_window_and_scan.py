@@ -74,7 +74,6 @@ def scanned_pieces(one: Delivery, folder: Path, is_given: bool, piece_m: float) 
             pass
         result = scan.result("")
         scan.finish()
-    assert result is not None
     return tuple(piece for piece in result.pieces if piece.kept and piece.piece.length_m > 0.9 * piece_m)
 
 
@@ -100,9 +99,6 @@ def assert_they_say_the_same(one: Delivery, pieces: Sequence[JudgedPiece], is_gi
     assert len(both) >= fewest
     apart = []
     for piece, found in both:
-        assert piece.kept is not None
-        assert piece.low is not None
-        assert piece.high is not None
         if not (found.low <= piece.high and piece.low <= found.high):
             apart.append((piece.kept[0], piece.low, piece.high, found.kept[0], found.low, found.high))
     assert not apart
@@ -120,9 +116,6 @@ def test_of_made_up_images(tmp_path: Path, width: int) -> None:
     assert_they_say_the_same(one, scanned_pieces(one, tmp_path, False, 20.0), False, 3)
 
 
-# --- real orthoimages -------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def brighton(data_folder: Path) -> Path:
     return data_folder / "seams" / "brighton"
@@ -136,9 +129,6 @@ def test_of_brighton(tmp_path: Path, brighton: Path, name: str, is_given: bool) 
         "source_polygons",
     )
     assert_they_say_the_same(one, scanned_pieces(one, tmp_path, is_given, 6.0), is_given, 4)
-
-
-# --- the demo's block -------------------------------------------------------------------------------------------
 
 
 HARD, FEATHERED = [pytest.param(0.001, id="hard")], [pytest.param(1.5, id="feathered")]

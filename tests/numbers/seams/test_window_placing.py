@@ -4,15 +4,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
-from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from osgeo import gdal, ogr
+from osgeo import ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.lines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.planning.window_placing import (
@@ -46,9 +45,6 @@ def point_at(vertices: np.ndarray, station: float) -> np.ndarray:
     return np.array([np.interp(station, along, vertices[:, 0]), np.interp(station, along, vertices[:, 1])])
 
 
-# --- even placing ----------------------------------------------------------------------------------------------
-
-
 def test_windows_are_one_spacing_apart_and_centred_on_the_seam() -> None:
     placement = place_windows([seam((200, 500), (1250, 500))], KILOMETRE, STANDARD)
     assert stations(placement) == pytest.approx([125, 325, 525, 725, 925])
@@ -57,17 +53,6 @@ def test_windows_are_one_spacing_apart_and_centred_on_the_seam() -> None:
     first = placement.windows[0].window
     assert (first.column + 128, first.row + 128) == (650, 1000)  # 325 m from the left, 500 m from the top
     assert placement.dropped == ()
-
-
-def test_a_seam_shorter_than_the_spacing_has_one_window_at_its_middle() -> None:
-    assert stations(place_windows([seam((300, 300), (450, 300))], KILOMETRE, STANDARD)) == [75]
-
-
-def test_stations_follow_the_seam_around_corners() -> None:
-    placement = place_windows([seam((300, 300), (700, 300), (700, 700))], KILOMETRE, STANDARD)
-    assert stations(placement) == pytest.approx([100, 300, 500, 700])
-    turned = placement.windows[2].window
-    assert (turned.column + 128, turned.row + 128) == (1400, 2 * (1000 - 400))
 
 
 def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
@@ -81,68 +66,12 @@ def test_metres_are_counted_on_the_ground_when_the_map_is_in_degrees() -> None:
     assert len(stations(placement, 2)) == round(0.016 * 111_400 / 200)
 
 
-def test_windows_are_numbered_by_seam_and_station() -> None:
-    seams = [seam((100, 800), (1900, 800), number=1), seam((100, 200), (1000, 200), number=2)]
-    windows = place_windows(seams, KILOMETRE, STANDARD).windows
-    assert [window.window_id for window in windows] == list(range(1, len(windows) + 1))
-    order = [(window.seam_id, window.station_m) for window in windows]
-    assert order == sorted(order)
-
-
-# --- the mosaic's edge -----------------------------------------------------------------------------------------
-
-
 def test_a_window_that_sticks_out_is_moved_along_the_seam() -> None:
     placement = place_windows([seam((0, 500), (220, 500))], KILOMETRE, PlacingSettings(200, 200))
     (window,) = placement.windows
     assert stations(placement) == pytest.approx([128], abs=0.25)
     assert window.window.column == 0
     assert placement.dropped == ()
-
-
-def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
-    placement = place_windows([seam((100, 20), (1900, 20))], KILOMETRE, STANDARD)
-    assert placement.windows == ()
-    (message,) = placement.dropped
-    assert str(message) == (
-        "Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
-        "1, on seam 1 (100.0\u20131700.0 m)."
-    )
-
-
-def test_a_moved_window_does_not_double_its_neighbour() -> None:
-    placement = place_windows([seam((0, 500), (600, 500))], KILOMETRE, PlacingSettings(100, 70))
-    assert stations(placement)[:2] == pytest.approx([90, 160])
-    assert [str(message) for message in placement.dropped] == [
-        ("Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
-        "1, on seam 1 (20.0 m).")
-    ]
-
-
-def test_places_without_a_window_are_told_in_one_sentence_however_many() -> None:
-    placement = place_windows([seam((100, 20), (1900, 20), number=n) for n in range(1, 31)], KILOMETRE, STANDARD)
-    (message,) = placement.dropped
-    assert ": 30, on seam 1 (" in str(message)
-    assert str(message).count("seam") < 5
-    assert len(str(message)) < 400
-
-
-def test_only_what_lies_inside_the_mosaic_is_divided() -> None:
-    block_wide = seam((-5000, 500), (9000, 500))
-    placement = place_windows([block_wide], KILOMETRE, STANDARD)
-    assert stations(placement) == pytest.approx(5100 + 200 * np.arange(10))
-    assert placement.dropped == ()
-
-
-def test_a_seam_that_leaves_and_comes_back_has_windows_on_both_stretches() -> None:
-    placement = place_windows([seam((200, 720), (200, 1500), (1000, 1500), (1000, 720))], KILOMETRE, STANDARD)
-    assert stations(placement) == pytest.approx([140, 780 + 800 + 780 - 140])
-
-
-def test_a_mosaic_as_small_as_the_window_still_has_one() -> None:
-    small = Grid(0, 25.6, 0.1, 0.1, 256, 256)
-    placement = place_windows([Seam(1, np.array([(0, 3), (25.6, 22.6)]))], small, PlacingSettings(25, 200))
-    assert [placed.window for placed in placement.windows] == [PixelWindow(0, 0, 256, 256)]
 
 
 def test_a_mosaic_smaller_than_the_window_says_both_sizes() -> None:
@@ -152,9 +81,6 @@ def test_a_mosaic_smaller_than_the_window_says_both_sizes() -> None:
     assert str(placement.dropped[0]) == (
         "The mosaic is 30.0 x 20.0 m, too small for a window of 25.6 m; give a shorter side."
     )
-
-
-# --- no place twice --------------------------------------------------------------------------------------------
 
 
 def test_a_spacing_shorter_than_half_a_window_gives_fewer_windows_and_says_how_many() -> None:
@@ -186,12 +112,6 @@ def test_seams_within_windows_of_longer_ones_have_none_and_one_sentence_says_so(
     assert placement.dropped == (seams_messages.SEAMS_COVERED(count=3),)
 
 
-def test_a_short_seam_elsewhere_has_its_window() -> None:
-    elsewhere = seam((600, 800), (615, 800), (615, 810), number=2)
-    placement = place_windows([seam((200, 500), (1200, 500)), elsewhere], KILOMETRE, STANDARD)
-    assert len(stations(placement, 2)) == 1
-
-
 def test_specks_and_seams_outside_are_summed_up() -> None:
     specks = [seam((x, 800), (x + 2, 800), (x + 2, 802), number=x) for x in range(200, 700, 100)]
     outside = [seam((-900, y), (-200, y), number=1000 + y) for y in range(0, 900, 100)]
@@ -202,8 +122,6 @@ def test_specks_and_seams_outside_are_summed_up() -> None:
         "Seams outside the mosaic: 9.",
     ]
 
-
-# --- any seam --------------------------------------------------------------------------------------------------
 
 coordinate = st.one_of(st.floats(-300, 2300), st.integers(0, 40).map(lambda k: k * 50.0))
 polylines = st.lists(st.tuples(coordinate, coordinate), min_size=2, max_size=8, unique=True)
@@ -239,21 +157,12 @@ def test_the_direction_of_a_line_does_not_matter(points: Sequence[tuple[float, f
     assert [placed.window for placed in forth.windows] == [placed.window for placed in back.windows]
 
 
-# --- settings --------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("length", [0, -5, float("nan"), float("inf")])
 def test_lengths_are_positive(length: float) -> None:
     with pytest.raises(SettingsError, match="window side"):
         place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(length, 200))
     with pytest.raises(SettingsError, match="spacing"):
         place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(100, length))
-
-
-@pytest.mark.parametrize("levels", [0, 9, -1])
-def test_levels_are_one_to_eight(levels: int) -> None:
-    with pytest.raises(SettingsError, match="levels"):
-        place_windows([seam((0, 0), (500, 500))], KILOMETRE, PlacingSettings(100, 200, levels))
 
 
 def test_a_window_too_small_for_the_levels_says_how_long_it_must_be() -> None:
@@ -266,45 +175,28 @@ def test_a_window_too_small_for_the_levels_says_how_long_it_must_be() -> None:
     assert place_windows([one], KILOMETRE, PlacingSettings(32, 200, 3)).windows
 
 
-# --- real mosaics ----------------------------------------------------------------------------------------------
-
-
-def real_placement(vector: Path, layer: str, raster: Path, side: float, spacing: float) -> tuple[Grid, Placement]:
-    dataset = gdal.Open(str(raster))
-    left, width, _, top, _, height = dataset.GetGeoTransform()
-    grid = Grid(left, top, width, -height, dataset.RasterXSize, dataset.RasterYSize)
-    source = ogr.Open(str(vector))
-    geometries = [bytes(feature.GetGeometryRef().ExportToWkb()) for feature in source.GetLayerByName(layer)]
-    return grid, place_windows(find_seams(geometries, width), grid, PlacingSettings(side, spacing))
-
-
-def test_brighton_lines_and_polygons_give_the_same_windows(data_folder: Path) -> None:
-    folder = data_folder / "seams" / "brighton"
-    placements = [
-        real_placement(folder / "seamlines.gpkg", layer, folder / "mosaic_hardseam.tif", 15, 15)[1]
-        for layer in ("seamlines", "source_polygons")
-    ]
-    lines, polygons = ([placed.window for placed in placement.windows] for placement in placements)
-    assert lines == polygons
-    assert len(lines) == 19
-    assert seams_messages.SEAMS_COVERED.template in templates(placements[0])
-
-
-def test_packo_windows_stay_on_the_tile(data_folder: Path) -> None:
-    folder = data_folder / "seams" / "packo"
-    raster = folder / "19FD5606Ax00020_16371.tif"
-    grid, placement = real_placement(folder / "regress_graphe.gpkg", "graphe", raster, 3.2, 3.2)
-    assert all(window.window.cut_to(grid.columns, grid.rows) == window.window for window in placement.windows)
-    assert {placed.seam_id for placed in placement.windows} == {1, 2}
-    assert {placed.window.width for placed in placement.windows} == {64}
-
-
-# --- a side that fits ------------------------------------------------------------------------------------------
-
-
 def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> None:
     grid = Grid(left=576000, top=5188000, pixel_width=0.03, pixel_height=0.03, columns=2100, rows=2100)
     assert fitting_side_m(grid, STANDARD) == 15.36
     assert fitting_side_m(replace(grid, pixel_width=5.0, pixel_height=5.0), STANDARD) == 1280  # 256 px of 5 m
     assert fitting_side_m(replace(grid, pixel_width=1.0, pixel_height=1.0), STANDARD) == 256
     assert window_side_px(grid, PlacingSettings(15.36)) == 512
+
+
+def test_a_moved_window_does_not_double_its_neighbour() -> None:
+    placement = place_windows([seam((0, 500), (600, 500))], KILOMETRE, PlacingSettings(100, 70))
+    assert stations(placement)[:2] == pytest.approx([90, 160])
+    assert [str(message) for message in placement.dropped] == [
+        ("Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
+        "1, on seam 1 (20.0 m).")
+    ]
+
+
+def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
+    placement = place_windows([seam((100, 20), (1900, 20))], KILOMETRE, STANDARD)
+    assert placement.windows == ()
+    (message,) = placement.dropped
+    assert str(message) == (
+        "Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
+        "1, on seam 1 (100.0\u20131700.0 m)."
+    )

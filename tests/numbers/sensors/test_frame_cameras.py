@@ -19,14 +19,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import transform_points
 from seam_inspector.plugin.sensors.measure.camera_files import document, read_cameras
 from seam_inspector.plugin.sensors.measure.exterior_files import read_exteriors
-from seam_inspector.plugin.sensors.measure.frames import (
-    BrownLens,
-    FisheyeLens,
-    FrameCamera,
-    FrameInterior,
-    Lens,
-    camera_axes,
-)
+from seam_inspector.plugin.sensors.measure.frames import BrownLens, FisheyeLens, FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.oriented_frames import FrameFiles, OrientedFrame, read_block
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 from seam_inspector.plugin.sensors.measure.rpc import open_image
@@ -197,29 +190,6 @@ def test_values_that_are_no_heights_are_not_in_their_range_though_no_nodata_says
     terrain.GetRasterBand(1).WriteArray(np.full((9, 9), 1e30, np.float32), 30, 0)
     terrain = None
     assert oriented(folder).domain.heights == pytest.approx(expected, abs=0.01)
-
-
-@given(st.tuples(*[st.floats(-0.2, 0.2)] * 3), st.tuples(*[st.floats(-0.01, 0.01)] * 2), st.integers(0, 10_000))
-def test_brown_s_distortion_is_opencv_s(radial: tuple[float, ...], tangential: tuple[float, ...], seed: int) -> None:
-    interior = FrameInterior(
-        np.array([FOCAL, 1.1 * FOCAL]), np.array([41.0, 28.0]), BrownLens(radial, tangential), np.array([41.0, 28.0]),
-    )
-    axes = camera_axes(3.0, -2.0, 40.0)
-    ground = CENTRE - [0, 0, 1500] + np.random.default_rng(seed).uniform(-300, 300, (20, 3)) * [1, 1, 0.3]
-    matrix = np.array([[FOCAL, 0, 41], [0, 1.1 * FOCAL, 28], [0, 0, 1]])
-    turn, _ = cv2.Rodrigues(axes.T)
-    coefficients = np.array([*radial[:2], *tangential, radial[2]])
-    expected, _ = cv2.projectPoints(ground - CENTRE, turn, np.zeros(3), matrix, coefficients)
-    assert FrameCamera(interior, CENTRE, axes).project(ground) == pytest.approx(expected[:, 0], abs=1e-6)
-
-
-def test_without_angles_a_camera_looks_down_with_its_columns_to_the_east() -> None:
-    assert camera_axes(0, 0, 0) == pytest.approx(np.diag([1, -1, -1]))
-    behind = FrameCamera(
-        FrameInterior(np.full(2, FOCAL), np.zeros(2), Lens(), np.zeros(2)), CENTRE,
-        camera_axes(0, 0, 0),
-    ).project(CENTRE[None] + [0, 0, 10])
-    assert np.isnan(behind).all()
 
 
 @pytest.mark.parametrize("image", ["photo.tif", "photo"])

@@ -10,12 +10,7 @@ import numpy as np
 import pytest
 from osgeo import gdal, osr
 from scipy.ndimage import map_coordinates
-from seam_inspector.plugin.imagery.errors import (
-    CancelledError,
-    RasterError,
-    SeamInspectorError,
-    SettingsError,
-)
+from seam_inspector.plugin.imagery.errors import CancelledError, RasterError, SeamInspectorError, SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure.heights import load_terrain
@@ -136,13 +131,6 @@ def test_heights_above_sea_level_are_brought_to_the_ellipsoid(job: Callable[...,
         job(dem=terrain_file(tmp_path / "ahd.tif", "EPSG:4326+5711"), datum="auto")
 
 
-def test_a_constant_height_is_a_plane(job: Callable[..., Ortho], tmp_path: Path) -> None:
-    ortho = job(height=650.0, target_wkt="EPSG:4326", pixel_size=3e-6)
-    places, seen = came_from(ortho)
-    expected = small_rpc().project(np.column_stack([places, np.full(len(places), 650.0)]))
-    assert np.abs(seen - expected).max() < 0.02
-
-
 def test_crop_size_format_and_extent(job: Callable[..., Ortho], tmp_path: Path) -> None:
     dem = terrain_file(tmp_path / "dem.tif")
     whole = job(dem=dem, target_wkt="EPSG:32632")
@@ -195,9 +183,6 @@ def test_cancelling_leaves_nothing(job: Callable[..., Ortho], tmp_path: Path) ->
     assert not (tmp_path / "ortho.tif").exists()
     with pytest.raises(SeamInspectorError, match="can't be written"):
         job(dem=terrain_file(tmp_path / "dem.tif"), output=tmp_path / "nowhere" / "ortho.tif")
-
-
-# --- the real image --------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("dem", ["N44E005.hgt", "N44E005_UTM.tif"])
@@ -286,15 +271,6 @@ def test_meshes_beyond_10_to_30_m_are_told(
 def test_numbers_that_are_none_get_a_sentence(job: Callable[..., Ortho], given: dict[str, Any], words: str) -> None:
     with pytest.raises(SettingsError, match=words):
         job(**given)
-
-
-def test_heights_of_no_place_on_earth_are_refused(job: Callable[..., Ortho], tmp_path: Path) -> None:
-    dem = terrain_file(tmp_path / "dem.tif")
-    dataset = gdal.Open(dem, gdal.GA_Update)
-    dataset.GetRasterBand(1).Fill(1e9)
-    dataset = None
-    with pytest.raises(RasterError, match="set its nodata value"):
-        job(dem=dem)
 
 
 @pytest.mark.parametrize("raises", [False, True])

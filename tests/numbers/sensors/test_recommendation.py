@@ -43,10 +43,10 @@ def test_of_models_about_as_good_the_one_of_fewest_unknowns_is_taken(
     rows: list[tuple[ModelRequest, np.ndarray, float]], flat: bool, chosen: ModelRequest
 ) -> None:
     recommended, _ = recommend([judged(*row) for row in rows], flat)
-    assert recommended is not None
     assert recommended.request == chosen
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("turned", "truth"), [(0.0, "rpc_bias shift"), (6.0, "rpc_bias affine")])
 def test_what_the_vendors_rpc_lacks_is_added_and_no_more(turned: float, truth: str) -> None:
     """Points of half a pixel on an RPC that is shifted, and on one that is turned as well."""
@@ -58,7 +58,6 @@ def test_what_the_vendors_rpc_lacks_is_added_and_no_more(turned: float, truth: s
         image += np.random.default_rng(seed).normal(0, 0.5, image.shape)
         requests = all_requests(rpc, 694e3, (COLUMNS, ROWS))
         result = compare(points(image, ground, np.arange(40) >= 20), requests, robust=False, flat=False)
-        assert result.recommended is not None
         chosen.append(result.recommended.request.name)
     assert chosen.count(truth) >= 4
 
@@ -69,13 +68,4 @@ def test_five_check_points_are_judged_on_and_with_fewer_each_point_in_turn(check
     given = points(made_rational(1, 3, 0).project(ground), ground, np.arange(30) < checks)
     result = compare(given, [SPACE], robust=False, flat=False)
     assert result.method == method
-    assert result.rows[0].errors is not None
     assert result.rows[0].errors.count == (5 if method == CHECK_POINTS else 30)
-
-
-def test_of_a_model_that_could_not_be_fitted_the_points_that_it_was_given_are_told() -> None:
-    ground = places(16, 2)
-    given = points(made_rational(1, 3, 0).project(ground), ground, np.arange(16) < 6)
-    (row,) = compare(given, [registry.RATIONAL.request("3")], robust=False, flat=False).rows
-    assert row.errors is None
-    assert row.control_count == 10

@@ -15,17 +15,10 @@ from seam_inspector.plugin.sensors.measure.heights import (
     above_ellipsoid,
     heights_above_ellipsoid,
 )
-from seam_inspector.plugin.sensors.measure.points import (
-    control_points,
-    file_points,
-    image_points,
-    write_point_file,
-)
+from seam_inspector.plugin.sensors.measure.points import control_points, file_points, image_points, write_point_file
 from seam_inspector.plugin.sensors.measure.rpc import open_image, read_rpc, to_metadata, write_image_with_rpc, write_rpc
 
 from tests.numbers.sensors.sensor_scenes import made_rational
-
-PLACES = np.array([[7.1, 43.6], [-70.3, -12.9], [179.9, 60.0], [0.0, 0.0]])
 
 
 def image_file(path: Path) -> str:
@@ -86,16 +79,6 @@ def test_a_line_of_the_georeferencers_file_that_holds_no_number_is_told(tmp_path
         file_points(path, "", None)
 
 
-def test_points_inside_an_image_keep_their_names_and_without_are_counted(tmp_path: Path) -> None:
-    path, system = tmp_path / "named.vrt", osr.SpatialReference()
-    system.ImportFromEPSG(32632)
-    dataset = gdal.Translate(str(path), gdal.Open(image_file(tmp_path / "image.tif")))  # a GeoTIFF counts them itself
-    given = [gdal.GCP(5e5, 4e6, 0, 1.5, 2.5, "", "kerb"), gdal.GCP(5.1e5, 4.1e6, 0, 10, 4, "", "")]
-    dataset.SetGCPs(given, system.ExportToWkt())
-    dataset = None
-    assert list(image_points(open_image(RasterRef(str(path)))).ids) == ["kerb", "2"]
-
-
 def test_points_inside_a_tiff(tmp_path: Path) -> None:
     path = tmp_path / "gcps.tif"
     dataset = gdal.GetDriverByName("GTiff").Create(str(path), 30, 20, 1)
@@ -132,27 +115,6 @@ def test_a_grid_of_ones_own_is_added(tmp_path: Path, first: float) -> None:
     nodes = np.array([[7, 43, 10.0], [-70, -12, 20.0], [179, 60, 0.0], [-180, 0, 0.0]])
     heights = above_ellipsoid(nodes, Geoid(RasterRef(egm96_file(tmp_path / "geoid.tif", first))))
     np.testing.assert_allclose(heights, heights_above_ellipsoid(nodes, "EPSG:5773"), atol=1e-4)
-
-
-def test_projs_own_grid_as_a_file() -> None:
-    grids = [Path(folder) / "egm96_15.gtx" for folder in osr.GetPROJSearchPaths()]
-    grid = next((path for path in grids if path.is_file()), None)
-    if grid is None:
-        pytest.skip("PROJ's egm96_15.gtx is not installed")
-    places = np.column_stack([PLACES, np.full(len(PLACES), 5.0)])
-    heights = above_ellipsoid(places, Geoid(RasterRef(str(grid))))
-    np.testing.assert_allclose(heights, heights_above_ellipsoid(places, "EPSG:5773"), atol=1e-3)
-
-
-def test_half_a_pixel_beyond_its_last_node_a_grid_has_the_node_s_height(tmp_path: Path) -> None:
-    west = gdal.Translate(str(tmp_path / "w.tif"), egm96_file(tmp_path / "g.tif"), projWin=(-90, 60, -60, 20))
-    left, step, *_ = west.GetGeoTransform()
-    last = left + step * (west.RasterXSize - 0.5)
-    west = None
-    assert west is None
-    places = np.array([[last, 40.0, 0.0], [last + 0.4 * step, 40.0, 0.0]])
-    at, beyond = above_ellipsoid(places, Geoid(RasterRef(str(tmp_path / "w.tif"))))
-    assert beyond == at
 
 
 def test_what_is_no_grid_of_the_geoid_says_so(tmp_path: Path) -> None:

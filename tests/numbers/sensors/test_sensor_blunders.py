@@ -8,14 +8,7 @@ import pytest
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.sensors.measure import registry
-from seam_inspector.plugin.sensors.measure.adjustment import (
-    CHECK_POINTS,
-    LEAVE_ONE_OUT,
-    accuracy,
-    adjust,
-    all_requests,
-    compare,
-)
+from seam_inspector.plugin.sensors.measure.adjustment import CHECK_POINTS, LEAVE_ONE_OUT, adjust, all_requests, compare
 from seam_inspector.plugin.sensors.measure.heights import is_flat
 from seam_inspector.plugin.sensors.measure.points import choose_check_points, control_coverage, coverage_warnings
 from seam_inspector.plugin.sensors.measure.pushbroom import geocentric, unit
@@ -68,8 +61,6 @@ def test_a_blunder_among_the_check_points_is_flagged_and_not_counted() -> None:
     assert done.check.count == 29
     plain = adjust(registry.RATIONAL.request(), points(image, ground, np.arange(60) >= 30))
     assert plain.check.count == 30
-    assert plain.check.max_x is not None
-    assert done.check.max_x is not None
     assert plain.check.max_x > 5 * done.check.max_x
 
 
@@ -96,25 +87,6 @@ def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
     done = adjust(registry.PUSHBROOM.request(size=(COLUMNS, ROWS)), points(image, ground), robust=True)
     assert done.blunder[3]
     assert done.blunder.sum() <= 3
-
-
-def test_most_blunders_are_found_in_the_mean_of_many_sets() -> None:
-    truth, shares = made_rational(1, 7, 0.0), []
-    for seed in range(30):
-        random = np.random.default_rng(seed)
-        ground = places(40, seed)
-        image = truth.project(ground) + random.normal(0, SIGMA, (40, 2))
-        image[:12] += 5 * SIGMA * random.choice([-1, 1], (12, 2))
-        shares.append(adjust(registry.POLYNOMIAL_3D.request(), points(image, ground), robust=True).blunder[:12].mean())
-    assert np.mean(shares) >= 0.8
-
-
-def test_the_accuracy_of_residuals() -> None:
-    errors = accuracy(np.array([[0.5, 1.0], [-0.5, 7.0]]), np.array([[3.0, 1.0], [-4.0, 0.0]]))
-    assert (errors.count, errors.max_x, errors.max_y) == (2, 4, 1)
-    assert (errors.rmse_x, errors.rmse_y) == pytest.approx((np.sqrt(12.5), np.sqrt(0.5)))
-    assert (errors.rmse_column, errors.rmse_row) == pytest.approx((0.5, 5))
-    assert errors.rmse == pytest.approx(np.sqrt(13))
 
 
 def test_sigma_is_that_of_the_measurements_whatever_the_redundancy() -> None:
@@ -209,9 +181,7 @@ def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> Non
     models = all_requests(None, 694e3, (COLUMNS, ROWS))
     result = compare(few, models, robust=False, flat=is_flat(few))
     assert result.method == LEAVE_ONE_OUT
-    assert result.recommended is not None
     assert result.recommended.request.kind == registry.PUSHBROOM
-    assert result.recommended.errors is not None
     assert result.recommended.errors.count == 14
     refused = {row.request.name: str(row.reason) for row in result.rows if row.errors is None}
     assert "needs at least 39" in refused["rational 3"]
@@ -220,7 +190,6 @@ def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> Non
     models = [request for request in all_requests(rpc, 694e3, None) if request.kind != registry.PUSHBROOM]  # type: ignore[arg-type]
     result = compare(many, models, False, False)
     assert result.method == CHECK_POINTS
-    assert result.recommended is not None
     assert result.recommended.request.name == "rpc_bias shift"
     assert "vendor's RPC" in str(result.reason)
 
@@ -233,7 +202,6 @@ def test_plane_models_are_recommended_on_flat_terrain_only() -> None:
         given = points(made_rational(1, 3, 0).project(ground), ground, np.arange(40) >= 20)
         assert is_flat(given) == flat
         result = compare(given, [registry.POLYNOMIAL_2D.request("1"), registry.POLYNOMIAL_3D.request("1")], False, flat)
-        assert result.recommended is not None
         assert (result.recommended.request.kind == registry.POLYNOMIAL_3D) >= (not flat)
     nothing = compare(given, [registry.RATIONAL.request("3")], False, False)
     assert nothing.recommended is None

@@ -1,7 +1,6 @@
 """Every sensor model: recovered from its own points, and on the geometry of real satellite images."""
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,10 +10,10 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.sensors.measure import registry
 from seam_inspector.plugin.sensors.measure.adjustment import Adjustment, adjust
 from seam_inspector.plugin.sensors.measure.polynomials import Dlt, Polynomial2D, Polynomial3D
-from seam_inspector.plugin.sensors.measure.pushbroom import fit_pushbroom, geocentric
+from seam_inspector.plugin.sensors.measure.pushbroom import fit_pushbroom
 from seam_inspector.plugin.sensors.measure.registry import ModelRequest
 from seam_inspector.plugin.sensors.measure.rpc import BiasedRpc
-from seam_inspector.plugin.sensors.measure.sensor_model import Scaling, newton
+from seam_inspector.plugin.sensors.measure.sensor_model import Scaling
 
 from tests.numbers.sensors.sensor_scenes import (
     COLUMNS,
@@ -43,9 +42,6 @@ def largest_px(done: Adjustment) -> float:
     return float(np.abs(done.residuals_px[done.points.check]).max())
 
 
-# --- its own points --------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("order", [1, 2, 3])
 @given(seed=st.integers(0, 10_000))
 def test_rational_recovers_itself(order: int, seed: int) -> None:
@@ -53,13 +49,6 @@ def test_rational_recovers_itself(order: int, seed: int) -> None:
     done = judged(registry.RATIONAL.request(str(order)), made_rational(order, seed).project(ground), ground, 80)
     assert done.fitted.converged
     assert largest_px(done) < EXACT_PX
-
-
-def test_the_terms_are_those_of_rpc00b() -> None:
-    model, ground = made_rational(3, 1), places(20, 2)
-    design = terms((ground - MIDDLE) / REACH, 20)
-    by_hand = model.image.back((design @ model.numerators) / (design @ model.denominators))
-    assert np.allclose(model.project(ground), by_hand, rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])
@@ -113,14 +102,6 @@ def test_the_orbits_height_need_be_known_roughly_only(height_km: float) -> None:
     assert fitted.model.project(others) == pytest.approx(truth.project(others), abs=1e-5)
 
 
-def test_places_that_newtons_method_does_not_reach_are_none() -> None:
-    wanted = np.array([[0.5, 1.0], [2.0, 0.5], [-1.0, 0.0]])  # no angle of a slope is 2
-    roots = newton(np.arctan, wanted, np.zeros((3, 2)))
-    assert roots[[0, 2]] == pytest.approx(np.tan(wanted[[0, 2]]))
-    assert np.isnan(roots[1]).all()
-
-
-
 @pytest.mark.parametrize(
     ("kind", "count", "used"),
     [("shift", 1, [0]), ("shift_drift", 2, [0, 2]), ("affine", 3, [0, 1, 2]), ("affine", 30, [0, 1, 2])],
@@ -146,21 +127,6 @@ def test_residuals_in_metres_are_those_on_the_ground() -> None:
     done = judged(registry.RATIONAL.request(), image, ground + moved, 30)
     assert done.residuals_m[35] == pytest.approx([-3, 2], abs=0.02)  # model minus given
     assert np.abs(np.delete(done.residuals_m, 35, axis=0)).max() < 1e-5
-
-
-def test_geocentric_coordinates_are_those_of_proj() -> None:
-    from osgeo import osr
-
-    systems = [osr.SpatialReference(), osr.SpatialReference()]
-    for system, code in zip(systems, (4979, 4978)):
-        system.ImportFromEPSG(code)
-        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
-    ground = np.array([[7.2, 43.7, 5000.0], [-120.0, -33.0, -20.0], [0.0, 89.0, 0.0]])
-    expected = np.array(osr.CoordinateTransformation(*systems).TransformPoints(ground.tolist()))
-    assert np.allclose(geocentric(ground), expected, rtol=0, atol=1e-6)
-
-
-# --- real geometry ---------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -217,19 +183,3 @@ def test_with_noise_the_parametric_model_is_better_and_the_others_come_in_the_pa
     medians = [float(np.median(errors[name])) for name in models]
     assert medians == sorted(medians)
     assert np.median(np.array(errors["pushbroom"]) / errors["rational"]) < 0.5
-
-
-def test_points_weigh_by_their_standard_deviations_and_those_without_by_the_median() -> None:
-    given = replace(points(np.zeros((5, 2)), np.zeros((5, 3))), sigma_px=np.array([0.1, 0.5, 2, 0, np.nan]))
-    np.testing.assert_allclose(given.weights, (10, 2, 0.5, 2, 2))
-
-
-def test_a_standard_deviation_beyond_all_measure_still_gives_a_fit() -> None:
-    """1e-300 px, whose square is no number, is as good as the smallest that says anything."""
-    ground, truth = places(16, 5), made_pushbroom()
-    seen = truth.project(ground)
-    for sigma in (1e-300, 5e-324):
-        given = replace(points(seen, ground), sigma_px=np.full(16, sigma))
-        done = adjust(registry.PUSHBROOM.request(size=(COLUMNS, ROWS)), given)
-        assert np.isfinite(done.residuals_px).all()
-        assert np.abs(done.residuals_px).max() < 0.01

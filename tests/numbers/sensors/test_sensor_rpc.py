@@ -82,23 +82,6 @@ def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path
     assert np.abs(by_gdal(tmp_path / "image.tif", ground[inside]) - seen[inside]).max() < 0.01
 
 
-def test_a_model_that_has_the_form_of_an_rpc_misses_nothing() -> None:
-    made = rpc.rpc_of(*fitted("dlt"), DOMAIN)
-    assert (made.rms_px, made.max_px) == (0, 0)
-
-
-def test_an_rpc_is_fitted_to_a_hundred_metres_of_height_at_least() -> None:
-    for heights, fitted in (((700, 702), (651, 751)), ((0, 900), (0, 900)), ((-20, 79), (-20.5, 79.5))):
-        assert rpc.rpc_heights(Domain((0, COLUMNS), (0, ROWS), heights, (0, 0))) == fitted
-
-
-def test_a_plane_model_has_none() -> None:
-    ground = places(20, 1)
-    model = adjust(registry.POLYNOMIAL_2D.request(), points(made_rational(1, 2).project(ground), ground)).fitted.model
-    with pytest.raises(SensorModelError, match="knows no heights"):
-        rpc.rpc_of(model, WGS84, DOMAIN)
-
-
 def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: Path) -> None:
     folder = data_folder / "sensors" / "pleiades"
     ground = np.array([[5.25, 44.15, 900.0], [5.3, 44.1, 1500.0], [5.2, 44.2, 400.0]])
@@ -114,27 +97,10 @@ def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: P
     assert np.abs(by_gdal(tmp_path / name, ground) - dimap.project(ground)).max() < 1e-6
     image = open_image(RasterRef(str(data_folder / "sensors" / "worldview3" / "wv3_20.NTF")))
     ntf = rpc.own_rpc(image)
-    assert ntf is not None
     place = np.array([[float(ntf.ground.offset[0]), float(ntf.ground.offset[1]), 40.0]])
     assert np.abs(by_gdal(image.ref.path, place) - ntf.project(place)).max() < 1e-6
     beside = rpc.own_rpc(open_image(RasterRef(str(folder / "left_image.tif"))))
     assert beside is not None  # OSSIM's .geom
-
-
-def test_rpb_is_read(tmp_path: Path) -> None:
-    made, ground = made_rational(3, 3, 0.001), places(5, 1)
-    items = rpc.to_metadata(made)
-    names = {"LINE": "line", "SAMP": "samp", "LAT": "lat", "LONG": "long", "HEIGHT": "height"}
-    rows = []
-    for axis, name in names.items():
-        rows.append(f"\t{name}Offset = {items[f'{axis}_OFF']};\n\t{name}Scale = {items[f'{axis}_SCALE']};")
-    for name in ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN"):
-        axis, part = name.split("_")
-        values = ",\n".join(items[f"{name}_COEFF"].split())
-        rows.append(f"\t{names[axis]}{part.capitalize()}Coef = (\n{values});")
-    path = tmp_path / "image.RPB"
-    path.write_text("BEGIN_GROUP = IMAGE\n" + "\n".join(rows) + "\nEND_GROUP = IMAGE\nEND;\n")
-    assert np.abs(rpc.read_rpc(path).project(ground) - made.project(ground)).max() < 1e-6
 
 
 def test_alos_and_orthority_s_files_are_read(tmp_path: Path) -> None:
@@ -191,9 +157,6 @@ def test_a_file_that_is_no_rpc_is_refused(tmp_path: Path, content: str) -> None:
         rpc.read_rpc(tmp_path / "lost.txt")
 
 
-# --- model files -----------------------------------------------------------------------------------------------
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", [*KINDS, "polynomial_2d"])
 def test_a_model_file_gives_the_model_back(kind: str, tmp_path: Path) -> None:
@@ -231,8 +194,6 @@ def test_a_wrong_model_file_is_refused(tmp_path: Path) -> None:
         load_model(path)
 
 
-# --- the georeferencer's points --------------------------------------------------------------------------------
-
 OLD = "mapX,mapY,pixelX,pixelY,enable,dX,dY,residual\n{rows}"
 NEW = '#CRS: GEOGCRS["WGS 84",ID["EPSG",4326]]\nmapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n{rows}'
 ROWS_OF_FILE = "7.1,43.6,120.5,-30.25,1,0,0,0\n7.2,43.7,50,-60,0,0,0,0\n7.3,43.8,0,-1,1,0.1,0.2,0.3\n"
@@ -256,15 +217,6 @@ def test_points_files_old_and_new(tmp_path: Path, layout: str, wkt: str) -> None
             file_points(path, "", None)
 
 
-def test_columns_of_a_points_file_may_stand_in_any_order(tmp_path: Path) -> None:
-    path = tmp_path / "image.points"
-    path.write_text("enable,sourceY,sourceX,mapY,mapX\n1,-30.25,120.5,43.6,7.1\n0,-60,50,43.7,7.2\n")
-    points, _ = file_points(path, WGS84, None)
-    assert points.ids == ("1",)
-    np.testing.assert_array_equal(points.ground[:, :2], [[7.1, 43.6]])
-    np.testing.assert_array_equal(points.image, [[120.5, 30.25]])
-
-
 def test_a_wrong_points_file_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "image.points"
     for content, words in (
@@ -276,3 +228,8 @@ def test_a_wrong_points_file_is_refused(tmp_path: Path) -> None:
         path.write_text(content)
         with pytest.raises(SensorModelError, match=words):
             file_points(path, UTM, None)
+
+
+def test_an_rpc_is_fitted_to_a_hundred_metres_of_height_at_least() -> None:
+    for heights, fitted in (((700, 702), (651, 751)), ((0, 900), (0, 900)), ((-20, 79), (-20.5, 79.5))):
+        assert rpc.rpc_heights(Domain((0, COLUMNS), (0, ROWS), heights, (0, 0))) == fitted

@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.seams.measure import limits
 from seam_inspector.plugin.seams.measure.judgement import causes as rules
 from seam_inspector.plugin.seams.measure.judgement.causes import (
-    ALONG_THE_SEAM,
     Cause,
     CauseEvidence,
     Misfit,
@@ -127,8 +126,6 @@ def test_images_mixed_by_no_weights_are_another_mixture() -> None:
     assert Cause.OTHER_MIXTURE not in find_causes(cut)  # of a border that is known no better
 
 
-# --- limits ----------------------------------------------------------------------------------------------------
-
 AT_LIMITS: list[tuple[str, float, int, dict[str, Any], Cause]] = [
     ("missing", rules.MIN_MISSING_SHARE, 1, {}, Cause.MISSING_SOURCE),
     ("kept", rules.MAX_FEATHERED_KEPT, -1, {"kept_high": 0.99}, Cause.FEATHERING),
@@ -213,9 +210,6 @@ def test_tones_are_judged_source_by_source() -> None:
     assert find_causes(two_tones(gain=None)) == (Cause.NONE,)
 
 
-# --- what rules another one out --------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("spoilt", "cause"),
     [({"gamma": 1.5}, Cause.GAMMA), ({"colour_shift": 1.5}, Cause.COLOUR_SHIFT)],
@@ -256,14 +250,6 @@ def test_where_most_is_mixed_tones_between_two_sources_say_nothing(spoilt: dict[
     assert find_causes(replace(two_tones(gain=1.5), mixed=most)) == (Cause.NONE,)
 
 
-@pytest.mark.parametrize("spoilt", [{"off_pixel": 0.4, "least_transfer": 0.6}, {"least_transfer": 0.6}])
-def test_where_most_is_mixed_the_little_that_is_not_says_nothing_of_filters(spoilt: dict[str, Any]) -> None:
-    """The mean of two images lies between them."""
-    own = {**FEATHERED, "lost": 0.5, **spoilt}
-    assert find_causes(evidence(**own, mixed=rules.MIN_MIXED)) == (Cause.FEATHERING,)
-    assert len(find_causes(evidence(**own, mixed=rules.MIN_MIXED - LITTLE))) == 2
-
-
 def test_what_has_less_fine_detail_than_its_sources_at_the_gain_of_its_tones_is_not_sharpened() -> None:
     """Blending of several bands takes more of what is less fine."""
     assert find_causes(evidence(most_transfer=1.1, mid_scale_gain=0.9)) == (Cause.NONE,)
@@ -285,20 +271,6 @@ def test_compression_is_not_called_noise_too() -> None:
     assert find_causes(evidence(**NOISY)) == (Cause.NOISE_ADDED,)
 
 
-def test_a_files_own_compression_alone_is_no_cause() -> None:
-    assert find_causes(replace(SOUND, lossy_file=True)) == (Cause.NONE,)
-
-
-def test_noise_that_follows_strong_detail_is_no_noise() -> None:
-    assert find_causes(evidence(**NOISY, noise_rise=3.0)) == (Cause.NONE,)
-
-
-def test_blur_needs_unmixed_ground_or_hardly_any_mixture() -> None:
-    blurred = replace(SOUND, texture=None, sharpness=0.6)
-    assert find_causes(blurred) == (Cause.BLUR,)
-    assert find_causes(replace(blurred, mixed=rules.MIN_MIXED)) == (Cause.NONE,)
-
-
 def test_what_is_left_over_everywhere_is_no_other_mixture() -> None:
     other = {**FEATHERED, "left_by_mixture": 0.5}
     for everywhere in (NOISY, COMPRESSED):
@@ -306,18 +278,11 @@ def test_what_is_left_over_everywhere_is_no_other_mixture() -> None:
     assert find_causes(replace(evidence(**other), texture=None)) == (Cause.FEATHERING,)
 
 
-def test_without_a_profile_much_that_is_mixed_is_a_feather() -> None:
-    assert find_causes(replace(SOUND, profile=None)) == (Cause.NONE,)
-    assert find_causes(replace(SOUND, profile=None, mixed=rules.MIN_MIXED, lost=0.3)) == (Cause.FEATHERING,)
-
-
 @pytest.mark.parametrize(("kept", "high"), [(0.5, 1.0), (0.5, 1.4), (0.98, 0.99)])
 def test_a_loss_that_may_be_none_is_no_feathering(kept: float, high: float) -> None:
     assert find_causes(evidence(kept=kept, kept_high=high)) == (Cause.NONE,)
     assert find_causes(evidence(kept=kept, kept_high=high, feather_width_px=20.0)) == (Cause.NONE,)
 
-
-# --- several at once -------------------------------------------------------------------------------------------
 
 EVERYTHING: dict[str, Any] = {
     "missing": 0.5, **FEATHERED, "lost": 0.4, "misfit": Misfit(1.0, 0.4), "least_transfer": 0.3,
@@ -338,41 +303,6 @@ def test_all_that_took_part_are_ranked_by_what_each_took_in_one_unit() -> None:
         (Cause.MISREGISTRATION, pytest.approx(0.16)), (Cause.CLIPPING, 0.05), (Cause.SHARPENED, 0.0),
         (Cause.COMPRESSED, 0.0), (Cause.GAMMA, 0.0), (Cause.COLOUR_SHIFT, 0.0),
     )  # fmt: skip
-
-
-def test_mended_one_by_one_the_next_comes_first() -> None:
-    mended: list[tuple[Cause, dict[str, Any]]] = [
-        (Cause.MISSING_SOURCE, {"missing": 0.0}), (Cause.FEATHERING, {"kept": 1.0, "kept_high": 1.1, "lost": 0.0}),
-        (Cause.BLUR, {"least_transfer": 1.0, "strong_transfer": 1.0}),
-        (Cause.COMPRESSED, {"quantised": 0.0, "noise_dn": 0.4}),
-        (Cause.CLIPPING, {"clipped": 0.0}), (Cause.SHARPENED, {"most_transfer": 1.0}), (Cause.GAMMA, {"gamma": 1.0}),
-        (Cause.COLOUR_SHIFT, {"colour_shift": 1.0}), (Cause.MISREGISTRATION, {"misfit": None}),
-    ]  # fmt: skip
-    left: dict[str, Any] = {}
-    for cause, mend in mended:
-        assert find_causes(everything(**left))[0] is cause
-        left.update(mend)
-    assert find_causes(everything(**left)) == (Cause.NONE,)
-
-
-@pytest.mark.parametrize(
-    "spoilt",
-    [{"most_transfer": 3.0}, NOISY, {"gain": 0.4}, {"gamma": 2.5}, {"colour_shift": 2.0}, {"unevenness": 1.0},
-     {"unevenness": 1.0, "clipped": 0.3}],
-)  # fmt: skip
-def test_what_took_nothing_comes_after_all_that_did(spoilt: dict[str, Any]) -> None:
-    for least in ({"clipped": 0.01, "clipped_lost": LITTLE}, {**FEATHERED, "lost": LITTLE}):
-        found = causes_taken(evidence(**{**least, **spoilt}))
-        shares = [share for _, share in found]
-        assert len(found) > 1
-        assert shares == sorted(shares, reverse=True)
-        assert min(shares) == 0
-
-
-def test_what_came_over_the_whole_goes_before_a_seam_that_took_less() -> None:
-    for lost, first in ((0.05, Cause.BLUR), (0.3, Cause.FEATHERING)):
-        own = evidence(**FEATHERED, lost=lost, least_transfer=0.8, sharpness=np.sqrt(1 - 0.2 - lost))
-        assert find_causes(own)[0] is first
 
 
 @given(sharpness=st.floats(0.1, 1.5), lost=st.floats(0, 1), clipped=st.floats(0, 1))
@@ -412,27 +342,6 @@ def test_at_a_cut_a_misfit_takes_nothing() -> None:
     assert causes_taken(evidence(misfit=Misfit(3.0, 0.8))) == ((Cause.MISREGISTRATION, 0.0),)
 
 
-def test_what_takes_detail_beside_a_seam_alone_is_known() -> None:
-    assert set(ALONG_THE_SEAM) == {Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION}
-    for share in (0.1, 0.3):
-        taken = dict(causes_taken(evidence(**FEATHERED, lost=share, misfit=OFF, left_by_mixture=0.0)))
-        assert sum(taken[one] for one in taken if one in ALONG_THE_SEAM) == pytest.approx(share)
-
-
-@pytest.mark.parametrize(
-    ("cause", "name", "besides"),
-    [
-        (Cause.MISSING_SOURCE, "missing", {}),
-        (Cause.FEATHERING, "lost", FEATHERED),
-        (Cause.OTHER_MIXTURE, "lost", {**FEATHERED, "left_by_mixture": 0.5}),
-        (Cause.CLIPPING, "clipped_lost", {"clipped": 0.3}),
-    ],
-)
-def test_the_more_it_took_the_farther_it_goes(cause: Cause, name: str, besides: dict[str, Any]) -> None:
-    shares = [dict(causes_taken(evidence(**besides, **{name: value})))[cause] for value in (0.1, 0.2, 0.9)]
-    assert shares == [0.1, 0.2, 0.9]
-
-
 @given(
     missing=st.floats(0, 1), kept=st.floats(0.01, 2), mixed=st.floats(0, 1), clipped=st.floats(0, 1),
     gain=st.floats(-2, 2), gamma=st.floats(0.2, 5), transfer=st.floats(0.05, 4), noise=st.floats(0, 40),
@@ -450,9 +359,6 @@ def test_whatever_was_measured_there_is_a_cause_or_none_alone(
     assert len(set(found)) == len(found) > 0
     assert Cause.UNCLEAR not in found
     assert (Cause.NONE in found) is (found == (Cause.NONE,))
-
-
-# --- what the guide says of the limits ------------------------------------------------------------------------------
 
 
 def percent(share: float) -> str:

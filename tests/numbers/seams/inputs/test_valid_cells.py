@@ -1,24 +1,16 @@
 """Where rasters have pixels, held against all of their pixels as GDAL reads them."""
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
-from seam_inspector.plugin.seams.measure.inputs.valid_cells import (
-    FEWEST_PX,
-    MOST_CELLS,
-    CellGrid,
-    ValidCells,
-    nearest_judgeable,
-    valid_cells,
-)
+from seam_inspector.plugin.seams.measure.inputs.valid_cells import CellGrid, ValidCells, nearest_judgeable, valid_cells
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
@@ -89,28 +81,12 @@ def test_a_raster_that_says_of_no_pixel_that_it_is_none_is_not_read(
     assert shares(cells_of(path, mosaic), mosaic) == pytest.approx(expected, abs=0.02)
 
 
-def test_a_large_raster_is_read_piece_by_piece(
-    make_raster: MakeRaster, mosaic: Raster, hole: np.ndarray, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    pixels = np.where(hole, np.maximum(orthoimage((400, 400)), 1), 0).astype(np.uint8)
-    path = make_raster("source.tif", pixels, nodata=0)
-    at_once = cells_of(path, mosaic)
-    monkeypatch.setattr("seam_inspector.plugin.seams.measure.inputs.valid_cells.MOST_READ", 700)
-    read, sizes = OpenRaster.read, []
-    monkeypatch.setattr(OpenRaster, "read", lambda *given: sizes.append(given[1].height) or read(*given))
-    piece_by_piece = cells_of(path, mosaic)
-    assert len(sizes) > 10
-    assert max(sizes) < 40
-    assert (piece_by_piece.valid == at_once.valid).mean() > 0.99
-
-
 def test_the_nearest_place_is_the_nearest_of_all_by_all_pixels(make_raster: MakeRaster, hole: np.ndarray) -> None:
     pixels = np.where(hole, np.maximum(orthoimage((400, 400)), 1), 0).astype(np.uint8)
     raster = describe_mosaic(RasterRef(make_raster("holes.tif", pixels, nodata=0)))
     cells, grid = cells_of(raster.ref.path, raster), CellGrid.of(raster.grid)
     window = PixelWindow(100, 150, 64, 64)
     found = nearest_judgeable(grid, cells, window)
-    assert found is not None
     assert hole[found.row : found.row + 64, found.column : found.column + 64].mean() > 0.999
     best = min(
         np.hypot(column - 100, row - 150)
@@ -120,12 +96,12 @@ def test_the_nearest_place_is_the_nearest_of_all_by_all_pixels(make_raster: Make
     assert np.hypot(found.column - 100, found.row - 150) <= best + 1
     along = np.array([[300.0, float(row)] for row in range(0, 400, 4)])
     on_line = nearest_judgeable(grid, cells, window, along)
-    assert on_line is not None
     assert on_line.column + 32 == 300
     assert hole[on_line.row : on_line.row + 64, on_line.column : on_line.column + 64].mean() > 0.999
     assert nearest_judgeable(grid, cells, PixelWindow(0, 0, 512, 512)) is None
 
 
+@pytest.mark.release
 def test_what_is_promised_on_brighton_takes_part(data_folder: Path) -> None:
     folder = data_folder / "seams" / "brighton"
     if not folder.is_dir():
@@ -149,11 +125,3 @@ def test_what_is_promised_on_brighton_takes_part(data_folder: Path) -> None:
     assert max(measured) > 1
     assert min(measured) == 0
     assert promised == pytest.approx(measured, abs=1)
-
-
-@pytest.mark.parametrize("side", [1, 512, 16_384, 16_385, 200_000, 1_000_000])
-def test_cells_are_as_fine_as_memory_allows(mosaic: Raster, side: int) -> None:
-    grid: Grid = replace(mosaic.grid, columns=side, rows=7)
-    step = CellGrid.of(grid).step
-    assert side <= MOST_CELLS * step
-    assert step == FEWEST_PX or side > MOST_CELLS * step / 2

@@ -78,10 +78,3 @@ def test_how_much_of_the_mosaics_detail_a_source_has() -> None:
     assert dressing.shown_detail(shown, noisy, WHOLE) > 0.95
     assert dressing.shown_detail(9 * other, mosaic, WHOLE) < 0.05
     assert dressing.shown_detail(shown, np.full(SHAPE, 90, np.uint8), WHOLE) is None
-
-
-@pytest.mark.parametrize("reach", [0.8, 2.0, 54.0])
-def test_smoothing_is_that_of_a_gaussian_filter_with_repeated_edges(reach: float) -> None:
-    planes = np.stack([texture((23, 61), 1.0, seed) for seed in (7, 8)]).astype(np.float32)
-    expected = [ndimage.gaussian_filter(plane, reach, mode="nearest") for plane in planes]
-    np.testing.assert_allclose(dressing._smoothed(planes, reach), expected, atol=1e-5)

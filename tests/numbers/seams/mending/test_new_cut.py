@@ -46,9 +46,6 @@ def test_a_roof_beside_the_way_is_no_misfit() -> None:
     assert reason is None
 
 
-# --- the way itself ---------------------------------------------------------------------------------------------
-
-
 def test_the_way_follows_a_valley_in_any_direction() -> None:
     """Diagonally as well, and from end to end where these are barred themselves."""
     side = 24
@@ -64,7 +61,6 @@ def test_the_way_follows_a_valley_in_any_direction() -> None:
         place = {int(number): (row, column) for (row, column), number in np.ndenumerate(numbers)}
         first, last = (place[row * side + column] for row, column in (start, end))
         way = cheapest_way(turn(cost), turn(allowed), first, last)
-        assert way is not None
         assert [int(numbers[row, column]) for row, column in way.tolist()] == [
             row * side + column for row, column in valley
         ]

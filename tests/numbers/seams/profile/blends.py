@@ -79,10 +79,7 @@ class Blend:
 def sources(
     side: int = SIDE, seed: int = 0, in_common: float = 0.0, other_years: float = 0.0
 ) -> tuple[np.ndarray, ...]:
-    """Three planes of ground that changes from place to place; ``in_common``: the share of variance that all show.
-
-    ``other_years``: standard deviation of what they differ by in the large, DN.
-    """
+    """Three planes of ground that changes from place to place; ``in_common``: the share of variance that all show."""
     contrast = 14 * np.exp(0.5 * ndimage.gaussian_filter(texture((side, side), 3.0, seed + 77), 12, mode="wrap"))
     ground = texture((side, side), 1.2, seed + 100)
     return tuple(

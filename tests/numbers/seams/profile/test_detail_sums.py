@@ -1,215 +1,40 @@
-"""Sums of detail over cells and distances from the seam: against PyWavelets, scipy's distances and plain geometry."""
+"""Sums of detail over cells and distances from the seam, by plain geometry."""
 from __future__ import annotations
-
-from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from scipy import ndimage
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.profile.cell_table import (
-    CELL_PX,
-    EDGES_PX,
-    FARTHEST,
-    MIXED_BINS,
-    PRODUCTS,
-    CellTable,
-    MixtureTable,
-)
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
 from seam_inspector.plugin.seams.measure.profile.detail_sums import (
     MeetingSources,
     detail_sums,
-    energy_of_rounding,
     seam_geometry,
     seam_samples,
 )
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from tests.examples import at_most
-from tests.numbers.seams.profile.blends import spread
-from tests.numbers.synthetic import texture, wavedec
+from tests.numbers.synthetic import texture
 
 LEVELS, WAVELET = 3, "coif3"
 SHAPE = (128, 160)
-CELLS = (SHAPE[0] // CELL_PX, SHAPE[1] // CELL_PX)
 
 
-@pytest.fixture(scope="module")
-def planes() -> np.ndarray:
-    """A mosaic, its cut and two sources, all of which have half of their detail in common; (4, rows, columns)."""
-    common, *own = (25 * texture(SHAPE, 1.2, seed) for seed in range(1, 6))
-    return np.stack([common + one for one in own]).astype(np.float32)
-
-
-def sums_of(planes: np.ndarray, labels: np.ndarray, numbers: Sequence[int] = (0, 1), levels: int = LEVELS,
-            valid: dict[int, np.ndarray] | None = None) -> tuple[CellTable, MixtureTable]:
-    """Sums of the mosaic, the cut and the sources of these numbers."""
-    sources = MeetingSources(labels.astype(np.uint8), numbers, valid or {})
-    return detail_sums(list(detail_components(planes, WAVELET, levels)), sources)
-
-
-def coefficients(planes: np.ndarray) -> list[np.ndarray]:
-    """Coefficients by PyWavelets: level by level (planes, 3, rows, columns)."""
-    found = [wavedec(plane, WAVELET, LEVELS)[:0:-1] for plane in planes]
-    return [np.stack([np.array(one[level]) for one in found]) for level in range(LEVELS)]
-
-
-def followed(details: np.ndarray, labels: np.ndarray, level: int) -> np.ndarray:
-    """Those of the source that is followed where each lies, (3, rows, columns)."""
-    side = 2 ** (level + 1)
-    coarse = labels[::2, ::2][side // 4 :: max(side // 2, 1), side // 4 :: max(side // 2, 1)]
-    return np.asarray(np.where(coarse == 0, details[2], details[3]))
-
-
-def halves(shape: tuple[int, int] = SHAPE, border: int = 64) -> np.ndarray:
-    """Source 0 in the west, 1 in the east."""
-    return np.broadcast_to((np.arange(shape[1]) >= border).astype(np.uint8), shape)
-
-
-def marked(values: np.ndarray, level: int = 1, levels: int = LEVELS) -> list[np.ndarray]:
-    """Details whose energies are given at one level and nothing at the others: (rows, columns) of that level."""
-    found = []
-    for r in range(1, levels + 1):
-        shape = tuple(length * 2**level // 2**r for length in values.shape)
-        details = np.zeros((3, 2, *shape))
-        if r == level:
-            details[1] = np.sqrt(values)
-        found.append(details)
-    return found
-
-
-def in_cells(values: np.ndarray, level: int) -> np.ndarray:
-    """Sums of coefficients of a level, (rows, columns)."""
-    side = CELL_PX >> (level + 1)
-    return np.asarray(values.reshape(CELLS[0], side, CELLS[1], side).sum(axis=(1, 3)))
-
-
-def test_sums_are_those_of_the_mosaic_and_of_the_source_that_is_followed(planes: np.ndarray) -> None:
-    """Not of the cut, whose coefficients hold its own edge."""
-    labels = halves()
-    found = sums_of(planes, labels)[0]
-    for r, details in enumerate(coefficients(planes)):
-        own, source = details[0], followed(details, labels, r)
-        for sums, a, b in ((found.mm, own, own), (found.cc, source, source), (found.mc, own, source)):
-            assert sums[r].sum() == pytest.approx((a * b).sum(), rel=1e-4)
-            expected = in_cells((a * b).sum(axis=0), r)
-            np.testing.assert_allclose(
-                spread(found, sums[r], CELLS).sum(axis=0), expected, rtol=1e-3, atol=1e-4 * expected.std()
-            )
-
-
-def test_a_single_source_is_the_cut(planes: np.ndarray) -> None:
-    found, beside = sums_of(planes[:2], np.zeros(SHAPE), ())
-    for r, details in enumerate(coefficients(planes[:2])):
-        assert found.cc[r].sum() == pytest.approx((details[1] ** 2).sum(), rel=1e-4)
-    assert not len(beside)
-
-
-def test_cells_add_up_to_the_window(planes: np.ndarray) -> None:
-    found = sums_of(planes, halves())[0]
-    assert found.area.sum(axis=1).tolist() == [SHAPE[0] * SHAPE[1]] * LEVELS
-    assert (spread(found, found.area, CELLS).sum(axis=1) == CELL_PX**2).all()
-
-
-@pytest.mark.parametrize("shape", [(72, 88), (64, 104), (120, 64)])
-def test_what_sticks_out_of_whole_cells_is_in_none(shape: tuple[int, int]) -> None:
-    planes = np.stack([20 * texture(shape, 1.0, seed) for seed in (1, 2)]).astype(np.float32)
-    found = sums_of(planes, halves(shape, 32), ())[0]
-    rows, columns = (length // CELL_PX for length in shape)
-    assert (spread(found, found.area, (rows, columns)).sum(axis=1) == CELL_PX**2).all()
-    own = np.array(wavedec(planes[0], WAVELET, LEVELS)[-1])[:, : rows * 8, : columns * 8]
-    assert found.mm[0].sum() == pytest.approx((own**2).sum(), rel=1e-3)
-
-
-@at_most(20)
-@given(a=st.floats(0.1, 10), b=st.floats(0.1, 10), border=st.integers(1, 127))
-def test_sums_are_quadratic(a: float, b: float, border: int) -> None:
-    shape = (64, 128)
-    planes = np.stack([20 * texture(shape, 1.0, seed) for seed in (1, 2)])
-    labels = halves(shape, border)
-    scales = np.array([a, b])[:, np.newaxis, np.newaxis]
-    plain, scaled = (sums_of(one, labels, ())[0] for one in (planes, planes * scales))
-    np.testing.assert_allclose(scaled.mm, a**2 * plain.mm, rtol=1e-5, atol=1e-4)
-    np.testing.assert_allclose(scaled.cc, b**2 * plain.cc, rtol=1e-5, atol=1e-4)
-    np.testing.assert_allclose(scaled.mc, a * b * plain.mc, rtol=1e-4, atol=1e-2)
-
-
-# --- distances -------------------------------------------------------------------------------------------------
+def marked(values: np.ndarray) -> list[np.ndarray]:
+    """Details whose energies are given at the finest level and nothing at the others: (rows, columns) of that level."""
+    rows, columns = values.shape
+    details = [np.zeros((3, 2, rows >> r, columns >> r)) for r in range(LEVELS)]
+    details[0][1] = np.sqrt(values)
+    return details
 
 
 def of_marked(details: list[np.ndarray], labels: np.ndarray) -> CellTable:
     return detail_sums(details, MeetingSources(labels.astype(np.uint8)))[0]
 
 
-def test_along_a_straight_seam_bins_are_strips_on_both_sides(planes: np.ndarray) -> None:
-    found = sums_of(planes, halves())[0]
-    area = np.bincount(found.bin, found.area[0], len(EDGES_PX))
-    for number, (near, far) in enumerate(zip(EDGES_PX, EDGES_PX[1:])):
-        west, east = (max(0, min(far, reach) - near) for reach in (64, SHAPE[1] - 64))
-        assert area[number] == (west + east) * SHAPE[0], (near, far)
-
-
-def crooked(shape: tuple[int, int] = SHAPE) -> np.ndarray:
-    """Three sources that meet."""
-    row, column = np.mgrid[: shape[0], : shape[1]]
-    border = shape[1] / 2 + 14 * np.sin(row / 11)
-    labels: np.ndarray = np.where(column < border, 0, np.where(row < 40 + column / 6, 1, 2))
-    return labels.astype(np.uint8)
-
-
-def by_scipy(labels: np.ndarray) -> np.ndarray:
-    """Distance of each pixel's middle from the nearest border between two labels, px."""
-    apart = [ndimage.distance_transform_edt(labels == label) - 0.5 for label in np.unique(labels)]
-    return np.max(apart, axis=0)
-
-
-@pytest.mark.parametrize("level", [1, 2, 3])
-def test_distances_are_those_of_scipy(level: int) -> None:
-    """The energies handed over are the distances themselves, so that each bin tells the mean over its coefficients."""
-    labels = crooked()
-    side = 2**level
-    rows, columns = (length // side for length in SHAPE)
-    distance = by_scipy(labels).reshape(rows, side, columns, side).mean(axis=(1, 3))
-    found = of_marked(marked(distance, level), labels)
-    counts = np.bincount(found.bin, found.area[level - 1], len(EDGES_PX)) / side**2
-    means = np.bincount(found.bin, found.mm[level - 1], len(EDGES_PX)) / np.maximum(counts, 1)
-    reach = 2.5 + side / 2  # the grid of distances has 2 px, and a coefficient its own size
-    for number in np.flatnonzero(counts >= 8):
-        far = EDGES_PX[number + 1] if number + 1 < len(EDGES_PX) else np.inf
-        assert EDGES_PX[number] - reach <= means[number] <= far + reach
-    known = np.flatnonzero(counts >= 8)
-    assert (np.diff(means[known]) > 0).all()
-    expected = np.histogram(distance, [*EDGES_PX, 1e9])[0]
-    within = [np.abs(np.cumsum(counts) - np.cumsum(expected)).max() / counts.sum()]
-    assert max(within) < 0.06 * side / 2 + 0.02
-
-
-def test_a_coefficient_lies_in_the_bin_of_its_distance() -> None:
-    for column, near in ((31, 0), (32, 0), (30, 2), (33, 2), (29, 4), (26, 8), (24, 12), (21, 16), (14, 32), (50, 32)):
-        energies = np.zeros((64, 80))
-        energies[20, column] = 9.0
-        found = of_marked(marked(energies), halves())
-        found = found.chosen(found.mm[0] > 0)
-        assert found.row.tolist() == [40 // CELL_PX]
-        assert found.column.tolist() == [2 * column // CELL_PX]
-        assert np.array(EDGES_PX)[found.bin].tolist() == [near], column
-        assert found.mm[0].tolist() == pytest.approx([9.0])
-
-
-# --- what no source explains -----------------------------------------------------------------------------------
-
-
-def with_gap(gap: Sequence[slice]) -> np.ndarray:
-    labels = halves().copy()
-    labels[tuple(gap)] = UNKNOWN
-    return labels
-
-
 def test_what_is_unknown_takes_no_part_nor_do_its_neighbours() -> None:
     gap = np.s_[32:80, 96:144]
-    labels = with_gap(gap)
+    labels = np.broadcast_to((np.arange(SHAPE[1]) >= 64).astype(np.uint8), SHAPE).copy()
+    labels[gap] = UNKNOWN
     energies = np.zeros((64, 80))
     energies[16:40, 48:72] = 1e6  # of the gap itself
     energies[13, 50] = energies[30, 45] = 1e6  # 5 px beside it
@@ -230,108 +55,6 @@ def test_the_border_of_what_is_unknown_is_no_seam() -> None:
     assert set(np.unique(found.bins)) == {FARTHEST, len(EDGES_PX)}
     labels[:, 96:] = 1  # two sources, and between them ground that neither explains
     assert not seam_samples(labels)[0].any()
-
-
-def test_nothing_is_left_where_nothing_is_known(planes: np.ndarray) -> None:
-    found, beside = sums_of(planes, np.full(SHAPE, UNKNOWN))
-    assert not len(found)
-    assert not len(beside)
-
-
-def test_one_source_is_far_from_any_seam(planes: np.ndarray) -> None:
-    found, beside = sums_of(planes[:2], np.zeros(SHAPE), ())
-    assert (found.bin == FARTHEST).all()
-    assert found.area[0].sum() == SHAPE[0] * SHAPE[1]
-    assert not len(beside)
-
-
-# --- beside a seam ---------------------------------------------------------------------------------------------
-
-
-def test_beside_a_seam_each_source_meets_the_other(planes: np.ndarray) -> None:
-    """Products by what is followed and what lies beyond, by PyWavelets' coefficients of each plane."""
-    labels = halves()
-    beside = sums_of(planes, labels)[1]
-    assert beside.products.shape[:2] == (len(PRODUCTS), LEVELS)
-    np.testing.assert_array_equal(np.unique(np.column_stack([beside.source, beside.other]), axis=0), [[0, 1], [1, 0]])
-    for r, (mosaic, cut, west, east) in enumerate(coefficients(planes)):
-        for source, side, s, o in ((0, np.s_[:, :, : 64 >> (r + 1)], west, east),
-                                   (1, np.s_[:, :, 64 >> (r + 1) :], east, west)):
-            planes_of = {"m": mosaic[side], "s": s[side], "o": o[side], "k": (cut - s)[side]}
-            planes_of |= {"p": s[side], "q": o[side]}
-            own = beside.products[:, r, beside.source == source].sum(axis=1)
-            for name, found in zip(PRODUCTS[1:-1], own[1:-1]):
-                expected = (planes_of[name[0]] * planes_of[name[1]]).sum()
-                assert found == pytest.approx(expected, rel=1e-3, abs=1e-3 * own[1]), (r, source, name)
-            assert own[0] == planes_of["m"][0].size * 4 ** (r + 1)
-            assert own[-1] == 0
-
-
-def test_a_mosaic_with_traces_of_a_codec_has_them_wherever_its_sources_meet(planes: np.ndarray) -> None:
-    details = list(detail_components(planes, WAVELET, LEVELS))
-    products = detail_sums(details, MeetingSources(halves().astype(np.uint8), (0, 1), was_compressed=True))[1].products
-    np.testing.assert_array_equal(products[PRODUCTS.index("codec")], products[PRODUCTS.index("area")])
-
-
-def test_sources_before_anything_came_over_them_are_summed_beside_those_as_shown(planes: np.ndarray) -> None:
-    labels = halves().astype(np.uint8)
-    details = list(detail_components(np.concatenate([planes, 2 * planes[2:]]), WAVELET, LEVELS))
-    found = detail_sums(details, MeetingSources(labels, (0, 1), is_filtered=True))[1].products
-    plain = sums_of(planes, labels)[1].products
-    before = [PRODUCTS.index(name) for name in ("pp", "pq", "qq")]
-    shown = [number for number in range(len(PRODUCTS)) if number not in before]
-    np.testing.assert_allclose(found[shown], plain[shown], rtol=1e-5)
-    np.testing.assert_allclose(found[before], 4 * plain[before], rtol=1e-4)
-
-
-def test_where_three_meet_each_cell_names_its_neighbour() -> None:
-    labels = crooked((256, 256))
-    place = seam_geometry(labels)
-    distance = np.stack([ndimage.distance_transform_edt(labels != label) for label in range(3)])[:, ::2, ::2]
-    own = labels[::2, ::2]
-    np.put_along_axis(distance, own[np.newaxis].astype(np.intp), np.inf, 0)
-    order = np.sort(distance, axis=0)
-    clear = order[1] > order[0] + 4  # of two that are as near either will do
-    assert clear.mean() > 0.8
-    np.testing.assert_array_equal(place.other[clear], distance.argmin(axis=0)[clear])
-
-
-def test_what_the_other_source_does_not_have_is_no_mixture(planes: np.ndarray) -> None:
-    has = np.ones(SHAPE, bool)
-    has[:64, :64] = False  # of the source in the east, where the western one is followed
-    beside = sums_of(planes, halves(), valid={1: has})[1]
-    west = beside.chosen(beside.source == 0)
-    assert west.row.min() == 64 // CELL_PX
-    assert beside.chosen(beside.source == 1).row.min() == 0
-
-
-def test_far_from_the_seam_no_mixture_is_looked_for() -> None:
-    shape = (64, 512)
-    planes = np.stack([20 * texture(shape, 1.0, seed) for seed in range(4)]).astype(np.float32)
-    cells, beside = sums_of(planes, halves(shape, 100))
-    assert cells.bin.max() == FARTHEST
-    assert beside.bin.max() == MIXED_BINS - 1
-    assert (beside.column * CELL_PX).max() < 100 + 128
-
-
-def test_what_float32_leaves_of_even_ground_is_no_detail(planes: np.ndarray) -> None:
-    """Across the middle nothing but grey that was levelled: kept would be a ratio of what rounding left."""
-    ground, across = 110 + planes, slice(32, 112)
-    ground[:, across] = 110 * (1 + 3e-7 * texture(SHAPE, 0.5, 9)[across])
-    details = list(detail_components(ground, WAVELET, LEVELS))
-    found = detail_sums(details, MeetingSources(halves(), (0, 1)), energy_of_rounding(ground[0]))
-    with_rounding = detail_sums(details, MeetingSources(halves(), (0, 1)))
-    for own, plain in zip(found, with_rounding):
-        textured = (own.row + 1) * CELL_PX <= across.start
-        assert textured.any()
-        for values, before in zip(*(vars(one).values() for one in (own, plain))):
-            np.testing.assert_array_equal(values[..., textured], before[..., textured])
-    middle = (across.start + across.stop) // 2 // CELL_PX
-    cells, beside = (one.row == middle for one in found)
-    assert (with_rounding[0].cc[0, cells] > 0).all()
-    assert not found[0].cc[0, cells].any()
-    assert beside.any()
-    assert not found[1].products[1:, 0, beside].any()
 
 
 def test_what_lies_beyond_whole_cells_is_known_to_them() -> None:

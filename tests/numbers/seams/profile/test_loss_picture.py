@@ -29,7 +29,6 @@ def same_everywhere(hard: np.ndarray, labels: np.ndarray) -> Blend:
 
 def kept_of(made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None) -> np.ndarray:
     found = picture_of(made, mosaic, labels)
-    assert found is not None
     return found.kept
 
 
@@ -90,12 +89,6 @@ def test_the_line_lies_where_the_seam_is(place: int) -> None:
     assert float((lost.sum(axis=0) * middles).sum() / lost.sum()) == pytest.approx(place, abs=1.2)
 
 
-def test_noise_all_over_the_mosaic_leaves_it_even() -> None:
-    made = blend(0)
-    noise = 3 * np.random.default_rng(3).standard_normal(made.hard.shape)
-    assert (kept_of(made, made.hard + noise) > 0.9).mean() > 0.995
-
-
 @pytest.mark.parametrize(("first", "second"), [(1.0, 0.6), (0.6, 1.0), (0.6, 0.6)])
 def test_of_images_that_lost_detail_themselves_each_shows_its_own_loss(first: float, second: float) -> None:
     """One was blurred before it was cut, and the other is byte for byte what it was."""
@@ -139,22 +132,10 @@ def test_what_no_source_explains_is_not_told() -> None:
     np.testing.assert_allclose(found[30:, 30:], kept_of(made)[30:, 30:], rtol=0.05)
 
 
-def test_a_window_that_is_no_multiple_of_the_cell_has_cells_for_all_of_it() -> None:
-    made = blend(33)
-    part = np.s_[..., :300, :404]
-    own = Blend(tuple(plane[part] for plane in made.planes), made.weights[part], made.labels[part], made.distance[part])
-    found = picture_of(own)
-    assert found is not None
-    assert found.kept.shape == (38, 51)
-    assert not np.isnan(found.kept).any()
-
-
 def test_of_what_was_read_around_a_window_nothing_is_shown() -> None:
     made = blend(33)
     inside = np.s_[128:384, 96:352]
     whole, found = picture_of(made), picture_of(made, inside=inside)
-    assert whole is not None
-    assert found is not None
     np.testing.assert_array_equal(found.kept, whole.kept[16:48, 12:44])
     row, column = found.seam.T.astype(int) * 2
     assert len(row) > 200
@@ -169,15 +150,3 @@ def test_without_ground_to_compare_with_there_is_none_and_it_can_cross_processes
     again = pickle.loads(pickle.dumps(found))
     np.testing.assert_array_equal(again.kept, found.kept if found else None)
     assert again.cell_px == LOSS_CELL_PX
-
-
-def test_the_seam_is_told_where_sources_meet() -> None:
-    made = blend(0)
-    found = picture_of(made)
-    assert found is not None
-    row, column = (found.seam.T.astype(int) * 2)
-    assert found.seam.dtype == np.uint16
-    assert made.distance[row, column].max() <= 3
-    beside = np.argwhere(made.distance < 1)
-    apart = np.hypot(*(beside[:, np.newaxis] - np.stack([row, column], axis=1)[np.newaxis]).transpose(2, 0, 1))
-    assert apart.min(axis=1).max() <= 3

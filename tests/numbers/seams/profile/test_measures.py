@@ -5,13 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
 from seam_inspector.plugin.seams.measure.profile.intervals import MOST_KEPT, Kept, together
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure, SeamProfile
-from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.profile.blends import SIDE, Blend, blend
 
@@ -21,9 +18,6 @@ BAND_PX = 12
 def beside(made: Blend, changed: np.ndarray) -> SeamProfile:
     """Another image along the seam alone."""
     return made.profile(np.where(made.distance < BAND_PX, changed, made.made))
-
-
-# --- which of them judges ---------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("width", [0, 13, 33, 100])
@@ -77,22 +71,6 @@ def test_the_mean_of_two_images_all_over_the_window_is_seen_by_the_mixture(side:
     assert found.feather_width_px >= min(2 * sum(widths), 0.85 * 2 * EDGES_PX[-3])
 
 
-def test_by_the_mixture_every_bin_has_what_it_leaves_there() -> None:
-    mean = blend(0).with_mosaic_of(np.full((SIDE, SIDE), 0.5))
-    bins = [one for one in mean.profile().bins if one.level == 1 and one.mixture is not None]
-    for one in bins:
-        assert one.kept == pytest.approx(mean.truth(one.near_px, one.far_px), abs=0.05)
-        assert one.low < one.kept < one.high
-
-
-def test_detail_that_came_along_a_cut_says_nothing_of_what_is_kept() -> None:
-    made = blend(0)
-    found = beside(made, made.made + np.random.default_rng(2).normal(0, 16, made.labels.shape))
-    assert found.by_energy is None or found.by_energy > 1.1
-    assert found.measure is Measure.MIXTURE
-    assert found.kept[0] == pytest.approx(1, abs=0.06)
-
-
 def test_detail_that_came_along_the_seam_hides_no_mixture() -> None:
     """Twice as much as the images have; one time in five the energies still say too much."""
     made = blend(33)
@@ -103,32 +81,6 @@ def test_detail_that_came_along_the_seam_hides_no_mixture() -> None:
     for one in found:
         assert one.by_mixture == pytest.approx(made.truth(), abs=0.06)
         assert one.high < 0.9
-
-
-def test_what_the_seam_took_counts_over_all_distances() -> None:
-    """In DN squared of its sources' detail, by the mixture's own formula."""
-    feathers = [blend(width) for width in (0, 13, 33, 66)]
-    found = [feather.profile().lost for feather in feathers]
-    assert found[0] == pytest.approx(0, abs=0.02 * found[1])
-    assert found == sorted(found)
-    for one, lost in zip(feathers[1:], found[1:]):
-        energy = one.profile().energy[0]
-        ends = [(0, 4), (4, 8), (8, 16), (16, 32), (32, 48)]
-        areas = [np.count_nonzero((one.distance >= near) & (one.distance < far)) for near, far in ends]
-        expected = sum(area * energy * (1 - one.truth(*both)) for area, both in zip(areas, ends))
-        assert lost == pytest.approx(expected, rel=0.2)
-
-
-def test_what_a_brush_took_is_told_by_the_energy_alone() -> None:
-    made = blend(0)
-    found = beside(made, ndimage.gaussian_filter(made.made, 0.5))
-    band = [one for one in found.bins if one.level == 1 and one.far_px <= BAND_PX + 4]
-    expected = sum(one.area_px * found.energy[0] * (1 - one.kept) for one in band)
-    assert found.by_mixture == pytest.approx(1, abs=0.02)
-    assert found.lost == pytest.approx(expected, rel=0.1)
-
-
-# --- the cut's own edge -----------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("other_years", [10.0, 25.0, 60.0])
@@ -147,27 +99,6 @@ def test_a_hard_cut_of_images_of_different_years_keeps_all(other_years: float, s
     assert near.mm[0].sum() > 1.01 * near.cc[0].sum()  # what it would keep with its edge
 
 
-@pytest.mark.parametrize("width", [13, 33])
-def test_a_feather_of_different_years_is_judged_as_one_of_the_same(width: int) -> None:
-    plain, years = (blend(width, other_years=one).profile() for one in (0.0, 25.0))
-    assert years.kept[0] == pytest.approx(plain.kept[0], abs=0.04)
-    assert years.feather_width_px == pytest.approx(plain.feather_width_px, abs=2)
-
-
-def test_a_sound_window_is_even_up_to_its_edges_whatever_lies_at_the_other_one() -> None:
-    """Periodic wavelets see a cut at the window's edge where left and right follow different sources."""
-    made = blend(0, other_years=60)
-    ground = made.detail().ground
-    energies = np.geomspace(5, 500, 9)
-    for level in ground:
-        assert level is not None
-        assert level.amplitude(energies) == pytest.approx(1, abs=0.01)
-        assert level.scatter < 0.05
-
-
-# --- what two measures say together -----------------------------------------------------------------------------
-
-
 def kept(value: float, low: float, high: float) -> Kept:
     return Kept(*(np.array([one]) for one in (value, low, high)))
 
@@ -178,13 +109,6 @@ NOTHING = kept(np.nan, np.nan, np.nan)
 def judged(energy: Kept, mixture: Kept) -> tuple[float, Measure]:
     found, share = together(energy, mixture)
     return float(found.value[0]), Measure.of(float(share[0]))
-
-
-def test_where_one_says_nothing_the_other_judges() -> None:
-    one = kept(0.7, 0.6, 0.8)
-    assert judged(one, NOTHING) == (0.7, Measure.ENERGY)
-    assert judged(NOTHING, one) == (0.7, Measure.MIXTURE)
-    assert np.isnan(together(NOTHING, NOTHING)[0].value).all()
 
 
 def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
@@ -222,22 +146,6 @@ def test_where_they_agree_each_weighs_by_its_precision() -> None:
         assert np.log(end[0]) == pytest.approx(expected * np.log(first[0]) + (1 - expected) * np.log(second[0]))
 
 
-@given(
-    a=st.floats(0.3, 1.2), b=st.floats(0.3, 1.2), narrow=st.floats(1.02, 1.2), wide=st.floats(1.2, 2.0)
-)
-def test_where_they_agree_the_surer_one_weighs_more(a: float, b: float, narrow: float, wide: float) -> None:
-    one, other = kept(a, a / narrow, a * narrow), kept(b, b / wide, b * wide)
-    value, measure = judged(one, other)
-    if measure is Measure.BOTH:
-        assert min(a, b) - 1e-9 <= value <= max(a, b) + 1e-9
-        assert abs(np.log(value / a)) <= abs(np.log(value / b)) + 1e-9
-    else:
-        assert value in (a, b)
-
-
-# --- where nothing can be told ----------------------------------------------------------------------------------
-
-
 def test_a_window_without_ground_is_measured_by_its_mixture() -> None:
     """A window of 128 px, with nothing 32 px from all seams."""
     for width in (0, 33):
@@ -247,12 +155,6 @@ def test_a_window_without_ground_is_measured_by_its_mixture() -> None:
         assert found.measure is Measure.MIXTURE
         assert found.kept[0] == pytest.approx(made.truth(), abs=0.05)
         assert found.low < made.truth() < found.high
-
-
-def test_without_ground_and_without_another_source_nothing_is_told() -> None:
-    made = blend(0, side=128)
-    assert made.detail(labels=np.zeros((128, 128), np.uint8)).profile is None
-    assert made.detail(labels=np.where(made.labels == 1, UNKNOWN, 0).astype(np.uint8)).profile is None
 
 
 def test_a_seam_beside_the_window_is_none_of_its() -> None:
@@ -270,11 +172,9 @@ def test_what_is_read_around_a_window_is_ground_and_is_not_judged() -> None:
     hard, soft = blend(0), blend(33)
     half = replace(hard, weights=np.where(np.arange(SIDE)[:, np.newaxis] < SIDE // 2, soft.weights, hard.weights))
     found = half.detail(inside=(slice(SIDE // 2 + 32, SIDE - 32), slice(128, 384))).profile
-    assert found is not None
     assert found.kept[0] == pytest.approx(1, abs=0.03)
     assert found.feather_width_px == pytest.approx(0, abs=1)
     other = half.detail(inside=(slice(32, SIDE // 2 - 32), slice(128, 384))).profile
-    assert other is not None
     assert other.kept[0] < 0.7
 
 

@@ -7,136 +7,17 @@ from statistics import harmonic_mean
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, MIXED_BINS, PRODUCTS
-from seam_inspector.plugin.seams.measure.profile.mixture import (
-    SLOTS,
-    Mixtures,
-    feather_width_px,
-    fit_mixtures,
-    mixed_energy,
-)
+from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, MIXED_BINS
 
 from tests.numbers.seams.profile.blends import Blend, blend
 
 Change = Callable[[np.ndarray], np.ndarray]
 MIDDLES = np.array([(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])])
 
-# --- sums of products that are known ------------------------------------------------------------------------------
-
-
-def products_of(
-    other: np.ndarray, edge: float = 0.0, gain: float = 1.0, noise: float = 0.0, rho: float = 0.3
-) -> np.ndarray:
-    """(1, SLOTS, products) of two sources of energies 4 and 9 a pixel and an edge of 5 in the bins beside the seam,
-    mixed by ``other``, (SLOTS,)."""
-    area, so = 1000.0, 6 * rho
-    kk = np.where(np.arange(SLOTS) % MIXED_BINS < 3, 5.0, 0.0)
-    ss, oo = np.where(np.arange(SLOTS) < MIXED_BINS, 4.0, 9.0), np.where(np.arange(SLOTS) < MIXED_BINS, 9.0, 4.0)
-    sk, ok = -0.1 * kk, 0.1 * kk
-    own, t = 1 - other, edge
-    ms, mo = own * ss + other * so + t * sk, own * so + other * oo + t * ok
-    mk = own * sk + other * ok + t * kk
-    mm = own * ms + other * mo + t * mk + noise
-    columns = gain**2 * mm, gain * ms, gain * mo, gain * mk, ss, so + 0 * ss, sk, oo, ok, kk, ss, so + 0 * ss, oo
-    return area * np.stack([np.ones(SLOTS), *columns, np.zeros(SLOTS)], axis=-1)[np.newaxis]
-
-
-def fitted(products: np.ndarray, spread: float = 0.01) -> Mixtures:
-    """Each share with the same standard deviation."""
-    return fit_mixtures(products[:, np.newaxis], np.full((1, SLOTS), spread))
-
 
 def linear(width: float) -> np.ndarray:
     return np.tile(np.clip(0.5 - MIDDLES / width, 0, 1), 2)
-
-
-@pytest.mark.parametrize("gain", [0.3, 1.0, 2.5])
-@pytest.mark.parametrize("noise", [0.0, 30.0])
-def test_shares_are_found_whatever_gain_and_noise_came_after(gain: float, noise: float) -> None:
-    expected = linear(60)
-    found = fitted(products_of(expected, gain=gain, noise=noise))
-    np.testing.assert_allclose(found.other[0], expected, atol=0.01)
-    np.testing.assert_allclose(found.left_over[0, 0], gain**2 * noise * 1000, atol=gain**2 * 10)
-
-
-def test_a_whole_edge_is_a_cut_that_mixes_nothing_and_its_energy_is_taken_out() -> None:
-    products = products_of(np.zeros(SLOTS), edge=1.0)
-    found = fitted(products)
-    np.testing.assert_allclose(found.other, 0, atol=1e-3)
-    np.testing.assert_allclose(products[..., 1] - found.edge[:, 0], products[..., PRODUCTS.index("ss")], rtol=1e-3)
-
-
-def test_what_the_mosaic_has_of_neither_source_is_no_mixture() -> None:
-    products = products_of(np.zeros(SLOTS))
-    products[..., 2:5] = 0  # m is a stranger
-    found = fitted(products)
-    np.testing.assert_allclose(found.other, 0, atol=1e-9)
-    np.testing.assert_allclose(found.left_over[:, 0], products[..., 1], rtol=1e-3)
-
-
-def test_a_bin_without_pixels_follows_its_neighbours() -> None:
-    expected = linear(60)
-    products = products_of(expected)
-    products[0, 5] = products[0, MIXED_BINS + 2] = 0
-    found = fitted(products).other[0]
-    known = np.delete(np.arange(SLOTS), [5, MIXED_BINS + 2])
-    np.testing.assert_allclose(found[known], expected[known], atol=0.01)
-    assert found[6] - 0.01 <= found[5] <= found[4] + 0.01
-
-
-@pytest.mark.parametrize("has_traces", [False, True])
-def test_coarser_levels_tell_a_mixture_where_a_codec_rounded_the_finest(has_traces: bool) -> None:
-    """What is left over in a feather alone is a codec's where the mosaic shows traces of one."""
-    true, distorted = linear(60), 0.6 * linear(60)
-    in_feather = np.where(true > 0, 1.0, 0.0)
-    levels = np.stack([products_of(distorted)[0], products_of(true)[0], products_of(true)[0]])[np.newaxis]
-    levels[:, 0, :, PRODUCTS.index("mm")] += 1000 * in_feather
-    levels[..., PRODUCTS.index("codec")] = levels[..., PRODUCTS.index("area")] * has_traces
-    found = fit_mixtures(levels, np.full((1, SLOTS), 0.01))
-    near = MIDDLES < 15
-    expected = true if has_traces else distorted
-    assert found.other[0, :MIXED_BINS][near] == pytest.approx(expected[:MIXED_BINS][near], abs=0.05)
-    assert bool(found.rounded[:, 0].any()) is has_traces
-    assert not found.rounded[:, 1:].any()
-
-
-@pytest.mark.parametrize("without", ["s", "o"])
-def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
-    """The black border of an image that does not say that it is one."""
-    products = products_of(np.zeros(SLOTS))
-    for number, name in enumerate(PRODUCTS):
-        if without in name and name != "codec":
-            products[:, :MIXED_BINS, number] = 0
-    found = fitted(products)
-    np.testing.assert_allclose(found.other[:, MIXED_BINS:], 0, atol=1e-3)
-    assert np.isfinite(found.other).all()
-    assert np.isfinite(found.left_over).all()
-
-
-@given(share=st.floats(0, 1), rho=st.floats(-0.9, 0.9))
-def test_a_mixture_has_the_energy_of_its_parts(share: float, rho: float) -> None:
-    products = products_of(np.full(SLOTS, share), rho=rho)
-    mm = products[..., PRODUCTS.index("mm")]
-    np.testing.assert_allclose(mixed_energy(products, np.full((1, SLOTS), share)), mm, rtol=1e-9)
-
-
-@pytest.mark.parametrize("width", [20.0, 60.0, 150.0])
-def test_the_width_is_that_of_a_linear_feather(width: float) -> None:
-    assert feather_width_px(linear(width)) == pytest.approx(width, rel=0.12)
-    one_sided = linear(width)
-    one_sided[MIXED_BINS:] = 0
-    assert feather_width_px(one_sided) == pytest.approx(0.5 * width, rel=0.12)
-
-
-def test_the_width_of_a_cut_is_nothing_and_that_without_end_as_wide_as_can_be_seen() -> None:
-    assert feather_width_px(np.zeros(SLOTS)) == 0
-    assert feather_width_px(np.full(SLOTS, 0.5)) == 2.5 * EDGES_PX[MIXED_BINS]
-
-
-# --- mosaics ----------------------------------------------------------------------------------------------------
 
 
 def shares_of(made: Blend, mosaic: np.ndarray | None = None) -> np.ndarray:
@@ -215,15 +96,6 @@ def test_the_mean_of_two_images_keeps_what_they_have_in_common(in_common: float)
     either = [mean.truth(), replace(mean, labels=1 - mean.labels).truth()]
     assert found.by_mixture == pytest.approx(harmonic_mean(either), abs=0.01)
     assert shares_of(mean) == pytest.approx(0.5, abs=0.03)
-
-
-@pytest.mark.parametrize("level", [2, 3])
-def test_coarser_levels_are_mixed_as_the_finest(level: int) -> None:
-    """The finest level's shares, in strips twice and four times as wide."""
-    mean = blend(0, side=128).with_mosaic_of(np.full((128, 128), 0.5))
-    found = mean.profile()
-    assert found.by_energy is None
-    assert found.kept[level - 1] == pytest.approx(mean.truth(0, 8 * 2 ** (level - 1), level), abs=0.05)
 
 
 def test_a_feather_that_lies_on_one_side_of_the_border_is_found_there() -> None:

@@ -14,12 +14,11 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan import scan_journal
-from seam_inspector.plugin.seams.measure.scan.scan_journal import MOST_ASKED, fingerprint_of, what_changed
+from seam_inspector.plugin.seams.measure.scan.scan_journal import fingerprint_of, what_changed
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import orthoimage
-from tests.range_server import serving
 from tests.work import calls_of
 
 SETTINGS = ScanSettings()
@@ -83,11 +82,6 @@ def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dic
     assert str(what_changed(before, taken(files))) == what
 
 
-def test_the_version_is_that_in_the_package(repository: Path) -> None:
-    lines = (repository / "metadata.txt").read_text(encoding="utf-8").splitlines()
-    assert f"version={scan_journal.plugin_version()}" in lines
-
-
 def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     files: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -105,30 +99,6 @@ def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     assert str(what_changed(before, taken(files))) == "the plugin's version"
 
 
-def test_a_remote_mosaic_and_few_remote_sources_are_asked_for(files: dict[str, str]) -> None:
-    folder = Path(files["mosaic"]).parent
-    with serving(folder) as server:
-
-        def found(count: int) -> str:
-            sources = [Source(RasterRef(server.vsi(f"plain.tif?{number}")), EXTENT) for number in range(count)]
-            return fingerprint_of(RasterRef(server.address("mosaic.tif")), sources, SETTINGS)
-
-        first = found(3)
-        assert found(3) == first
-        touch(files["mosaic"])  # as large as before
-        second = found(3)
-        assert str(what_changed(first, second)) == "the mosaic"
-        touch(files["plain"])
-        assert str(what_changed(second, found(3))) == "the sources or one of their files"
-        assert server.sent == 0
-        server.forget()
-        found(MOST_ASKED)
-        assert {answer.path for answer in server.answers} > {"/mosaic.tif"}
-        server.forget()
-        found(MOST_ASKED + 1)
-        assert {answer.path for answer in server.answers} == {"/mosaic.tif"}
-
-
 @pytest.mark.slow
 def test_another_process_finds_the_same(files: dict[str, str]) -> None:
     code = f"""
@@ -139,7 +109,7 @@ print(taken({files!r}))
     assert found.stdout.strip() == taken(files)
 
 
-@pytest.mark.slow
+@pytest.mark.release
 def test_a_thousand_sources_cost_some_calls_each_and_no_remote_one_is_opened(
     make_raster: MakeRaster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -54,11 +54,10 @@ def by_threads(request_: ScanRequest, tmp_path_factory: pytest.TempPathFactory) 
     return found
 
 
-@pytest.mark.parametrize("count", [2, 4])
 def test_processes_give_the_same_bytes_as_threads(
-    request_: ScanRequest, by_threads: list[object], tmp_path: Path, count: int
+    request_: ScanRequest, by_threads: list[object], tmp_path: Path
 ) -> None:
-    with ProcessPoolExecutor(count, get_context("spawn")) as executor:
+    with ProcessPoolExecutor(2, get_context("spawn")) as executor:
         assert scanned(request_, tmp_path / "loss.tif", executor, 20) == by_threads  # several blocks at a time
 
 
@@ -85,6 +84,7 @@ class GivesToOthers(Executor):
         self._pool.shutdown()
 
 
+@pytest.mark.release
 @pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
 def test_a_process_killed_while_outputs_are_made_costs_its_blocks_only(
     request_: ScanRequest, by_threads: list[object], tmp_path: Path

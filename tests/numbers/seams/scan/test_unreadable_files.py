@@ -10,13 +10,7 @@ from typing import Any, Callable
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector import (
-    SeamInspectorError,
-    SeamInspectorWarning,
-    limit_rules,
-    open_block,
-    scan,
-)
+from seam_inspector import SeamInspectorError, SeamInspectorWarning, limit_rules, open_block, scan
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
 from seam_inspector.plugin.imagery.rasters import RasterRef

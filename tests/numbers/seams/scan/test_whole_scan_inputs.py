@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, replacing
-from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.scan.scan_journal import fingerprint_of
 
@@ -55,8 +54,3 @@ def test_what_a_killed_scan_left_goes_and_nothing_else(tmp_path: Path, name: str
             killed.with_name(f"{name}{ending}").write_bytes(b"half")
         drop_unfinished(tmp_path / name)
         assert list(tmp_path.iterdir()) == [other.parent]
-
-
-def test_equal_messages_are_told_once() -> None:
-    cannot = Message("{name} can't be read.")
-    assert len({cannot(name="a"), cannot(name="a"), cannot(name="b")}) == 2

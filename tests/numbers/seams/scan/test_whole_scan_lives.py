@@ -11,7 +11,7 @@ import pytest
 
 from tests.numbers.synthetic import orthoimage, write_raster
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.release
 
 ROWS, COLUMNS = 2100, 8200
 """2 x 5 blocks, the last ones small."""

@@ -11,7 +11,7 @@ import pytest
 
 from tests.numbers.synthetic import UTM33, orthoimage, wkt, write_raster
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.release
 
 SIDE = 2048
 """Side of the tile that is repeated, px: a block."""

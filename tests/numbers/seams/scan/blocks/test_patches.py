@@ -7,29 +7,12 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.blocks.block_grid import SQUARE_PX
-from seam_inspector.plugin.seams.measure.blocks.block_pixels import MOST_HELD
-from seam_inspector.plugin.seams.measure.blocks.patches import (
-    PATCH_PX,
-    PATCH_START_PX,
-    SquareLook,
-    look_at_squares,
-    middle_sources,
-)
+from seam_inspector.plugin.seams.measure.blocks.patches import SquareLook, look_at_squares
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.aftermaths import jpeg
-from tests.numbers.seams.scan.blocks.scenes import (
-    NODATA,
-    SHAPE,
-    SIDE,
-    Scene,
-    as_bytes,
-    beside,
-    blended,
-    images,
-    scene,
-)
+from tests.numbers.seams.scan.blocks.scenes import SHAPE, SIDE, Scene, as_bytes, beside, blended, images, scene
 from tests.numbers.synthetic import placed_wavedec, texture
 
 WAVELET, LEVELS = "coif3", 3
@@ -38,40 +21,6 @@ PER_SIDE = SIDE // SQUARE_PX
 
 def look_at(one: Scene) -> SquareLook:
     return look_at_squares(one.pixels(), WAVELET, LEVELS)
-
-
-def patches_of(labels: np.ndarray) -> np.ndarray:
-    """What lies under each patch, (rows, columns, pixels)."""
-    rows, columns = (length // SQUARE_PX for length in labels.shape)
-    squares = labels.reshape(rows, SQUARE_PX, columns, SQUARE_PX).swapaxes(1, 2)
-    inside = np.s_[PATCH_START_PX : PATCH_START_PX + PATCH_PX]
-    return squares[:, :, inside, inside].reshape(rows, columns, -1)
-
-
-def crooked() -> np.ndarray:
-    """Labels of three images, (rows, columns)."""
-    row, column = np.mgrid[:SIDE, :SIDE]
-    labels = (column > 430 + 0.5 * row * np.sin(row / 150)).astype(np.uint8)
-    labels[(labels == 1) & (row > 600 + 60 * np.cos(column / 90))] = 2
-    return labels
-
-
-# --- which source is followed -----------------------------------------------------------------------------------
-
-
-def test_a_patch_within_one_source_names_it_and_one_over_a_seam_is_doubtful(tmp_path: Path) -> None:
-    labels, given = crooked(), images(count=3)
-    found = look_at(scene(tmp_path, np.choose(labels, given), given))
-    under = patches_of(labels)
-    single = (under == under[..., :1]).all(axis=2)
-    assert single.sum() > 40
-    assert (found.source[single] == under[single][:, 0]).all()
-    assert not found.doubtful[single].any()
-    share = np.stack([(under == number).mean(axis=2) for number in range(3)]).max(axis=0)
-    through = share < 0.7
-    assert through.sum() >= 3
-    assert found.doubtful[through].all()
-    assert not found.empty.any()
 
 
 @pytest.mark.parametrize("change", ["gain", "sharpened", "noise"])
@@ -107,96 +56,6 @@ def test_what_the_mosaic_s_jpeg_rounded_anew_is_no_other_image(tmp_path: Path) -
     assert right.mean() > 0.95
 
 
-def test_a_mixture_of_two_is_doubtful_and_so_asks_for_a_closer_look(tmp_path: Path) -> None:
-    given = images()
-    found = look_at(scene(tmp_path, blended(*given, np.full(SHAPE, 0.5)), given))
-    assert found.doubtful.all()
-    assert not len(found.cells)
-
-
-@pytest.mark.parametrize("beta", [0.0, 1.2, 2.0])
-def test_what_no_source_explains_follows_none_for_sure(tmp_path: Path, beta: float) -> None:
-    stranger = as_bytes(120 + 30 * texture(SHAPE, beta, 99))
-    found = look_at(scene(tmp_path, stranger, images()))
-    assert (found.source[~found.doubtful] == UNKNOWN).all()
-    assert found.doubtful.mean() < 0.3
-    assert not len(found.cells)
-
-
-def test_smooth_ground_follows_what_is_nearest(tmp_path: Path) -> None:
-    given = [one.copy() for one in images()]
-    pond = np.s_[2 * SQUARE_PX : 4 * SQUARE_PX, SQUARE_PX : 2 * SQUARE_PX]
-    made = blended(*given, beside(SIDE / 2))
-    for one in (made, *given):
-        one[pond] = 77
-    found = look_at(scene(tmp_path, made, given))
-    assert (found.source[:, : PER_SIDE // 2] == 0).all()
-    assert not found.doubtful.any()
-
-
-def test_a_single_source_is_followed_or_not(tmp_path: Path) -> None:
-    first, second = images()
-    found = look_at(scene(tmp_path, blended(first, second, beside(SIDE / 2)), [first]))
-    assert (found.source[:, : PER_SIDE // 2] == 0).all()
-    assert (found.source[:, PER_SIDE // 2 :] != 0).mean() > 0.8
-
-
-def test_sources_beyond_those_held_in_memory_are_told_from_each_other_too(tmp_path: Path) -> None:
-    shape = (256, 256)
-    given = images(shape, MOST_HELD + 3)
-    made = given[0].copy()
-    made[:, 128:] = given[-1][:, 128:]
-    found = look_at(scene(tmp_path, made, given))
-    assert found.source.tolist() == [[0, MOST_HELD + 2]] * 2
-
-
-# --- where there are no pixels ----------------------------------------------------------------------------------
-
-
-def test_squares_without_pixels_are_empty_and_follow_nothing(tmp_path: Path) -> None:
-    given = images()
-    made = blended(*given, beside(SIDE / 2))
-    made[: 2 * SQUARE_PX] = NODATA
-    found = look_at(scene(tmp_path, made, given))
-    assert found.empty[:2].all()
-    assert not found.empty[2:].any()
-    assert (found.source[:2] == UNKNOWN).all()
-    assert not found.doubtful[:2].any()
-
-
-def test_a_square_whose_patch_lacks_pixels_follows_its_neighbours(tmp_path: Path) -> None:
-    given = images()
-    made = given[1].copy()
-    hole = 3 * SQUARE_PX + PATCH_START_PX
-    made[hole : hole + 30, hole : hole + 30] = NODATA
-    found = look_at(scene(tmp_path, made, given))
-    assert not found.empty.any()
-    assert (found.source == 1).all()
-
-
-def test_a_source_that_ends_is_not_followed_beyond(tmp_path: Path) -> None:
-    first, second = (one.copy() for one in images())
-    made = first.copy()
-    first[:, SIDE // 2 :] = NODATA
-    found = look_at(scene(tmp_path, made, [first, second]))
-    assert (found.source[:, : PER_SIDE // 2] == 0).all()
-    beyond = np.s_[:, PER_SIDE // 2 :]
-    assert not (found.source[beyond] == 0)[~found.doubtful[beyond]].any()
-
-
-def test_a_mosaic_without_any_source_there_says_nothing(tmp_path: Path) -> None:
-    given = images()
-    empty = np.full(SHAPE, NODATA, np.uint8)
-    found = look_at(scene(tmp_path, given[0], [empty]))
-    assert (found.source == UNKNOWN).all()
-    assert not found.doubtful.any()
-    assert not found.empty.any()
-    assert not len(found.cells)
-
-
-# --- the ground it samples --------------------------------------------------------------------------------------
-
-
 def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Path) -> None:
     given = images()
     made = blended(*given, beside(SIDE / 2))
@@ -211,40 +70,6 @@ def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Pat
     for sums in (cells.mm, cells.cc, cells.mc):  # the mosaic is its own hard cut there
         assert sums[0] == pytest.approx(expected, rel=0.02)
         assert not sums[1:].any()
-
-
-def test_a_gain_over_all_is_in_the_composite_and_noise_is_not(tmp_path: Path) -> None:
-    given = images()
-    noise = 6 * np.random.default_rng(3).standard_normal(SHAPE)
-    cells = look_at(scene(tmp_path, as_bytes(0.5 * given[0] + 40.0), given)).cells
-    assert cells.mm[0].sum() == pytest.approx(cells.cc[0].sum(), rel=0.03)
-    cells = look_at(scene(tmp_path, as_bytes(given[0] + noise), given)).cells
-    assert cells.mm[0].sum() > 1.3 * cells.cc[0].sum()
-    assert cells.mc[0].sum() == pytest.approx(cells.cc[0].sum(), rel=0.1)
-
-
-# --- patches midway -------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("axis", [0, 1])
-@pytest.mark.parametrize(("place", "expected"), [(2 * SQUARE_PX + 90, 1), (3 * SQUARE_PX + 30, 0)])
-def test_a_patch_midway_tells_in_which_half_the_seam_lies(
-    tmp_path: Path, axis: int, place: int, expected: int
-) -> None:
-    given = images()
-    weight = beside(place)
-    one = scene(tmp_path, blended(*given, weight if axis else weight.T), given)
-    found = middle_sources(one.pixels(), look_at(one), axis)
-    differing = found[:, 2] if axis else found[2]
-    assert (differing == expected).all()
-    others = np.delete(found, 2, axis=axis)
-    assert (others == UNKNOWN).all()
-
-
-def test_a_patch_midway_that_lies_on_the_seam_tells_nothing(tmp_path: Path) -> None:
-    given = images()
-    one = scene(tmp_path, blended(*given, beside(2 * SQUARE_PX + 64 + PATCH_START_PX + PATCH_PX / 2)), given)
-    assert (middle_sources(one.pixels(), look_at(one), 1) == UNKNOWN).all()
 
 
 @pytest.mark.parametrize("width", [0.0, 66.0])

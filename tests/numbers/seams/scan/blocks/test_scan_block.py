@@ -8,40 +8,16 @@ from typing import Any
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks import scan_block as scan_block_module
-from seam_inspector.plugin.seams.measure.blocks.block_grid import (
-    BLOCK_PX,
-    LABEL_PX,
-    LABELS,
-    SQUARE_PX,
-    SQUARES,
-    UNIT_PX,
-    UNITS,
-    BlockGrid,
-)
+from seam_inspector.plugin.seams.measure.blocks.block_grid import LABEL_PX, SQUARE_PX, UNIT_PX, UNITS
 from seam_inspector.plugin.seams.measure.blocks.block_parts import DensePart, PartRequest, measure_part
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
-from seam_inspector.plugin.seams.measure.blocks.scan_block import (
-    CELLS,
-    EMPTY,
-    BlockScan,
-    _halves,
-    called_for,
-    scan_block,
-)
-from seam_inspector.plugin.seams.measure.following.source_filters import Filters, Learned
-from seam_inspector.plugin.seams.measure.profile.cell_table import (
-    CELL_PX,
-    EDGES_PX,
-    PRODUCTS,
-    CellTable,
-)
-from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
+from seam_inspector.plugin.seams.measure.blocks.scan_block import _halves, scan_block
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable
+from seam_inspector.plugin.seams.measure.scan.block_runs import record_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
-from seam_inspector.plugin.seams.measure.source_images import Source
 
-from tests.numbers.seams.scan.blocks.scenes import NODATA, SHAPE, SIDE, Scene, beside, blended, images, scene
+from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, beside, blended, images, scene
 from tests.numbers.synthetic import placed_wavedec
 
 SEAM = 400
@@ -55,45 +31,10 @@ def hard(tmp_path_factory: pytest.TempPathFactory) -> Scene:
     return scene(tmp_path_factory.mktemp("hard"), blended(*given, beside(SEAM)), given)
 
 
-def assert_same(one: BlockScan, other: BlockScan) -> None:
-    """But for the notices."""
-    assert one.key == other.key
-    assert one.sources == other.sources
-    for name in ("squares", "dense", "labels", "mixture", "ground"):
-        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
-    for name in ("row", "column", "bin", "area", "mm", "cc", "mc"):
-        np.testing.assert_array_equal(getattr(one.cells, name), getattr(other.cells, name), err_msg=name)
-        assert getattr(one.cells, name).dtype == getattr(other.cells, name).dtype
-    for name in ("row", "column", "bin", "source", "other", "products"):
-        np.testing.assert_array_equal(getattr(one.beside, name), getattr(other.beside, name), err_msg=name)
-        assert getattr(one.beside, name).dtype == getattr(other.beside, name).dtype
-
-
 def true_labels() -> np.ndarray:
     """One in ``LABEL_PX`` pixels."""
     middles = np.arange(0, SIDE, LABEL_PX) + LABEL_PX / 2 + 0.5
     return np.broadcast_to((middles > SEAM).astype(np.uint8), (SIDE // LABEL_PX, SIDE // LABEL_PX))
-
-
-# --- what it holds ----------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("density", ["seams", "full"])
-@pytest.mark.parametrize("width", [0, 33])
-def test_labels_are_true_and_measured_densely_along_the_seam(tmp_path: Path, width: int, density: str) -> None:
-    given = images()
-    found = scan_block(scene(tmp_path, blended(*given, beside(SEAM, width)), given).request(density=density))
-    count = SIDE // LABEL_PX
-    assert (found.labels[:count, :count] == true_labels()).mean() > 0.999
-    assert (found.labels[count:] == UNKNOWN).all()
-    assert (found.labels[:, count:] == UNKNOWN).all()
-    units = SIDE // UNIT_PX
-    along = SEAM // UNIT_PX
-    assert found.dense[:units, along - 1 : along + 1].all()
-    assert found.dense.mean() < 0.2
-    assert set(np.unique(found.ground[:units, :units])) == {0, 1}
-    assert (found.ground[units:] == EMPTY).all()
-    assert not found.notices
 
 
 def by_cell(cells: CellTable, name: str) -> np.ndarray:
@@ -121,49 +62,12 @@ def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scen
     assert mm[INSIDE][measured] == pytest.approx(expected[INSIDE][measured], rel=2e-3)
 
 
-@pytest.mark.parametrize("density", ["seams", "full"])
-def test_a_hard_cut_has_all_of_its_sources_and_its_own_edge_besides(hard: Scene, density: str) -> None:
-    found = scan_block(hard.request(density=density))
-    cells = found.cells
-    beyond = cells.chosen(cells.bin >= EDGES_PX.index(32))
-    for level in range(3):
-        assert beyond.mm[level].sum() == pytest.approx(beyond.cc[level].sum(), rel=0.01)
-        assert beyond.mc[level].sum() == pytest.approx(beyond.cc[level].sum(), rel=0.01)
-        products = dict(zip(PRODUCTS, found.beside.products[:, level].sum(axis=1)))
-        edge = products["kk"] + 2 * products["sk"]
-        assert products["mm"] - edge == pytest.approx(products["ss"], rel=0.02)
-
-
-def test_a_feather_shows_in_the_bins_beside_the_seam_and_nowhere_else(tmp_path: Path) -> None:
-    given = images()
-    cells = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 33)), given).request()).cells
-    near = cells.bin < EDGES_PX.index(8)
-    far = cells.bin >= EDGES_PX.index(32)
-    energies = {name: np.square(placed_wavedec(one, "coif3", 1)[1]).sum(axis=0)
-                for name, one in (("made", blended(*given, beside(SEAM, 33))), ("hard", blended(*given, beside(SEAM))))}
-    strip = np.s_[8:-8, (SEAM - 8) // 2 : (SEAM + 8) // 2]
-    expected = energies["made"][strip].sum() / energies["hard"][strip].sum()
-    assert expected < 0.75
-    assert cells.mm[0, near].sum() / cells.cc[0, near].sum() == pytest.approx(expected, abs=0.05)
-    assert cells.mm[0, far].sum() / cells.cc[0, far].sum() == pytest.approx(1, abs=0.01)
-
-
-def test_mixture_tells_where_two_sources_are_seen(tmp_path: Path) -> None:
-    given = images()
-    found = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 66)), given).request(density="full"))
-    mixture = found.mixture[: SIDE // CELL_PX, : SIDE // CELL_PX]
-    seam = SEAM // CELL_PX
-    assert np.nanmean(mixture[:, seam - 1 : seam + 1]) > 0.5
-    assert np.nanmean(mixture[:, : seam - 6]) < 0.02
-
-
 def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learned(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     given = images(count=3)
     request = scene(tmp_path, blended(*given[:2], beside(SEAM)), given).request()
     first = scan_block(request)
-    assert first.learned is not None
     looks: list[PartRequest] = []
 
     def noted(pixels: BlockPixels, part: PartRequest, *decomposition: Any) -> DensePart:
@@ -179,62 +83,8 @@ def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learne
                                   first.labels[first.dense.repeat(8, 0).repeat(8, 1)])
 
 
-# --- records ----------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("density", ["seams", "full"])
-def test_a_record_gives_back_the_same_block(hard: Scene, density: str) -> None:
-    found = scan_block(hard.request(density=density))
-    assert len(found.cells)
-    assert_same(scan_of(record_of(found)), found)
-    assert record_of(scan_of(record_of(found))) == record_of(found)
-
-
-def test_a_record_keeps_what_came_over_the_mosaic(hard: Scene) -> None:
-    taps = np.random.default_rng(5).normal(size=(2, 5, 5)).astype(np.float32)
-    learned = Learned(Filters(dict(zip((0, 2), taps)), True), frozenset({0, 2}))
-    again = scan_of(record_of(replace(BlockScan.nothing(hard.request(), ()), learned=learned))).learned
-    assert again is not None
-    assert (again.of, again.filters.came_over_cuts) == ({0, 2}, True)
-    assert all((again.filters.taps[number] == learned.filters.taps[number]).all() for number in (0, 2))
-
-
-def test_a_record_of_nothing_is_nothing(hard: Scene) -> None:
-    nothing = BlockScan.nothing(replace(hard.request(), sources=()), ())
-    again = scan_of(record_of(nothing))
-    assert_same(again, nothing)
-    assert again.sources == ()
-    assert not len(again.cells)
-
-
-def test_names_of_sources_may_be_in_any_script(hard: Scene) -> None:
-    paths = "/żółć/b ö.tif", "/x/ソース.tif"
-    odd = tuple(Source(RasterRef(path), source.extent) for path, source in zip(paths, hard.sources))
-    nothing = BlockScan.nothing(replace(hard.request(), sources=odd), ())
-    assert scan_of(record_of(nothing)).sources == paths
-
-
 def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
     assert record_of(scan_block(hard.request())) == record_of(scan_block(hard.request()))
-
-
-# --- blocks and their borders -----------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("columns", "rows"), [(2049, 150), (150, 2049), (2052, 130), (2048 + 127, 128), (65, 65)])
-def test_narrow_blocks_at_the_edge_are_scanned_too(tmp_path: Path, columns: int, rows: int) -> None:
-    given = images((rows, columns))
-    one = scene(tmp_path, given[0], given)
-    for key in BlockGrid(one.mosaic.grid):
-        window = BlockGrid(one.mosaic.grid).window(key)
-        found = scan_block(one.request(key))
-        assert not found.notices, (key, [str(notice) for notice in found.notices])
-        inside = [max(0, -(-(length - LABEL_PX // 2) // LABEL_PX)) for length in (window.height, window.width)]
-        labels = found.labels[: inside[0], : inside[1]]
-        assert (labels == 0).all(), key
-        assert (found.labels == 0).sum() == labels.size
-        assert found.cells.row.max(initial=-1) < -(-rows // CELL_PX)
-        assert found.cells.column.max(initial=-1) < -(-columns // CELL_PX)
 
 
 def test_blocks_side_by_side_measure_as_one(tmp_path: Path) -> None:
@@ -251,9 +101,6 @@ def test_blocks_side_by_side_measure_as_one(tmp_path: Path) -> None:
     near = [float(cells.mm[0, cells.bin < 4].sum() / cells.cc[0, cells.bin < 4].sum())
             for cells in (whole, parts[0], parts[2])]
     assert near[1:] == pytest.approx([near[0]] * 2, abs=0.04)
-
-
-# --- pixels that lack -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("density", ["seams", "full"])
@@ -278,29 +125,6 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     assert (found.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()
 
 
-def test_where_the_mosaic_has_no_pixels_nothing_is_told(tmp_path: Path) -> None:
-    given = images()
-    made = blended(*given, beside(SEAM))
-    made[: SIDE // 2] = NODATA
-    found = scan_block(scene(tmp_path, made, given).request())
-    units, labels = SIDE // 2 // UNIT_PX, SIDE // 2 // LABEL_PX
-    assert (found.ground[:units] == EMPTY).all()
-    assert (found.ground[units : 2 * units, : 2 * units] >= 0).all()
-    assert (found.labels[:labels] == UNKNOWN).all()
-    assert (found.labels[labels : 2 * labels, : 2 * labels] == true_labels()[labels:]).mean() > 0.998
-    assert (found.cells.row >= SIDE // 2 // CELL_PX).all()
-
-
-def test_a_mosaic_of_nothing_is_a_block_of_nothing(tmp_path: Path) -> None:
-    found = scan_block(scene(tmp_path, np.full(SHAPE, NODATA, np.uint8), images()).request())
-    assert not found.notices
-    assert not len(found.cells)
-    assert (found.labels == UNKNOWN).all()
-
-
-# --- files that can't be read -----------------------------------------------------------------------------------
-
-
 def test_a_source_that_is_gone_costs_no_more_than_itself(tmp_path: Path) -> None:
     given = images()
     one = scene(tmp_path, blended(*given, beside(SEAM)), given)
@@ -310,14 +134,6 @@ def test_a_source_that_is_gone_costs_no_more_than_itself(tmp_path: Path) -> None
     left = SEAM // LABEL_PX
     assert (found.labels[: SIDE // LABEL_PX, :left - 4] == 0).all()
     assert (found.labels[: SIDE // LABEL_PX, left + 40 :] == UNKNOWN).mean() > 0.9
-
-
-def test_a_source_without_the_judged_band_is_told(tmp_path: Path) -> None:
-    given = images((256, 256))
-    one = scene(tmp_path, given[0], [given[0], np.stack(given * 2)[:3]])
-    found = scan_block(one.request())
-    assert len(found.notices) <= 1
-    assert (found.labels[:64, :64] == 0).all()
 
 
 @pytest.mark.parametrize("broken", ["gone", "cut off"])
@@ -335,16 +151,6 @@ def test_a_mosaic_that_cannot_be_read_is_told_and_nothing_is_raised(tmp_path: Pa
     assert (found.labels == UNKNOWN).all()
 
 
-def test_without_sources_nothing_is_followed(hard: Scene) -> None:
-    found = scan_block(replace(hard.request(), sources=()))
-    assert (found.labels == UNKNOWN).all()
-    assert not len(found.cells)
-    assert not found.notices
-
-
-# --- what is called for -----------------------------------------------------------------------------------------
-
-
 def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
     wanted = np.zeros((UNITS, UNITS), bool)
     wanted[:8, 10:14] = True
@@ -356,50 +162,6 @@ def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
     rows = 8 * UNIT_PX // LABEL_PX
     assert (found.labels[:rows, 80:112] == true_labels()[:rows, 80:112]).mean() > 0.998
     assert (np.delete(found.labels[:rows], np.s_[80:112], axis=1) == UNKNOWN).all()
-
-
-def test_what_given_seams_call_for_is_measured_beside_what_patches_do(hard: Scene) -> None:
-    along = np.zeros((UNITS, UNITS), bool)
-    along[: SIDE // UNIT_PX, 2:4] = True
-    without, found = scan_block(hard.request()), scan_block(hard.request(along_seams=along))
-    assert not (without.dense & along).any()
-    assert (found.dense == (without.dense | along)).all()
-    np.testing.assert_array_equal(found.squares, without.squares)
-
-
-def squares(*rows: str) -> np.ndarray:
-    """Squares of digits; a dot is unknown."""
-    return np.array([[UNKNOWN if one == "." else int(one) for one in row] for row in rows], np.uint8)
-
-
-def test_units_are_called_for_between_squares_that_differ() -> None:
-    per_square = SQUARE_PX // UNIT_PX
-    found = called_for(squares("0011"))
-    assert found.shape == (per_square, 4 * per_square)
-    assert found.all(axis=0).tolist() == [5 <= unit < 11 for unit in range(16)]
-    assert called_for(squares("0", "0", "1", "1")).all(axis=1).tolist() == [5 <= unit < 11 for unit in range(16)]
-
-
-@pytest.mark.parametrize("rows", [["0000", "0000"], ["0..1", "0..1"], ["....", "...."], ["0"]])
-def test_nothing_is_called_for_where_none_differ(rows: list[str]) -> None:
-    assert not called_for(squares(*rows)).any()
-
-
-@pytest.mark.parametrize(("middle", "expected"), [(0, range(7, 11)), (1, range(5, 9)), (UNKNOWN, range(5, 11))])
-def test_a_patch_midway_halves_what_is_called_for(middle: int, expected: range) -> None:
-    middles = np.full((1, 3), UNKNOWN, np.uint8)
-    middles[0, 1] = middle
-    found = called_for(squares("0011"), UNKNOWN, (middles, np.zeros((0, 4), np.uint8)))
-    assert np.flatnonzero(found.all(axis=0)).tolist() == list(expected)
-
-
-def test_the_arrays_of_all_blocks_are_of_one_size(hard: Scene) -> None:
-    found = scan_block(hard.request())
-    assert found.squares.shape == (SQUARES, SQUARES)
-    assert found.labels.shape == (LABELS, LABELS)
-    assert found.mixture.shape == (CELLS, CELLS)
-    assert found.ground.shape == found.dense.shape == (UNITS, UNITS)
-    assert CELLS * CELL_PX == BLOCK_PX
 
 
 @pytest.mark.parametrize("size", [(384, 128), (128, 384), (130, 900), (640, 640), (129, 128)])

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
-from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, place_of
+from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
 from seam_inspector.plugin.seams.measure.blocks.seam_sides import BESIDE_PX, SeamSquares
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import SidedSeam
 
@@ -70,20 +69,7 @@ def test_units_beside_a_seam_are_measured_and_no_others(places: list[tuple[float
     assert not dense[~near(places, BESIDE_PX + 1)].any()
 
 
-WIDE = BlockGrid(Grid(1000.0, 9000.0, 0.25, 0.5, 11_000, 9000))
-
-
-@given(st.lists(st.tuples(st.integers(0, 11_000), st.integers(0, 9000)), min_size=2, max_size=3), st.floats(1, 9000))
-@at_most(50)
-def test_a_corridor_reaches_as_far_as_the_distance_to_the_nearest_unit(
-    places: list[tuple[float, float]], corridor_px: float
-) -> None:
-    squares = SeamSquares([seam(*places)], WIDE, corridor_px)
-    distance = ndimage.distance_transform_edt(~dense_of(squares, WIDE)) * UNIT_PX
-    for key in WIDE:
-        assert squares.is_read(key) == (distance[place_of(key, UNITS)].min() <= corridor_px)
-
-
+@pytest.mark.release
 def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
     """A country's, of 10^12 pixels."""
     side = 1_000_000
@@ -99,36 +85,7 @@ def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
     assert not squares.dense_in((400, 200)).any()
 
 
-def test_blocks_hold_their_own_part() -> None:
-    squares = SeamSquares([seam((100, 2040), (4900, 2040))], BLOCKS)
-    assert squares.dense_in((0, 0))[-1, 8:].all()
-    assert squares.dense_in((1, 0))[0, 8:].all()
-
-
-def test_without_a_corridor_all_blocks_are_read() -> None:
-    squares = SeamSquares([seam((100, 100), (200, 100))], BLOCKS)
-    assert all(map(squares.is_read, BLOCKS))
-
-
 def test_a_corridor_leaves_out_blocks_that_no_seam_is_near_to() -> None:
     squares = SeamSquares([seam((100, 100), (100, 1900))], BLOCKS, corridor_px=200.0)
     assert [key for key in BLOCKS if squares.is_read(key)] == [(0, 0), (1, 0)]
     assert not SeamSquares([seam((100, 100), (100, 1200))], BLOCKS, 200.0).is_read((1, 0))
-
-
-def test_seams_beyond_the_mosaic_call_for_nothing() -> None:
-    away = [seam((-900, -900), (-200, -800)), seam((COLUMNS + 900, 0), (COLUMNS + 900, ROWS))]
-    for corridor_px in (0.0, 300.0):
-        assert not dense_of(SeamSquares(away, BLOCKS, corridor_px)).any()
-    assert not any(SeamSquares(away, BLOCKS, 300.0).is_read(key) for key in BLOCKS)
-
-
-@pytest.mark.parametrize("places", [[(500, 500), (500, 500)], [(500, 500), (500.1, 500)]])
-def test_a_seam_of_no_length_is_a_place(places: list[tuple[float, float]]) -> None:
-    dense = dense_of(SeamSquares([seam(*places)], BLOCKS))
-    assert dense[500 // UNIT_PX, 500 // UNIT_PX]
-    assert 4 <= dense.sum() <= 25
-
-
-def test_no_seams_call_for_nothing() -> None:
-    assert not dense_of(SeamSquares([], BLOCKS)).any()

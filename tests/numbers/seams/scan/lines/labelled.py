@@ -28,10 +28,7 @@ def edges_of(labels: np.ndarray, side: int = 512) -> np.ndarray:
 
 
 def estimated(labels: np.ndarray, seed: int, right_near: float = 0.94, right_far: float = 0.995) -> np.ndarray:
-    """Labels (rows, columns) with the errors of an estimate: blobs of a few samples.
-
-    Near a border (16 px) a sample takes what lies some samples off, elsewhere any source; outside stays outside.
-    """
+    """Labels (rows, columns) with the errors of an estimate: blobs of a few samples."""
     rng = np.random.default_rng(seed)
     border = np.zeros(labels.shape, dtype=bool)
     border[:, 1:] |= labels[:, 1:] != labels[:, :-1]

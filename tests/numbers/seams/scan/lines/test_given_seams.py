@@ -28,9 +28,6 @@ from tests.numbers.synthetic import UTM33, wkt
 GRID = Grid(0.0, 200.0, 0.1, 0.1, 4000, 2000)
 """400 x 200 m."""
 
-Places = Sequence[tuple[float, float]]
-
-
 def line(*places: tuple[float, float], **fields: object) -> SeamFeature:
     return fields, wkb(f"LINESTRING ({', '.join(f'{x} {y}' for x, y in places)})")
 
@@ -60,9 +57,6 @@ def told(given: GivenSeams) -> str:
     return " ".join(map(str, given.notices))
 
 
-# --- polygons --------------------------------------------------------------------------------------------------
-
-
 def test_borders_of_polygons_part_the_sources_they_name() -> None:
     given = given_seams([box(0, 0, 100, 200, source="a.tif"), box(100, 0, 400, 200, source="b.tif")], GRID)
     (seam,) = given.seams
@@ -71,22 +65,6 @@ def test_borders_of_polygons_part_the_sources_they_name() -> None:
     assert [cell.source for cell in given.cells] == ["a.tif", "b.tif"]
     assert given.cells[1].extent == (100, 0, 400, 200)
     assert [notice.values for notice in given.notices] == [{"fields": "source"}], "it is said which field was taken"
-
-
-def test_polygons_of_one_source_have_no_seam_between_them() -> None:
-    given = given_seams(
-        [box(0, 0, 100, 200, image="a"), box(100, 0, 200, 200, image="a"), box(200, 0, 400, 200, image="b")], GRID
-    )
-    (seam,) = given.seams
-    assert seam.vertices[:, 0].tolist() == [200, 200]
-
-
-def test_each_seam_parts_two_sources_only() -> None:
-    given = given_seams(
-        [box(0, 0, 100, 200, source="a"), box(100, 0, 400, 90, source="b"), box(100, 90, 400, 200, source="c")], GRID
-    )
-    pairs = {frozenset((seam.left, seam.right)): length(seam) for seam in given.seams}
-    assert pairs == pytest.approx({frozenset("ab"): 90, frozenset("ac"): 110, frozenset("bc"): 300})
 
 
 def test_an_island_has_a_ring_with_its_source_inside() -> None:
@@ -156,11 +134,6 @@ def test_polygons_with_dates_alone_are_called_by_them() -> None:
     assert "'SDATE'" in told(given)
 
 
-def test_polygons_that_share_no_border_are_no_seams() -> None:
-    with pytest.raises(SeamlineError, match="share a border"):
-        given_seams([box(0, 0, 90, 200, source="a"), box(100, 0, 400, 200, source="b")], GRID)
-
-
 def test_dates_beside_names_are_kept_and_name_nothing() -> None:
     given = given_seams(
         [box(0, 0, 100, 200, image="a", IDATE="2016-07-04"), box(100, 0, 200, 200, image="a", IDATE="2016-07-05"),
@@ -169,9 +142,6 @@ def test_dates_beside_names_are_kept_and_name_nothing() -> None:
     assert {frozenset((seam.left, seam.right)) for seam in given.seams} == {frozenset("ab"), frozenset("bc")}
     assert given.dates == {"b": "2016-07-11"}, "two dates of one source are none"
     assert [notice.values for notice in given.notices] == [{"fields": "image"}]
-
-
-# --- lines -----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("names", [("left_src", "right_src"), ("Left", "Right"), ("ImgLeft", "imgRight"), ("L", "R")])
@@ -192,36 +162,6 @@ def test_pieces_are_joined_as_far_as_they_part_the_same_sources() -> None:
     given = given_seams(pieces, GRID)
     assert [(seam.left, seam.right) for seam in given.seams] == [("a", "b"), ("a", "c")]
     assert [length(seam) for seam in given.seams] == pytest.approx([120, 80])
-
-
-def test_lines_without_sides_go_on_through_branches() -> None:
-    given = given_seams([line((0, 100), (200, 100)), line((200, 100), (400, 100)), line((200, 100), (200, 0))], GRID)
-    assert [(seam.left, seam.right, length(seam)) for seam in given.seams] == [(None, None, 400), (None, None, 100)]
-
-
-@pytest.mark.parametrize("apart", [0.0, 0.02, 0.04])
-def test_outlines_up_to_half_a_pixel_apart_are_one(apart: float) -> None:
-    outlines = [
-        [(left, 20), (right, 20), (right, 150), (left, 150), (left, 20)]
-        for left, right in ((20, 100 + apart / 2), (100 - apart / 2, 300))
-    ]
-    given = given_seams([line(*places) for places in outlines], GRID)
-    assert sum(map(length, given.seams)) == pytest.approx(2 * 280 + 3 * 130, abs=0.1)
-
-
-def test_lines_that_cross_themselves_are_told() -> None:
-    given = given_seams([line((10, 10), (100, 100), (100, 10), (10, 100)), line((200, 0), (200, 200))], GRID)
-    assert "cross themselves: 1" in told(given)
-    assert len(given.seams) == 2
-
-
-def test_a_name_of_a_line_is_not_taken_for_a_source() -> None:
-    given = given_seams([line((10, 10), (100, 100), name="seam 1")], GRID)
-    assert (given.seams[0].left, given.cells) == (None, ())
-    assert "names no orthoimages" in told(given)
-
-
-# --- what is no use --------------------------------------------------------------------------------------------
 
 
 def test_one_broken_feature_costs_itself_alone() -> None:
@@ -267,9 +207,6 @@ def test_metres_in_a_geojson_of_degrees_lie_elsewhere(tmp_path: Path) -> None:
     path.write_text(json.dumps({"type": "Feature", "properties": {}, "geometry": geometry}))
     with pytest.raises(SeamlineError, match=r"None of the 1 features .* check the reference systems"):
         read_seam_features(str(path), wkt(UTM33))
-
-
-# --- fields ----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -320,10 +257,6 @@ def written_names(folder: Path, *names: str) -> list[str]:
     return [layer.GetLayerDefn().GetFieldDefn(number).GetName() for number in range(len(names))]
 
 
-def test_a_field_of_ten_letters_that_only_begins_alike_is_another_one() -> None:
-    assert seam_fields([{"imagery_no": 1, "sourceless": 2, "left_sourz": 3, "right_sour": 4}]) == SeamFields()
-
-
 def test_a_field_can_be_chosen() -> None:
     rows = [{"source": "x", "BLOCK": "b1", "von": "1", "bis": "2"}]
     assert seam_fields(rows, "BLOCK") == SeamFields(source="BLOCK")
@@ -332,34 +265,10 @@ def test_a_field_can_be_chosen() -> None:
         seam_fields(rows, "block")
 
 
-# --- files of producers ----------------------------------------------------------------------------------------
-
-
 def features_of(path: Path, layer: str = "") -> list[SeamFeature]:
     dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR)
     found = dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
     return [(dict(row.items()), bytes(row.GetGeometryRef().ExportToIsoWkb())) for row in found]
-
-
-@pytest.mark.parametrize("layer", ["seamlines", "source_polygons"])
-def test_brighton(data_folder: Path, layer: str) -> None:
-    """Thousands of pieces of 3 cm, or polygons along the same stairs: the same seams."""
-    grid = Grid(576665.77, 5188204.05, 0.03, 0.03, 3423, 2987)
-    given = given_seams(features_of(data_folder / "seams" / "brighton" / "seamlines.gpkg", layer), grid)
-    assert sum(map(length, given.seams)) == pytest.approx(265.02, abs=0.05)
-    assert len(given.seams) == 21
-    assert {given.seams[0].left, given.seams[0].right} == {"DJI_0025_ortho.tif", "DJI_0034_ortho.tif"}
-    assert len(given.cells) == (20 if layer == "source_polygons" else 0)
-    assert ("6 gaps" in told(given)) == (layer == "source_polygons")  # where the mosaic is empty
-
-
-def test_packo(data_folder: Path) -> None:
-    grid = Grid(230745.6, 6759654.4, 0.05, 0.05, 256, 256)
-    given = given_seams(features_of(data_folder / "seams" / "packo" / "regress_graphe.gpkg"), grid)
-    assert [{seam.left[-5:], seam.right[-5:]} for seam in given.seams if seam.left and seam.right] == [
-        {"16371", "16372"}, {"16372", "16373"}
-    ]  # fmt: skip
-    assert len(given.cells) == 3
 
 
 MOSAIC_ELEMENTS = """<?xml version="1.0" encoding="UTF-8"?>

@@ -5,13 +5,7 @@ import numpy as np
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.seam_cells import meant_sources, names_apart
 from seam_inspector.plugin.seams.measure.seamlines.seam_features import source_numbers
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import (
-    SeamPiece,
-    Side,
-    cut_in_pieces,
-    sided,
-    sources_beside,
-)
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, Side, sided, sources_beside
 
 from tests.numbers.seams.scan.lines.labelled import estimated
 
@@ -51,12 +45,6 @@ def test_the_labels_beside_a_piece_are_its_sides() -> None:
     assert sides(seam((100, 480), (300, 480))) == (5, 5)
 
 
-def test_no_side_is_told_where_none_is_followed() -> None:
-    assert sides(seam((100, 160), (300, 160))) == (None, 5)
-    assert sides(seam((100, 50), (300, 50))) == (None, None)
-    assert sides(seam((-900, 50), (-300, 50))) == (None, None)
-
-
 def test_names_that_are_exchanged_are_set_right_and_others_stay() -> None:
     numbers = {"west": 5, "east": 3}
     line = (400, 200), (400, 460)
@@ -64,14 +52,6 @@ def test_names_that_are_exchanged_are_set_right_and_others_stay() -> None:
     assert sides(seam(*line, left="east", right="west"), numbers) == ("east", "west")
     assert sides(seam(*line, left="west", right="other"), numbers) == ("other", "west")
     assert sides(seam(*line, left="x", right="y"), numbers) == ("x", "y")
-
-
-def test_every_piece_of_a_long_seam_has_its_own_sides() -> None:
-    pieces = cut_in_pieces([seam((400, 200), (400, 480), (400, 780))], 10, GRID)
-    found = with_sides(pieces)
-    assert {(piece.left, piece.right) for piece in found} == {(3, 5), (7, 5)}
-    assert [piece.station_m for piece in found] == [piece.station_m for piece in pieces]
-    assert with_sides([]) == []
 
 
 def test_names_are_found_among_files() -> None:
@@ -85,7 +65,6 @@ def test_names_are_found_among_files() -> None:
 def test_names_that_mean_no_file_or_several_are_told() -> None:
     found, missing = source_numbers(["19FD", "A", "b", "a_2"], ["19FD_1.tif", "19FD_2.tif", "b.tif"])
     assert found == {"b": 2}
-    assert missing is not None
     assert missing.values == {"count": 3, "names": "19FD, A, a_2"}
     assert source_numbers(["a"], [])[1] is None
 

@@ -1,16 +1,13 @@
 """Seams in pieces of equal length on the ground, and which piece is nearest."""
 from __future__ import annotations
 
-import pickle
 import time
-import tracemalloc
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import ogr
-from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, cut_in_pieces, cut_off
@@ -64,15 +61,6 @@ def test_a_seam_is_cut_evenly_and_the_rest_is_spread() -> None:
     np.testing.assert_allclose(pieces[2].vertices, seam((65, 10), (80, 10), (80, 22.5)).vertices)
 
 
-def test_a_cut_at_a_vertex_leaves_no_point_twice() -> None:
-    first, second = cut_in_pieces([seam((10, 10), (35, 10), (35, 35))], 25, GRID)
-    assert len(first.vertices) == len(second.vertices) == 2
-
-
-def test_a_seam_shorter_than_half_a_piece_is_one_piece() -> None:
-    assert [piece.length_m for piece in cut_in_pieces([seam((10, 10), (12, 10))], 25, GRID)] == pytest.approx([2.0])
-
-
 @given(st.integers(0, 10_000), st.integers(2, 60), st.floats(1, 300))
 def test_pieces_together_are_the_seam(seed: int, count: int, piece_m: float) -> None:
     whole = crooked(seed, count)
@@ -124,25 +112,6 @@ def test_what_is_left_of_a_seam_is_what_gdal_finds_inside(seed: int) -> None:
     assert sum(metres(piece.vertices) for piece in pieces) == pytest.approx(sum(piece.length_m for piece in pieces))
 
 
-def test_seams_inside_the_mosaic_or_on_its_edge_are_kept_whole() -> None:
-    lines = [seam((0, 0), (2000, 0), (2000, 1500)), crooked(1, 40)]
-    pieces = cut_in_pieces(lines, 25, GRID)
-    assert sum(piece.length_m for piece in pieces) == pytest.approx(3500 + metres(lines[1].vertices))
-    assert cut_off(lines, pieces, GRID) is None
-
-
-def test_a_seam_beside_the_mosaic_has_no_pieces() -> None:
-    lines = [seam((-10, -10), (-10, 2000)), seam((-10, 5), (5, -10)), seam((3000, 10), (3000, 20))]
-    assert cut_in_pieces(lines, 25, GRID) == []
-    assert cut_off(lines, [], GRID) is not None
-
-
-@pytest.mark.parametrize("piece_m", [0, -1, float("nan"), float("inf")])
-def test_pieces_of_no_length_are_refused(piece_m: float) -> None:
-    with pytest.raises(SettingsError, match="or more"):
-        cut_in_pieces([seam((0, 0), (10, 10))], piece_m, GRID)
-
-
 @pytest.mark.parametrize("reach_px", [1.0, 20.0, 400.0])
 def test_the_nearest_piece_is_that_of_a_search_through_all(reach_px: float) -> None:
     pieces = cut_in_pieces([crooked(seed, 150) for seed in range(4)], 25, GRID)
@@ -163,55 +132,6 @@ def test_the_nearest_piece_is_that_of_a_search_through_all(reach_px: float) -> N
     # The piece named is the nearest one, or as near as makes no difference.
     np.testing.assert_allclose(true[number[hit], np.flatnonzero(hit)], nearest[hit], atol=0.1)
     assert np.isinf(distance[~hit]).all()
-
-
-def test_a_part_of_the_index_answers_for_its_block_as_the_whole_does() -> None:
-    pieces = cut_in_pieces([crooked(seed, 300) for seed in range(6)], 25, GRID)
-    whole = PieceIndex(pieces, GRID)
-    block = PixelWindow(4096, 2048, 2048, 2048)
-    part = pickle.loads(pickle.dumps(whole.near(block, 300)))
-    assert 0 < len(part) < len(whole)
-    row, column = np.mgrid[block.row : block.row + 2048 : 16, block.column : block.column + 2048 : 16] + 8.0
-    of_part, of_whole = part.beside(column, row, 300), whole.beside(column, row, 300)
-    np.testing.assert_array_equal(of_part.number, of_whole.number)
-    np.testing.assert_allclose(of_part.distance_px, of_whole.distance_px, atol=1e-9)
-    assert set(np.unique(of_part.number)) - {-1} <= set(part.numbers.tolist())
-
-
-def test_the_side_and_the_station_of_places_are_told() -> None:
-    pieces = cut_in_pieces([seam((100, 100), (200, 100), (200, 180))], 45, GRID)
-    columns = np.array([150, 150, 190, 210, 205, 205]) / GRID.pixel_width
-    rows = np.array([98, 103, 150, 150, 95, 240]) / GRID.pixel_height
-    found = PieceIndex(pieces, GRID).beside(columns, rows, 100)
-    assert found.number.tolist() == [1, 1, 3, 3, 2, -1]
-    assert found.on_left[:5].tolist() == [True, False, False, True, True]
-    np.testing.assert_allclose(found.station_m[:5], [50, 50, 150, 150, 100], atol=0.1)
-    np.testing.assert_allclose(found.distance_px[:4], np.array([2, 3, 10, 10]) / 0.25, atol=0.1)
-
-
-def test_stretches_much_longer_than_a_block_are_found() -> None:
-    pieces = cut_in_pieces([seam((0, 0), (2000, 1500))], 10_000, GRID)
-    near = PieceIndex(pieces, GRID).beside(np.array([3000.0, 3000]), np.array([2250.0, 2350]), 500)
-    assert near.number.tolist() == [0, 0]
-    np.testing.assert_allclose(near.distance_px, [0, 80], atol=0.1)
-
-
-def test_a_stretch_that_runs_far_beyond_costs_what_is_near_alone() -> None:
-    """A stretch on a mosaic whose file says that its pixels are millionths of a metre."""
-    index = PieceIndex([seam((0, 100), (5e6, 200))], GRID)
-    tracemalloc.start()
-    near = index.beside(np.array([3000.0, 3000, 3000]), np.array([400.0, 480, 1000]), 500)
-    assert tracemalloc.get_traced_memory()[1] < 10e6
-    tracemalloc.stop()
-    assert near.number.tolist() == [0, 0, -1]
-    np.testing.assert_allclose(near.distance_px[:2], [0.06, 79.94], atol=0.01)
-
-
-def test_an_index_without_pieces_finds_none() -> None:
-    near = PieceIndex([], GRID).beside(np.zeros((2, 3)), np.zeros((2, 3)), 100)
-    assert near.number.tolist() == [[-1] * 3] * 2
-    assert np.isinf(near.distance_px).all()
-    assert len(PieceIndex([], GRID).near(PixelWindow(0, 0, 2048, 2048), 100)) == 0
 
 
 def test_a_hundred_thousand_pieces_cost_a_block_next_to_nothing() -> None:

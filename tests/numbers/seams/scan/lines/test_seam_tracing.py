@@ -6,18 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-from hypothesis.extra.numpy import arrays
-from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.seamlines.label_borders import (
-    LabelBorder,
-    _gaps_closed,
-    cleaned,
-    joined_borders,
-    tile_edges,
-)
 from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import SidedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (
@@ -27,7 +16,6 @@ from tests.numbers.seams.scan.lines.labelled import (
     estimated,
     points_along,
     points_between,
-    tiles_of,
 )
 from tests.numbers.synthetic import read_pixels
 
@@ -93,13 +81,6 @@ def test_left_and_right_are_seen_when_walking_along(angle_deg: float) -> None:
             assert labels[int(row), int(column)] == side
 
 
-@pytest.mark.parametrize("angle_deg", [0, 27, 45])
-def test_a_corner_is_hardly_cut(angle_deg: float) -> None:
-    labels = half_plane(angle_deg) & half_plane(angle_deg + 90)
-    (seam,) = traced(labels)
-    assert distances(np.array([[400.0, 400.0]]), points_along([seam.vertices], grid_of(labels)))[0] < 7
-
-
 def test_seams_meet_where_three_sources_do() -> None:
     labels = np.zeros((SIDE, SIDE), np.int16)
     labels[100:] = 1
@@ -136,12 +117,6 @@ def test_islands_below_600_px_are_gone_and_larger_ones_have_a_ring() -> None:
     assert abs(pixels(seam, labels)[:, 0] - 400).max() < 4
 
 
-def test_an_island_without_labels_around_it_goes_too() -> None:
-    labels = np.full((SIDE, SIDE), -1)
-    labels[50:53, 50:53], labels[50:53, 53:56] = 0, 1
-    assert traced(labels) == []
-
-
 def test_seams_come_longest_first_and_stay_inside_the_mosaic() -> None:
     labels = np.repeat(np.repeat(np.arange(16).reshape(4, 4), 50, 0), 50, 1)
     grid = Grid(0.0, 0.0, 0.5, 0.5, SIDE * LABEL_PX - 3, SIDE * LABEL_PX - 1)  # the last samples stick out
@@ -152,12 +127,6 @@ def test_seams_come_longest_first_and_stay_inside_the_mosaic() -> None:
     places = np.concatenate([seam.vertices for seam in seams])
     assert places[:, 0].max() == (SIDE * LABEL_PX - 3) / 2
     assert places[:, 1].min() == -(SIDE * LABEL_PX - 1) / 2
-
-
-def test_labels_of_one_source_and_none_at_all_have_no_seams() -> None:
-    assert traced(np.zeros((50, 50))) == []
-    assert traced(np.full((50, 50), -1)) == []
-    assert joined_borders(np.zeros((4, 0), np.int64), 10) == []
 
 
 def quilt(rows: int, columns: int, seed: int) -> np.ndarray:
@@ -182,81 +151,6 @@ def test_the_tiles_that_labels_come_in_do_not_show(side: int) -> None:
         assert (one.left, one.right) == (other.left, other.right)
 
 
-def borders_of(labels: np.ndarray, side: int) -> list[LabelBorder]:
-    """Borders of labels as they are, tile by tile."""
-    tiles = [tile for tile, _ in tiles_of(labels, side)]
-    edges = [tile_edges(labels[tile.around(1)], tile) for tile in tiles]
-    return joined_borders(np.concatenate(edges, axis=1), labels.shape[1])
-
-
-SOME_LABELS = arrays(np.int16, st.tuples(st.integers(1, 9), st.integers(1, 9)), elements=st.integers(-1, 3))
-
-
-@given(SOME_LABELS, st.integers(1, 9))
-def test_every_sample_side_between_labels_is_on_one_border(labels: np.ndarray, side: int) -> None:
-    padded = np.pad(labels, 1, constant_values=-1)
-    sides: Counter[tuple[int, int, int, int]] = Counter()
-    for border in borders_of(labels, side):
-        walk = border.nodes
-        assert border.left < border.right
-        for (row, column), (next_row, next_column) in zip(walk[:-1].tolist(), walk[1:].tolist()):
-            down, across = next_row - row, next_column - column
-            assert abs(down) + abs(across) == 1
-            middle = np.array([row + next_row, column + next_column]) / 2 + 0.5
-            left = padded[tuple((middle + np.array([-across, down]) / 2).astype(int))]
-            right = padded[tuple((middle + np.array([across, -down]) / 2).astype(int))]
-            assert (left, right) == (border.left, border.right)
-            sides[(min(row, next_row), min(column, next_column), abs(down), abs(across))] += 1
-    assert set(sides.values()) <= {1}
-    between = (padded[1:] != padded[:-1]).sum() + (padded[:, 1:] != padded[:, :-1]).sum()
-    assert len(sides) == between
-
-
-@given(SOME_LABELS, st.integers(1, 9))
-def test_whatever_the_tiles_the_borders_are_the_same(labels: np.ndarray, side: int) -> None:
-    whole, found = borders_of(labels, 9), borders_of(labels, side)
-    assert [(one.left, one.right, one.keys, one.nodes.tolist()) for one in found] == [
-        (one.left, one.right, one.keys, one.nodes.tolist()) for one in whole
-    ]
-
-
-@given(SOME_LABELS)
-def test_borders_end_only_where_three_labels_meet(labels: np.ndarray) -> None:
-    padded = np.pad(labels, 1, constant_values=-1)
-
-    def labels_at(node: np.ndarray) -> int:
-        row, column = node.tolist()
-        return len(np.unique(padded[row : row + 2, column : column + 2]))
-
-    borders = borders_of(labels, 9)
-    for border in borders:
-        if (border.nodes[0] != border.nodes[-1]).any():
-            assert labels_at(border.nodes[0]) >= 3
-            assert labels_at(border.nodes[-1]) >= 3
-
-
-def test_cleaned_labels_have_the_size_and_the_outline_they_came_with() -> None:
-    labels = estimated(quilt(700, 500, 3), 4)
-    out = cleaned(labels, LABEL_PX)
-    assert out.shape == labels.shape
-    wide = np.s_[150:300, 200:300]  # the hole
-    np.testing.assert_array_equal(out[wide] == -1, labels[wide] == -1)
-
-
-@given(arrays(np.int16, st.tuples(st.integers(1, 30), st.integers(1, 30)), elements=st.sampled_from([-1, -1, -1, 0])))
-def test_gaps_are_closed_that_no_disk_finds_room_in(labels: np.ndarray) -> None:
-    """Room by Euclid's distances, as scipy takes them."""
-    empty = labels == -1
-    far = np.zeros(labels.shape, bool)
-    if not empty.all():
-        far = empty & (ndimage.distance_transform_edt(empty) > 3)
-    narrow = empty & (ndimage.distance_transform_edt(~far) > 3 if far.any() else ~empty.all())
-    assert ((_gaps_closed(labels) == -1) == (empty & ~narrow)).all()
-
-
-# --- Brighton --------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def brighton(data_folder: Path) -> np.ndarray:
     """Which source each pixel is from, -1 outside."""
@@ -264,6 +158,7 @@ def brighton(data_folder: Path) -> np.ndarray:
     return read_pixels(str(path), 0, 0, 3423, 2987)[0].astype(np.int16) - 1
 
 
+@pytest.mark.release
 @pytest.mark.parametrize(("seed", "right_near", "right_far"), [(None, 1, 1), (1, 0.94, 0.995), (2, 0.9, 0.99)])
 def test_seams_of_brighton_lie_where_the_true_ones_do(
     brighton: np.ndarray, seed: int | None, right_near: float, right_far: float

@@ -101,13 +101,6 @@ def test_areas_islands_and_holes_are_those_of_the_labels() -> None:
     assert found[3].GetGeometryRef(0).GetGeometryCount() == 2
 
 
-def test_corners_of_the_mosaic_stay() -> None:
-    outline = polygons(np.zeros((50, 80)))[0]
-    assert outline.GetEnvelope() == (576000, 576160, 5187900, 5188000)
-    assert outline.GetArea() == 160 * 100
-    assert outline.GetGeometryRef(0).GetGeometryRef(0).GetPointCount() == 5
-
-
 def test_borders_are_the_seams() -> None:
     labels = estimated(quarters(), 3)
     borders = borders_of(labels)
@@ -117,8 +110,3 @@ def test_borders_are_the_seams() -> None:
     for seam in seams:
         for side in (seam.left, seam.right):
             assert {tuple(vertex) for vertex in seam.vertices.tolist()} <= corners[side]
-
-
-def test_nothing_followed_gives_no_polygons() -> None:
-    assert polygons(np.full((20, 20), -1)) == {}
-    assert polygons_of([]) == []

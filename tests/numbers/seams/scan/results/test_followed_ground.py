@@ -10,7 +10,7 @@ from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
-from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED, PLAIN
+from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED
 from seam_inspector.plugin.seams.measure.scan.followed_ground import FollowedGround
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam
@@ -20,8 +20,6 @@ from tests.numbers.seams.scan.results.test_gathering import GSD, SEAM, given_sea
 
 PIECE_M = 25.0
 SIDE_M = SIDE * GSD
-
-# --- mosaics of a few units -------------------------------------------------------------------------------------
 
 
 def ground_of(units: np.ndarray, lines: list[list[tuple[float, float]]] | None = None) -> FollowedGround:
@@ -42,49 +40,10 @@ def halves(rows: int = 40, columns: int = 40) -> np.ndarray:
     return units
 
 
-DOWN_THE_MIDDLE = [[(20.0, 0.0), (20.0, 40.0)]]
-
-
-def test_a_border_with_a_seam_is_seen() -> None:
-    found = ground_of(halves(), DOWN_THE_MIDDLE)
-    assert (found.unseen, found.hidden, found.unexplained, found.empty, found.looked) == ([], [], 0, 0, 1)
-
-
 def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
     (one,) = ground_of(halves()).unseen
     assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
     assert (one.x, one.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
-
-
-def test_a_line_that_ends_tells_of_nothing_beyond() -> None:
-    gap = 5
-    (one,) = ground_of(halves(), [[(20.0, 0.0), (20.0, 18.0)], [(20.0, 18.0 + gap), (20.0, 40.0)]]).unseen
-    assert (gap - 2) * UNIT_PX * GSD <= one.metres + 1e-6 <= gap * UNIT_PX * GSD  # without the units where it ends
-
-
-def test_lines_that_go_on_in_each_other_leave_no_gap() -> None:
-    assert not ground_of(halves(), [[(20.0, 0.0), (20.0, 18.0)], [(20.0, 18.0), (20.0, 40.0)]]).unseen
-
-
-@pytest.mark.parametrize("dash_px", [4, 30, 60])
-def test_dashes_too_short_to_be_measured_tell_of_no_border(dash_px: int) -> None:
-    dashes = [[(20.0, row), (20.0, row + dash_px / UNIT_PX)] for row in range(0, 39, 2)]
-    (one,) = ground_of(halves(), dashes).unseen
-    assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
-
-
-@pytest.mark.parametrize("width", [1, 2, 3, 5])
-def test_an_aslant_strip_without_pixels_hides_a_border(width: int) -> None:
-    row, column = np.indices((60, 60))
-    units = (column > row).astype(int)
-    units[(column - row > -width) & (column - row <= width)] = EMPTY
-    assert sum(one.metres for one in ground_of(units).unseen) == pytest.approx(60 * 2**0.5 * UNIT_PX * GSD, rel=0.15)
-
-
-def test_an_aslant_border_is_as_long_as_a_line() -> None:
-    row, column = np.indices((60, 60))
-    (one,) = ground_of((column > row).astype(int)).unseen
-    assert one.metres == pytest.approx(60 * 2**0.5 * UNIT_PX * GSD, rel=0.06)
 
 
 @pytest.mark.parametrize("covering", [LACKING, EMPTY])
@@ -96,62 +55,6 @@ def test_a_strip_between_two_sources_hides_their_border(covering: int, width: in
     assert sum(one.metres for one in found.unseen) == pytest.approx(40 * UNIT_PX * GSD, rel=0.05)
     assert bool(found.hidden) == (covering == LACKING)
     assert (found.empty > 0) == (covering == EMPTY)
-
-
-@pytest.mark.parametrize("covering", [LACKING, EMPTY])
-def test_a_strip_through_one_source_hides_none(covering: int) -> None:
-    units = np.zeros((40, 40), int)
-    units[:, 20:22] = covering
-    assert ground_of(units).unseen == []
-
-
-def test_a_strip_too_short_for_a_piece_hides_none() -> None:
-    units = halves()
-    units[10:12, 19:21] = LACKING
-    lines = [[(20.0, 0.0), (20.0, 9.7)], [(20.0, 12.3), (20.0, 40.0)]]
-    assert ground_of(units, lines).unseen == []
-
-
-def test_what_is_interrupted_is_one_place() -> None:
-    units = halves()
-    units[[8, 9, 13, 14, 18], 20] = LACKING
-    ends = [(0.0, 7.7), (10.3, 12.7), (15.3, 17.7), (19.3, 40.0)]
-    lines = [[(20.0, first), (20.0, last)] for first, last in ends]
-    (one,) = ground_of(units, lines).hidden
-    assert one.metres == pytest.approx(5 * UNIT_PX * GSD)
-
-
-def test_a_lake_between_two_sources_hides_none() -> None:
-    units = halves()
-    units[:, 18:24] = PLAIN
-    found = ground_of(units)
-    assert (found.unseen, found.unexplained) == ([], 0)
-
-
-def test_two_parts_far_apart_and_the_corner_of_an_outline_hide_none() -> None:
-    units = halves()
-    units[:, 14:26] = EMPTY
-    apart = ground_of(units)
-    assert (apart.unseen, apart.empty) == ([], 0)
-    units = halves()
-    units[:20] = EMPTY  # the seam ends at the outline
-    assert ground_of(units, [[(20.0, 20.0), (20.0, 40.0)]]).unseen == []
-    row, column = np.indices((40, 40))
-    ell = np.where(row < column, 0, 1)
-    ell[:26, 14:] = EMPTY
-    corner = ground_of(ell, [[(0.0, 0.0), (40.0, 40.0)]])
-    assert corner.unseen == []
-    assert corner.empty == 0
-
-
-def test_a_collar_is_no_hole() -> None:
-    units = halves()
-    units[:2] = units[-3:] = units[:, 0] = units[:, -1] = EMPTY
-    assert ground_of(units, DOWN_THE_MIDDLE).empty == 0
-    units[10:12, 5:9] = EMPTY
-    found = ground_of(units, DOWN_THE_MIDDLE)
-    assert found.empty == pytest.approx(8 / (35 * 38))
-    assert found.told["nodata_at"].split(" ")[2:] == ["13", "6"]
 
 
 def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:
@@ -175,9 +78,6 @@ def test_a_border_in_ground_that_was_not_read_is_told_as_that() -> None:
     units[:, 18:22] = NOT_LOOKED
     found = ground_of(units)
     assert (found.unseen, found.looked) == ([], pytest.approx(36 / 40))
-
-
-# --- scans ------------------------------------------------------------------------------------------------------
 
 
 def metres(result: ScanResult, name: str) -> float:
@@ -271,13 +171,6 @@ def test_a_line_that_is_no_seam_is_no_seam(tmp_path: Path) -> None:
     unnamed = result_of(tmp_path, one, (given_seam(one, SEAM), given_seam(one, SEAM + 300)))
     assert (metres(unnamed, "unchanged"), unnamed.seam_metres) == (0, pytest.approx(SIDE_M, rel=0.01))
     assert [notice.values["metres"] for notice in unnamed.notices] == [pytest.approx(SIDE_M, rel=0.01)]
-
-
-@pytest.mark.slow
-def test_a_line_too_far_from_its_seam_tells_nothing_of_it(tmp_path: Path) -> None:
-    one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
-    result = result_of(tmp_path, one, (given_seam(one, SEAM + 55),))
-    assert (result.pieces, metres(result, "unseen")) == ((), pytest.approx(SIDE_M, rel=0.1))
 
 
 def test_a_line_beside_its_seam_is_its_line(tmp_path: Path) -> None:

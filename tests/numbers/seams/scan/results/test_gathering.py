@@ -12,12 +12,11 @@ import pytest
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
-from seam_inspector.plugin.seams.measure.blocks.scan_block import LACKING, BlockScan, scan_block
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, LABELS, UNITS
+from seam_inspector.plugin.seams.measure.blocks.scan_block import LACKING, BlockScan
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
-from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PRODUCTS, CellTable, MixtureTable
-from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, both_looks, global_numbers
+from seam_inspector.plugin.seams.measure.profile.cell_table import CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
@@ -54,9 +53,6 @@ def distance_px(result: ScanResult, one: Scene, column: float) -> float:
     grid = one.mosaic.grid
     columns = [(piece.piece.vertices[:, 0] - grid.left) / grid.pixel_width for piece in result.pieces]
     return float(np.abs(np.concatenate(columns) - column).max())
-
-
-# --- whole mosaics ----------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("density", ["seams", "full"])
@@ -106,8 +102,10 @@ AFTERWARDS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("density", ["seams", "full"])
-@pytest.mark.parametrize("change", AFTERWARDS)
+@pytest.mark.parametrize(
+    ("change", "density"),
+    [*((change, "seams") for change in AFTERWARDS), ("sharpened much", "full"), ("noise", "full")],
+)
 def test_what_was_done_to_the_whole_mosaic_is_no_loss_and_hides_none(
     tmp_path: Path, change: str, density: str
 ) -> None:
@@ -166,20 +164,6 @@ def test_a_seam_across_two_blocks_is_one(tmp_path: Path) -> None:
     assert max(kept) < 0.9
 
 
-def test_a_mosaic_of_one_source_has_no_seam(tmp_path: Path) -> None:
-    given = images()
-    one = scene(tmp_path, given[0] // 2 + 60, given)
-    result, given_name = result_of(tmp_path, one), one.sources[0].ref.name
-    assert result.pieces == ()
-    assert result.seam_metres == result.failed_metres == 0
-    assert result.worst_kept is None
-    assert not result.worst
-    assert [polygon.source for polygon in result.polygons] == [0]
-    assert [str(notice) for notice in result.notices] == [
-        f"No seam was found: as far as the orthoimages explain the mosaic, all of it follows {given_name}."
-    ]
-
-
 @pytest.mark.parametrize("which", ["mosaic", "source"])
 def test_a_raster_that_is_rewritten_while_it_is_scanned_is_told_and_all_is_measured_again(
     tmp_path: Path, which: str
@@ -222,9 +206,6 @@ def test_bad_places_come_first_among_the_worst(tmp_path: Path) -> None:
     assert [one.window_id for one in result.worst] == list(range(1, len(result.worst) + 1))
 
 
-# --- given seams ------------------------------------------------------------------------------------------------
-
-
 UTM_SCALE = 0.9996
 """Of lengths on the map where the scene lies, on the central meridian of its zone (Snyder 1987)."""
 
@@ -262,9 +243,6 @@ def test_the_picture_of_given_seams_names_sources_everywhere(tmp_path: Path) -> 
     assert (source[:, SEAM // 32 + 1 :] == 2).all()
 
 
-# --- labels and looks -------------------------------------------------------------------------------------------
-
-
 def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
     """A block of nothing but what is given."""
     nothing = BlockScan(
@@ -274,43 +252,3 @@ def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
         np.full((UNITS, UNITS), LACKING, np.int16),
     )
     return replace(nothing, **arrays)
-
-
-def test_a_second_look_replaces_what_it_looked_at_and_nothing_else(tmp_path: Path) -> None:
-    given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
-    first = scan_block(one.request())
-    wanted = np.zeros((UNITS, UNITS), bool)
-    wanted[2:10, 10:16] = True  # partly measured before
-    second = scan_block(one.request(wanted=wanted))
-    both = both_looks(first, second)
-    assert (both.dense == (first.dense | wanted)).all()
-    times = UNIT_PX // CELL_PX
-    again = wanted[both.cells.row // times, both.cells.column // times]
-    before = wanted[first.cells.row // times, first.cells.column // times]
-    assert again.sum() == len(second.cells)
-    assert both.cells.mm[:, ~again].sum() == pytest.approx(first.cells.mm[:, ~before].sum())
-    area = np.zeros((SIDE // CELL_PX, SIDE // CELL_PX))
-    np.add.at(area, (both.cells.row, both.cells.column), both.cells.area[0])
-    assert area.max() == CELL_PX**2
-    looked = wanted.repeat(UNIT_PX // LABEL_PX, axis=0).repeat(UNIT_PX // LABEL_PX, axis=1)
-    assert (both.labels[looked] == second.labels[looked]).all()
-    assert (both.labels[~looked] == first.labels[~looked]).all()
-
-
-def test_cells_of_any_block_are_replaced_by_their_place_in_it() -> None:
-    row, column = np.array([128, 130]), np.array([256, 300])
-    values = np.ones((3, 2), np.float32)
-    table = CellTable(row, column, np.zeros(2, np.uint8), values, values, values, values)
-    dense = np.zeros((UNITS, UNITS), bool)
-    dense[0, 0] = True  # of block (1, 2): cells 128, 129 by 256, 257
-    number = np.zeros(2, np.uint8)
-    mixture = MixtureTable(row, column, number, number, number + 1, np.ones((len(PRODUCTS), 3, 2), np.float32))
-    found = both_looks(block(cells=table, beside=mixture), block(dense=dense))
-    assert found.cells.column.tolist() == [300]
-    assert found.beside.column.tolist() == [300]
-
-
-def test_numbers_of_a_block_become_those_of_the_scan() -> None:
-    numbers = global_numbers(("a", "b"), {"z": 0, "b": 7, "a": 70000})
-    assert numbers[[0, 1, 2, UNKNOWN]].tolist() == [70000, 7, NOTHING, NOTHING]

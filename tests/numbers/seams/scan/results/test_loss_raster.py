@@ -8,10 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX, LABELS
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import CELLS_PX
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
@@ -23,8 +22,6 @@ from tests.numbers.synthetic import GeoTransform, write_raster
 
 COUNT = SIDE // CELL_PX
 KEPT, CONTRAST, ADDED, SOURCE, MIXTURE = range(len(BANDS))
-
-# --- what the pixels say ----------------------------------------------------------------------------------------
 
 
 def pixels_of(width: int, cell_px: int) -> np.ndarray:
@@ -39,7 +36,6 @@ def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> N
     """Energy over that which ground of the same energy has."""
     table = blend(width).detail().cells
     (finest, *_) = grounds(table)
-    assert finest is not None
     mm, cc = (spread(table, one[0], COUNT).sum(axis=0) for one in (table.mm, table.cc))
     expected = mm / (cc * finest.amplitude(cc / CELL_PX**2))
     found = pixels_of(width, CELL_PX)[KEPT]
@@ -48,51 +44,6 @@ def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> N
     assert (found[COUNT:] == NODATA).all()
     assert (found[:, COUNT:] == NODATA).all()
 
-
-@pytest.mark.parametrize("cell_px", CELLS_PX)
-def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
-    made = blend(33)
-    cells = made.detail().cells
-    side = SIDE // cell_px
-
-    def summed(name: str) -> np.ndarray:
-        each = spread(cells, getattr(cells, name)[0], COUNT).sum(axis=0)
-        return each.reshape(side, cell_px // CELL_PX, side, -1).sum(axis=(1, 3))
-
-    found = pixels_of(33, cell_px)[:, :side, :side]
-    mm, cc, mc = map(summed, ("mm", "cc", "mc"))
-    assert found[CONTRAST] == pytest.approx(np.sqrt(mm / cc), rel=1e-4)
-    assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
-    mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
-    assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)
-
-
-def test_a_feather_is_a_line_and_all_else_is_even() -> None:
-    made = blend(33)
-    kept = pixels_of(33, 32)[KEPT][: SIDE // 32, : SIDE // 32]
-    distance = made.distance.reshape(SIDE // 32, 32, -1, 32).min(axis=(1, 3))
-    assert np.median(kept[distance < 4]) < 0.9
-    assert np.median(kept[distance > 40]) == pytest.approx(1, abs=0.02)
-
-
-def test_pixels_name_the_source_in_their_middle() -> None:
-    made = blend(0)
-    found = pixels_of(0, 32)[SOURCE]
-    middles = made.labels[18::32, 18::32]
-    assert (found[: SIDE // 32, : SIDE // 32] == middles + 1).all()
-    assert (found[SIDE // 32 :] == NODATA).all()
-
-
-def test_without_ground_there_is_contrast_and_no_kept() -> None:
-    made = blend(33)
-    scan = scan_of_window(made.detail(), made.labels)
-    found = loss_cells(scan, np.zeros((LABELS, LABELS), int), [None] * 3, 32)
-    assert (found[KEPT] == NODATA).all()
-    assert (found[CONTRAST][: SIDE // 32, : SIDE // 32] > 0).all()
-    assert (found[SOURCE] == NODATA).all()
-
-
-# --- the file ---------------------------------------------------------------------------------------------------
 
 GEOTRANSFORM: GeoTransform = (400000.0, 0.25, 0.0, 5500000.0, 0.0, -0.25)
 
@@ -158,19 +109,6 @@ def test_overviews_are_means_but_for_the_numbers_of_sources(tmp_path: Path, mosa
     assert set(np.unique(source.GetOverview(0).ReadAsArray())) <= {NODATA, 1, 2, 3}
 
 
-def test_a_small_picture_needs_no_overviews(tmp_path: Path, mosaic: Raster) -> None:
-    written(tmp_path / "loss.tif", mosaic, 64)
-    dataset = gdal.Open(str(tmp_path / "loss.tif"))
-    assert not dataset.GetRasterBand(1).GetOverviewCount()
-
-
-def test_a_band_of_which_nothing_is_known_has_no_statistics(tmp_path: Path, mosaic: Raster) -> None:
-    with loss_raster(str(tmp_path / "loss.tif"), mosaic, 128) as raster:
-        raster.close([])
-    dataset = gdal.Open(str(tmp_path / "loss.tif"))
-    assert (dataset.ReadAsArray() == NODATA).all()
-
-
 def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic: Raster) -> None:
     huge = replace(mosaic, columns=10**6, rows=10**6)
     cells = np.full((len(BANDS), 64, 64), NODATA, np.float32)
@@ -197,12 +135,19 @@ def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic
         assert np.count_nonzero(pixels != NODATA) <= (40 // factor + 2) * (44 // factor + 2)
 
 
-def test_a_picture_that_was_not_finished_is_not_there(tmp_path: Path, mosaic: Raster) -> None:
-    with pytest.raises(KeyboardInterrupt), loss_raster(str(tmp_path / "loss.tif"), mosaic, 32):
-        raise KeyboardInterrupt
-    assert not list(tmp_path.iterdir())
+@pytest.mark.parametrize("cell_px", CELLS_PX)
+def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
+    made = blend(33)
+    cells = made.detail().cells
+    side = SIDE // cell_px
 
+    def summed(name: str) -> np.ndarray:
+        each = spread(cells, getattr(cells, name)[0], COUNT).sum(axis=0)
+        return each.reshape(side, cell_px // CELL_PX, side, -1).sum(axis=(1, 3))
 
-def test_a_folder_that_is_not_there_is_told(tmp_path: Path, mosaic: Raster) -> None:
-    with pytest.raises(RasterError, match=r"loss\.tif"), loss_raster(str(tmp_path / "no" / "loss.tif"), mosaic, 32):
-        pass
+    found = pixels_of(33, cell_px)[:, :side, :side]
+    mm, cc, mc = map(summed, ("mm", "cc", "mc"))
+    assert found[CONTRAST] == pytest.approx(np.sqrt(mm / cc), rel=1e-4)
+    assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
+    mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
+    assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)

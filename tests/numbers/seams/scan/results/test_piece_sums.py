@@ -5,28 +5,18 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.blocks.scan_block import CELLS
 from seam_inspector.plugin.seams.measure.judgement.visibility import white_grey, window_visibility
-from seam_inspector.plugin.seams.measure.profile.cell_table import (
-    CELL_PX,
-    EDGES_PX,
-    CellTable,
-    MixtureTable,
-)
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure
-from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities, without_even
 
-from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend, spread
+from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend
 from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of, profiles_of, sums_of
 
 WIDTHS = [0, 13, 33, 66, 100]
-
-# --- one seam in one window -------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", [0, 3])
@@ -36,8 +26,6 @@ def test_a_seam_of_one_piece_keeps_what_its_window_keeps(width: int, seed: int) 
     detail = made.detail()
     expected = detail.profile
     (found,) = profiles_of(detail, pieces_of(made))
-    assert expected is not None
-    assert found.profile is not None
     assert found.profile.kept == pytest.approx(expected.kept, rel=0.01)
     assert (found.profile.low, found.profile.high) == pytest.approx((expected.low, expected.high), rel=0.03)
     assert found.profile.band_width_px == pytest.approx(expected.band_width_px, abs=2)
@@ -45,69 +33,6 @@ def test_a_seam_of_one_piece_keeps_what_its_window_keeps(width: int, seed: int) 
     assert found.profile.added_beside == pytest.approx(expected.added_beside, abs=0.02)
     assert found.profile.measure is expected.measure
     assert found.profile.lost == pytest.approx(expected.lost, rel=0.05, abs=2000)
-
-
-@pytest.mark.parametrize("width", WIDTHS)
-def test_it_holds_what_pywavelets_says(width: int) -> None:
-    made = blend(width)
-    (found,) = profiles_of(made.detail(), pieces_of(made))
-    assert found.profile is not None
-    assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.05)
-    assert found.profile.low < made.truth() < found.profile.high
-
-
-def test_bins_are_those_of_the_window() -> None:
-    made = blend(66)
-    detail = made.detail()
-    expected = detail.profile
-    (found,) = profiles_of(detail, pieces_of(made))
-    assert expected is not None
-    assert found.profile is not None
-    window_bins = {one.near_px: one for one in expected.bins if one.level == 1 and one.far_px <= 96}
-    piece_bins = {one.near_px: one for one in found.profile.bins if one.far_px <= 96}
-    assert piece_bins.keys() == window_bins.keys()
-    for near, one in piece_bins.items():
-        assert one.kept == pytest.approx(window_bins[near].kept, rel=0.01)
-        assert one.area_px == pytest.approx(window_bins[near].area_px)
-        assert one.mixture == pytest.approx(window_bins[near].mixture, abs=0.01)
-
-
-def test_a_mean_of_two_images_is_seen_in_pieces_too() -> None:
-    made = blend(0).with_mosaic_of(np.full((SIDE, SIDE), 0.5))
-    (found,) = profiles_of(made.detail(), pieces_of(made))
-    assert found.profile is not None
-    assert found.profile.measure is Measure.MIXTURE
-    assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.03)
-
-
-def test_the_fit_is_that_of_the_strip() -> None:
-    made = blend(33)
-    detail = made.detail()
-    table = detail.cells
-    strip = table.bin < EDGES_PX.index(STRIP_PX)
-    (found,) = profiles_of(detail, pieces_of(made))
-    mm, cc, mc = (float(one[0, strip].sum()) for one in (table.mm, table.cc, table.mc))
-    assert found.fit == pytest.approx(mc**2 / (mm * cc), rel=1e-4)
-    assert found.area_px == pytest.approx(table.area[0, strip].sum())
-
-
-# --- more pieces, more blocks -----------------------------------------------------------------------------------
-
-
-def test_pieces_share_the_strip_and_their_mean_is_the_whole() -> None:
-    made = blend(33)
-    detail = made.detail()
-    (whole,) = profiles_of(detail, pieces_of(made))
-    parts = profiles_of(detail, pieces_of(made, 4))
-    assert sum(part.area_px for part in parts) == pytest.approx(whole.area_px)
-    areas = np.array([part.area_px for part in parts])
-    assert areas.min() > 0.15 * areas.sum()
-    kept = np.array([part.profile.kept[0] for part in parts if part.profile])
-    assert whole.profile is not None
-    assert kept.min() < whole.profile.kept[0] < kept.max()
-    assert np.average(kept, weights=areas) == pytest.approx(whole.profile.kept[0], abs=0.04)
-    widths = [part.profile.high / part.profile.low for part in parts if part.profile]
-    assert np.mean(widths) > whole.profile.high / whole.profile.low
 
 
 def test_one_half_feathered_shows_in_its_pieces_only() -> None:
@@ -146,51 +71,6 @@ def test_blocks_add_up_in_any_order() -> None:
             assert other.feather_width_px == pytest.approx(one.feather_width_px, rel=1e-3)
 
 
-def test_rows_of_blocks_add_up_to_a_seam_across_all_of_them() -> None:
-    """One of the pieces lies on the border."""
-    made = blend(33)
-    detail = made.detail()
-    grid = replace(GRID, rows=2 * BLOCK_PX)
-    window = PixelWindow(0, BLOCK_PX - SIDE // 2, SIDE, SIDE)  # half in the first row, half in the second
-    by_cells = (BLOCK_PX - SIDE // 2) // CELL_PX
-    cells, mixture, ground = detail.cells.moved(by_cells, 0), detail.mixture.moved(by_cells, 0), detail.ground
-    down = window.row * grid.pixel_height
-    pieces = [replace(one, vertices=one.vertices - (0, down)) for one in pieces_of(made, 3)]
-    sums = sums_of(pieces, grid)
-    for row in range(2):
-        place = slice(row * BLOCK_PX // CELL_PX, (row + 1) * BLOCK_PX // CELL_PX), slice(0, SIDE // CELL_PX)
-        sums.add(
-            cells.within(place), mixture.within(place), ground, PixelWindow(0, row * BLOCK_PX, SIDE, BLOCK_PX)
-        )
-    for profile, expected in zip(sums.profiles(), profiles_of(detail, pieces_of(made, 3))):
-        assert profile.area_px == expected.area_px > 0
-        assert profile.profile.kept == pytest.approx(expected.profile.kept, rel=1e-5)
-        assert (profile.profile.low, profile.profile.high) == pytest.approx(
-            (expected.profile.low, expected.profile.high), rel=0.02
-        )
-
-
-def test_a_piece_that_ends_above_a_row_of_blocks_waits_for_the_cells_below() -> None:
-    made = blend(33)
-    detail, grid = made.detail(), replace(GRID, rows=2 * BLOCK_PX)
-    first = (BLOCK_PX - SIDE // 2) // CELL_PX
-    cells, mixture = detail.cells.moved(first, 0), detail.mixture.moved(first, 0)
-    (whole,) = pieces_of(made)
-    upper = whole.vertices[: SIDE // 2 - 10] - (0, first * CELL_PX * grid.pixel_height)
-    areas = []
-    for at_once in (True, False):
-        sums = sums_of([replace(whole, vertices=upper)], grid)
-        border = BLOCK_PX // CELL_PX
-        for row in (slice(0, 2 * border),) if at_once else (slice(0, border), slice(border, 2 * border)):
-            place = row, slice(0, SIDE // CELL_PX)
-            window = PixelWindow(0, row.start * CELL_PX, SIDE, 2 * BLOCK_PX)
-            sums.add(cells.within(place), mixture.within(place), detail.ground, window)
-        areas.append(sums.profiles()[0].area_px)
-    assert areas[0] == areas[1] > 0
-
-
-# --- what an eye sees of it -------------------------------------------------------------------------------------
-
 MOSAIC = Raster(RasterRef("mosaic.tif"), SIDE, SIDE, None, "", ("band_1",), "uint8")
 
 
@@ -207,35 +87,7 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     grey, brightest = sums.grey
     (found,) = visibilities(sums.profiles(), grey, white_grey(MOSAIC, brightest))
     assert found == pytest.approx(expected, rel=0.03, abs=0.03)
-    assert found is not None
     assert (found > 1) == (width > 0)
-
-
-def test_a_piece_on_ground_of_unknown_brightness_is_not_said_to_be_seen() -> None:
-    made = blend(66)
-    detail = made.detail()
-    sums = sums_of(pieces_of(made))
-    sums.add(detail.cells, detail.mixture, detail.ground, WINDOW)
-    assert sums.profiles()[0].profile is not None
-    assert visibilities(sums.profiles(), sums.grey[0], 255.0) == [None]
-
-
-# --- too little -------------------------------------------------------------------------------------------------
-
-
-def without(detail: WindowDetail, near_px: int) -> WindowDetail:
-    """Its cells nearer to a seam than that."""
-    near = EDGES_PX.index(near_px)
-    return replace(detail, cells=detail.cells.chosen(detail.cells.bin >= near),
-                   mixture=detail.mixture.chosen(detail.mixture.bin >= near))
-
-
-def test_a_piece_that_no_cell_is_near_to_is_not_measured() -> None:
-    made = blend(0)
-    (found,) = profiles_of(without(made.detail(), 64), pieces_of(made))
-    assert found.profile is None
-    assert found.area_px == 0
-    assert found.fit == 0
 
 
 def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> None:
@@ -245,54 +97,10 @@ def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> No
     assert grounds(beside.cells) == [None] * LEVELS
     mixture = detail.mixture.chosen(detail.mixture.bin < EDGES_PX.index(24))
     (found,) = profiles_of(replace(beside, mixture=mixture), pieces_of(made))
-    assert found.profile is not None
     assert found.profile.measure is Measure.MIXTURE
     assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.05)
     (nothing,) = profiles_of(replace(beside, mixture=MixtureTable.empty(LEVELS)), pieces_of(made))
     assert nothing.profile is None
-
-
-def test_a_table_without_rows_adds_nothing() -> None:
-    made = blend(0)
-    empty = replace(made.detail(), cells=CellTable.empty(LEVELS), mixture=MixtureTable.empty(LEVELS))
-    assert grounds(empty.cells) == [None] * LEVELS
-    (found,) = profiles_of(empty, pieces_of(made))
-    assert (found.profile, found.area_px, found.fit, found.texture) == (None, 0, 0, 0)
-    assert profiles_of(made.detail(), []) == []
-
-
-# --- the ground -------------------------------------------------------------------------------------------------
-
-
-def test_cells_of_several_bins_are_put_together() -> None:
-    table = blend(33).detail().cells
-    whole = table.whole
-    assert len(whole.row) == (SIDE // CELL_PX) ** 2
-    for name in ("area", "mm", "cc", "mc"):
-        expected = spread(table, getattr(table, name), SIDE // CELL_PX).sum(axis=1).reshape(LEVELS, -1)
-        assert getattr(whole, name) == pytest.approx(expected, rel=1e-5, abs=1e-2)
-    area = spread(table, table.area[0], SIDE // CELL_PX)
-    assert (whole.bin == (area > 0).argmax(axis=0).ravel()).all()
-
-
-def test_a_block_with_little_ground_takes_its_neighbours() -> None:
-    table = blend(33).detail().cells
-    few = table.chosen((table.row < 1) & (table.column < 20))
-    assert grounds(few)[0] is None
-    (own, around) = (grounds(one, around=lambda: table)[0] for one in (table, few))
-    assert own is not None
-    assert around is not None
-    energies = np.geomspace(1, 500, 20)
-    assert around.amplitude(energies) == pytest.approx(own.amplitude(energies), rel=1e-6)
-
-
-@pytest.mark.parametrize("gain", [0.5, 1.0, 1.7])
-def test_what_was_done_to_all_cancels(gain: float) -> None:
-    made = blend(33)
-    plain, changed = (profiles_of(made.detail(mosaic), pieces_of(made))[0].profile
-                      for mosaic in (made.made, gain * made.made))
-    assert changed.kept == pytest.approx(plain.kept, rel=0.01)
-    assert changed.high == pytest.approx(plain.high, rel=0.02)
 
 
 def test_a_line_far_off_the_seam_does_not_take_its_loss_over() -> None:
@@ -301,7 +109,6 @@ def test_a_line_far_off_the_seam_does_not_take_its_loss_over() -> None:
     (piece,) = pieces_of(made)
     moved = [replace(piece, vertices=piece.vertices + (by * GRID.pixel_width, 0)) for by in (30.0, 90.0)]
     near, far = (profiles_of(detail, [one])[0].profile for one in moved)
-    assert near is not None
     assert near.kept[0] == pytest.approx(profiles_of(detail, [piece])[0].profile.kept[0], abs=0.1)
     assert far is None
 
@@ -316,3 +123,14 @@ def test_a_piece_along_even_ground_is_not_measured(grain: float, grey: float, is
     (piece,) = without_even(found, np.array([grain]), np.array([grey]))
     assert (piece.profile is not None) == is_measured
     assert piece.area_px == found[0].area_px
+
+
+def test_the_fit_is_that_of_the_strip() -> None:
+    made = blend(33)
+    detail = made.detail()
+    table = detail.cells
+    strip = table.bin < EDGES_PX.index(STRIP_PX)
+    (found,) = profiles_of(detail, pieces_of(made))
+    mm, cc, mc = (float(one[0, strip].sum()) for one in (table.mm, table.cc, table.mc))
+    assert found.fit == pytest.approx(mc**2 / (mm * cc), rel=1e-4)
+    assert found.area_px == pytest.approx(table.area[0, strip].sum())

@@ -1,8 +1,6 @@
 """The verdict on a piece of seam, and the windows of the worst ones."""
 from __future__ import annotations
 
-from dataclasses import replace
-from pathlib import Path
 from typing import Callable
 
 import numpy as np
@@ -19,7 +17,6 @@ from seam_inspector.plugin.seams.measure.scan.scan_result import (
     PieceFigures,
     judge_piece,
     metres,
-    window_side_px,
     worst_windows,
 )
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece
@@ -51,9 +48,6 @@ def judged(kept: float | None, *place: float, **of_piece: float) -> JudgedPiece:
 def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
     pixels = np.full((ROWS, COLUMNS), 100, np.uint8)
     return describe_mosaic(RasterRef(write_raster(tmp_path_factory.mktemp("m") / "mosaic.tif", pixels, gsd=GSD)))
-
-
-# --- verdicts ---------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("kept", "low", "high", "verdict"), [
@@ -101,9 +95,6 @@ def test_ground_without_detail_has_nothing_to_lose() -> None:
         assert (one.verdict is Verdict.NOT_COMPARABLE) == (state is not PieceState.FAILED)
 
 
-# --- windows ----------------------------------------------------------------------------------------------------
-
-
 def everywhere(window: PixelWindow) -> bool:
     return True
 
@@ -125,24 +116,9 @@ def test_the_least_kept_come_first_each_around_its_piece(mosaic: Raster) -> None
         assert one.window.width == one.window.height == 512  # the power of two beyond 100 m
 
 
-def test_no_more_than_are_asked_for_and_none_that_was_not_measured(mosaic: Raster) -> None:
-    pieces = [judged(0.5 + number / 100, 300 + 600 * number, 600) for number in range(4)]
-    assert len(windows(mosaic, *pieces, count=2)) == 2
-    assert windows(mosaic, *pieces, count=0) == []
-    assert windows(mosaic, judged(None)) == []
-    assert windows(mosaic) == []
-
-
 def test_of_windows_that_share_more_than_half_only_the_worse_stays(mosaic: Raster) -> None:
     found = windows(mosaic, judged(0.6, 1000, 1000), judged(0.5, 1100, 1000), judged(0.7, 1600, 1000))
     assert [one.column + one.width // 2 for one in found] == [1100, 1600]
-
-
-def test_at_the_edge_windows_lie_inside(mosaic: Raster) -> None:
-    corners = [(0, 0), (COLUMNS, 0), (0, ROWS), (COLUMNS, ROWS)]
-    found = windows(mosaic, *(judged(0.5, *corner) for corner in corners))
-    assert len(found) == 4
-    assert all(one.cut_to(mosaic.columns, mosaic.rows) == one for one in found)
 
 
 def test_beside_missing_pixels_a_window_is_moved_or_made_smaller(mosaic: Raster) -> None:
@@ -156,19 +132,3 @@ def test_beside_missing_pixels_a_window_is_moved_or_made_smaller(mosaic: Raster)
     (smaller,) = windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: window.width <= 200)
     assert smaller.width == 128
     assert windows(mosaic, judged(0.5, 1000, 1000), is_valid=lambda window: False) == []
-
-
-def test_the_mosaic_itself_says_where_it_has_pixels(tmp_path: Path) -> None:
-    pixels = np.full((1200, 1200), 100, np.uint8)
-    pixels[:, :560] = 0
-    one = describe_mosaic(RasterRef(write_raster(tmp_path / "mosaic.tif", pixels, gsd=GSD, nodata=0)))
-    (found,) = windows(one, judged(0.5, 600, 600), is_valid=None)
-    assert found.column >= 560
-
-
-@pytest.mark.parametrize(("columns", "rows", "levels", "side"), [
-    (3000, 2400, 3, 512), (1000, 900, 3, 256), (9000, 300, 3, 256), (200, 5000, 3, 200), (203, 203, 4, 192),
-])
-def test_windows_of_small_mosaics_are_smaller(mosaic: Raster, columns: int, rows: int, levels: int, side: int) -> None:
-    grid = replace(mosaic.grid, columns=columns, rows=rows)
-    assert window_side_px(grid, levels) == side
