@@ -37,7 +37,7 @@ class RasterRef:
     parts: tuple[str, ...] = ()
     """Further files on the same pixel grid that are parts of the same image; what the first one shows lies on top."""
     bounds: Extent | None = None
-    """Rectangle of what the parts show together that is looked at; None: all of it."""
+    """Rectangle of what they show that is looked at; None: all of it."""
 
     def __post_init__(self) -> None:
         # Whoever opens it may have another working folder: a worker, or this process later on.

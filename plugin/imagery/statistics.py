@@ -26,9 +26,7 @@ FIRST = Operator("observer", "confidence", "remark")
 SECOND = Operator("observer_2", "confidence_2", "remark_2")
 OPERATORS = (FIRST, SECOND)
 JUDGING_FIELDS = {
-    field: kind
-    for operator in OPERATORS
-    for field, kind in zip(operator, ("text", "integer", "text"))
+    field: kind for operator in OPERATORS for field, kind in zip(operator, ("text", "integer", "text"))
 }
 """The fields of both and their kinds. A window layer has those that were used, the first one's word always."""
 
