@@ -33,8 +33,8 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5485, 1, 0),
-    "plugin/seams/measure": Measures(18497, 268, 0),
+    "plugin/imagery": Measures(5486, 1, 0),
+    "plugin/seams/measure": Measures(18548, 233, 0),
     "plugin/seams": Measures(15821, 237, 1),
     "plugin/acceptance": Measures(6486, 1, 0),
     "plugin/toolkit": Measures(4934, 0, 0),
@@ -44,7 +44,7 @@ BOUNDS = {
     "plugin/photos": Measures(3523, 0, 0),
     "plugin/sensors": Measures(5648, 0, 0),
     "plugin": Measures(378, 1, 1),
-    "python": Measures(1010, 0, 0),
+    "python": Measures(1075, 0, 0),
     "tests": Measures(49339, 791, 52),
 }
 """What each room may have; the most particular one holds for a file."""
