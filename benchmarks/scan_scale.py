@@ -24,8 +24,8 @@ from typing import Any
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.seams.measure.scan.block_runs import several
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 from .large_mosaic import FORMATS_SCANNED, LargeMosaic, make_large_mosaic
 from .scan_engine import AHEAD, KINDS, scan_request
@@ -165,10 +165,17 @@ def dask_seconds(size: float) -> float | None:
         return (time.process_time() - started) / DASK_TASKS
 
 
+def together(ahead: int) -> int:
+    """Requests that are handed out at once where so many are under way."""
+    with ThreadPoolExecutor(1) as executor:
+        return Workers(executor, ahead).together
+
+
 def simulated(service: Sequence[float], handed: float, workers: int, count: int) -> float:
     """Seconds until ``count`` tasks are done, of which one process takes ``handed`` seconds each, in their order."""
     drawn = np.random.default_rng(workers).choice(np.asarray(service), count)
-    tasks = [sum(one) for one in several(drawn.tolist(), AHEAD * workers)]
+    step = together(AHEAD * workers)
+    tasks = [sum(drawn[first : first + step].tolist()) for first in range(0, count, step)]
     free = [0.0] * workers
     heapq.heapify(free)
     done: list[float] = []
@@ -248,10 +255,9 @@ def through(cost: ScanCosts) -> dict[str, float]:
     """Seconds of the one process for each result of a cluster, as several come together; none without Dask."""
     found = {}
     for name, kind in cost.kinds.items():
-        together = len(next(several(iter(range(1000)), 1000)))
-        seconds = dask_seconds(together * kind.back / len(kind.seconds))
+        seconds = dask_seconds(together(1000) * kind.back / len(kind.seconds))
         if seconds is not None:
-            found[name] = seconds / together
+            found[name] = seconds / together(1000)
     return found
 
 
