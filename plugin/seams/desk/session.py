@@ -20,7 +20,6 @@ from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.connections import Connections
 from ...toolkit.translation import tr
 from ..measure.window.inspection import WindowRequest
-from ..measure.window.source_use import SourceUse
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..tables import window_layer
@@ -256,10 +255,6 @@ class Session(SessionInputs):
         """Place windows along the seamlines; they are added when all are found, and not inspected yet."""
         with self._raised():
             self._new.place()
-
-    def source_uses(self) -> list[SourceUse]:
-        """Uses of sources in all windows whose results came or were asked for."""
-        return self._results.source_uses()
 
     def inspect(self, fids: Sequence[int], is_step: bool = True) -> None:
         """Inspect windows, those left out that are being inspected already. ``is_step``: as a step of undo."""

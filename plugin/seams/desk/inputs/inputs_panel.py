@@ -11,7 +11,7 @@ from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import WARNING, Message, SettingsError
+from ....imagery.errors import WARNING, SettingsError
 from ....toolkit.connections import Connections
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.widgets import SummaryBox, single_shot
@@ -20,7 +20,6 @@ from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import limits, messages
 from ...measure.planning.window_placing import fitting_side_m, window_side_px
-from ...measure.window.source_use import source_doubts
 from ...tables.input_layers import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
 from .source_list import SourceList
@@ -44,8 +43,6 @@ class InputsPanel(QWidget):
         self._may_fold = True  # until it was folded once, or the operator did it
         self._was_set = self._had_mosaic = False
         self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
-        self._doubted: tuple[str, ...] = ()  # sources that the doubts are about
-        self._found: list[Message] = []  # what windows say of them
         self.suggesting = Suggesting(session, self)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
         self._is_wide: bool | None = None
@@ -53,7 +50,6 @@ class InputsPanel(QWidget):
         self._lay_out()
         self._connections = Connections(
             (session.inputsChanged, self.refresh),
-            (session.progressChanged, self._say_doubts),
             (QgsProject.instance().cleared, self.suggesting.forget_choices),
             (QgsProject.instance().layersAdded, self._take_layers),
             (QgsProject.instance().layersRemoved, self._layers_removed),
@@ -84,8 +80,6 @@ class InputsPanel(QWidget):
             self.more.show_inputs(inputs)
         finally:
             self._is_following = False
-        if inputs.sources != self._doubted:  # they were said of others
-            self._found = []
         self._show_doubts()
         self._fit_side()
         self._show_side()
@@ -125,17 +119,10 @@ class InputsPanel(QWidget):
         super().showEvent(event)
         self._suggester.start()
 
-    def _say_doubts(self, _done: int, asked: int) -> None:
-        """When all windows are inspected: what they say of the sources."""
-        if asked:
-            return
-        self._found, self._doubted = [*source_doubts(self._session.source_uses())], self._session.inputs.sources
-        self._show_doubts()
-
     def _show_doubts(self) -> None:
         inputs, project = self._session.inputs, QgsProject.instance()
         chosen = other_systems(map(project.mapLayer, (inputs.mosaic, *inputs.sources)))
-        self.doubts.setText(" ".join(map(sentence, [*chosen, *self._found])))
+        self.doubts.setText(" ".join(map(sentence, chosen)))
         self.doubts.setVisible(bool(self.doubts.text()))
 
     # Folding

@@ -16,7 +16,6 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
 from ...measure.window.measured_window import MeasureWindow, measure_window
-from ...measure.window.source_use import SourceUse, source_use
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
 from ...measure.window_records import WindowRecord
 from ...tables import window_file, window_layer
@@ -59,7 +58,6 @@ class WindowResults(QObject):
         self._watch = watch
         self._background = background
         self._results: dict[int, WindowResult] = {}  # the last asked for last
-        self._uses: dict[int, SourceUse] = {}  # of all windows that have a result
         self._clips: dict[int, WindowClips] = {}  # of windows whose results are still to come
         self._unwritten: dict[int, WindowResult] = {}
         self._waiting: dict[int, _Version] = {}
@@ -83,10 +81,6 @@ class WindowResults(QObject):
         if found is not None:
             self._hold(window_id, found)
         return found
-
-    def source_uses(self) -> list[SourceUse]:
-        """Uses of sources in all windows whose results came or were asked for."""
-        return list(self._uses.values())
 
     def clips(self, window_id: int) -> WindowCurves | None:
         """The curves of its clips, which are there before the rest of the result."""
@@ -214,7 +208,7 @@ class WindowResults(QObject):
     def _hold(self, number: int, result: WindowResult) -> None:
         """Hold a result as the last that was asked for; the first ones go."""
         self._results.pop(number, None)
-        self._results[number], self._uses[number] = result, source_use(result)
+        self._results[number] = result
         for other in list(islice(self._results, max(len(self._results) - MOST_HELD, 0))):
             if other not in self._unwritten:
                 del self._results[other]

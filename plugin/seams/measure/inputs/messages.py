@@ -12,19 +12,6 @@ SMALLER_PIXELS = Message("Pixels {factor:.1f} times smaller than the mosaic's: a
 OTHER_SYSTEM = Message("In another reference system than the mosaic and others here: a reprojected copy.", INFO)
 OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a converted copy.", INFO)
 COVERS_MOSAIC = Message("Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.", INFO)
-# after windows were inspected
-SOURCE_NOT_FOLLOWED = Message(
-    "The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?",
-    WARNING,
-)
-SOURCES_NOT_FOLLOWED = Message(
-    "The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its "
-    "orthoimages?", WARNING
-)
-SOURCES_RESAMPLED = Message(
-    "In windows with sources of the mosaic's pixel size {count} others took no part, such as {name}: their pixels have "
-    "another size.", WARNING
-)
 # sources that were made from the mosaic, and are given
 COPY_AMONG_SOURCES = Message(
     "{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one "

@@ -8,7 +8,6 @@ from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.map.window_coverage import Coverage
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.window.source_use import SourceUse
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL
@@ -52,9 +51,6 @@ class FakeSession(QObject):
 
     def problem(self) -> Message | None:
         return None if self.mosaic_grid() is not None else seams_messages.NO_MOSAIC()
-
-    def source_uses(self) -> list[SourceUse]:
-        return []
 
     def coverage(self, window: PixelWindow) -> Coverage:
         return Coverage(self.source_count, self.unread, self.missing)
