@@ -34,8 +34,8 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5486, 1, 0),
-    "plugin/seams/measure": Measures(18548, 233, 0),
-    "plugin/seams": Measures(15821, 237, 1),
+    "plugin/seams/measure": Measures(18477, 233, 0),
+    "plugin/seams": Measures(15797, 237, 1),
     "plugin/acceptance": Measures(6486, 1, 0),
     "plugin/toolkit": Measures(4934, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5648, 0, 0),
     "plugin": Measures(378, 1, 1),
     "python": Measures(1075, 0, 0),
-    "tests": Measures(49339, 791, 52),
+    "tests": Measures(49261, 789, 52),
 }
 """What each room may have; the most particular one holds for a file."""
 
