@@ -112,7 +112,7 @@ class WindowResults(QObject):
         asked = {row.window_id: _Version(row.extent, state) for row in rows}
         self._waiting.update(asked)
         for number in asked:
-            for kept in (self._results, self._uses, self._clips):
+            for kept in (self._results, self._clips):
                 kept.pop(number, None)
         job = jobs.inspection_job(self._block.requests(block, layer, rows, compared=True), len(rows), self._measure)
         self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
@@ -171,8 +171,9 @@ class WindowResults(QObject):
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
-        for kept in (self._results, self._uses, self._clips, self._unwritten, self._waiting, self._versions,
-                     self._inspections):  # fmt: skip
+        for kept in (
+            self._results, self._clips, self._unwritten, self._waiting, self._versions, self._inspections
+        ):  # fmt: skip
             kept.clear()
 
     def forget_asked(self) -> None:
