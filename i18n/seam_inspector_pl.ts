@@ -11289,11 +11289,6 @@
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="137"/>
-        <source>Cut hard or feather less.</source>
-        <translation>Tnij ostro albo wtapiaj węziej.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/words.py" line="143"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
@@ -12640,6 +12635,11 @@
         <location filename="../plugin/seams/measure/messages.py" line="149"/>
         <source>The table {table} has no field &apos;{field}&apos;; choose the one that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="137"/>
+        <source>Feather less.</source>
+        <translation>Wtapiaj węziej.</translation>
     </message>
 </context>
 </TS>

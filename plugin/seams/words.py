@@ -134,7 +134,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("images {value} px apart are feathered"),
         lambda found: found.misfit if (found.misfit or 0) >= MIN_MISREGISTRATION_PX else None,
         _tenths,
-        to_do=QT_TR_NOOP("Cut hard or feather less."),
+        to_do=QT_TR_NOOP("Feather less."),
     ),
     Cause.OTHER_MIXTURE.value: ShownCause(
         QT_TR_NOOP("other mixture"),

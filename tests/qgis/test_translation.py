@@ -43,8 +43,8 @@ def test_values_and_sentences_within_a_sentence_are_put_in(translation: Translat
     )
     assert sentence(seams_messages.NO_SOURCE_COMPARABLE(why=why)) == (
         "Żadnego ortoobrazu źródłowego nie można tu porównać: Raster a.tif nie pokrywa całego okna. "
-        "Udział pikseli bez danych w oknie wynosi w rastrze b.tif 1.23\u00a0%, a dopuszczalne jest 0.1\u00a0%; przesuń "
-        "okno."
+        "Udział pikseli bez danych w oknie wynosi w rastrze b.tif 1.23\u00a0%, a dopuszczalne jest 0.1\u00a0%; wybierz "
+        "inne miejsce."
     )
 
 

@@ -125,7 +125,7 @@ def test_what_else_is_told(qgis_app: QgsApplication, values: dict[str, Any], sen
 
 
 STRIP = "44 % of detail lost in 2.0 m along the seam"
-CUT = "Cut hard or feather less."
+CUT = "Feather less."
 SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0}
 
 

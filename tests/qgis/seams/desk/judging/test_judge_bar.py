@@ -20,7 +20,7 @@ DESCENDING = Qt.SortOrder.DescendingOrder
         ([1], "Reduced. 10.0 % of detail lost beside the seam (10.0 m²)."),
         (
             [2],
-            "Significant loss. 44 % of detail lost beside the seam (44 m²): feathered. Cut hard or feather less.",
+            "Significant loss. 44 % of detail lost beside the seam (44 m²): feathered. Feather less.",
         ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
