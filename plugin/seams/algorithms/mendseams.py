@@ -152,9 +152,9 @@ class MendSeams(SeamInspectorAlgorithm):
 
         transform = run.transform(given, crs)
         windows = [layers.window_geometry(feature, transform) for feature in layers.features(given)]
-        found = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
-        run.tell_once(found.notices)
-        rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(found)]
+        result = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
+        run.tell_once(result.notices)
+        rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(result)]
         return given_pieces(rows, FIELDS, what, lambda vertices: any(
             window.intersects(QgsGeometry(QgsLineString(*vertices.T.tolist()))) for window in windows
         ))

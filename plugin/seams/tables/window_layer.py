@@ -164,7 +164,7 @@ def new_windows(
     layer: QgsVectorLayer, outlines: Iterable[QgsGeometry], first: int, values: Iterable[Mapping[str, object]]
 ) -> list[QgsFeature]:
     """Windows that are to be added, numbered from ``first`` on, and what is known of each."""
-    fields, is_multi, found = layer.fields(), QgsWkbTypes.isMultiType(layer.wkbType()), []
+    fields, is_multi, features = layer.fields(), QgsWkbTypes.isMultiType(layer.wkbType()), []
     for number, (outline, known) in enumerate(zip(outlines, values), first):
         if is_multi:
             outline.convertToMultiType()
@@ -172,8 +172,8 @@ def new_windows(
         for name, value in {"window_id": number, **known}.items():
             if fields.indexOf(name) >= 0:
                 made[name] = value
-        found.append(made)
-    return found
+        features.append(made)
+    return features
 
 
 def measured_values(layer: QgsVectorLayer, result: WindowResult) -> dict[str, object]:
@@ -208,14 +208,14 @@ def copy_to_file(layer: QgsVectorLayer, levels: int, wkt: str, folder: Path) -> 
     fields = window_file.window_fields(max(levels, len(level_names("ratio", names))), besides)
     is_multi = QgsWkbTypes.isMultiType(layer.wkbType())
     shape = QgsWkbTypes.Type.MultiPolygon if is_multi else QgsWkbTypes.Type.Polygon
-    rows = (_copied(one, names, fields) for one in layer.getFeatures())
+    rows = (_copied(row, names, fields) for row in layer.getFeatures())
     return window_file.write_window_file(system_wkt(layer.crs()) or wkt, folder, fields, rows, shape)
 
 
-def _kind(one: QgsField) -> str:
+def _kind(field: QgsField) -> str:
     """The kind of field that holds its values in a windows file."""
-    kinds = (kind for kind in ("integer", "real", "text") if made_field("", kind).type() == one.type())
-    return next(kinds, "real" if one.isNumeric() else "text")
+    kinds = (kind for kind in ("integer", "real", "text") if made_field("", kind).type() == field.type())
+    return next(kinds, "real" if field.isNumeric() else "text")
 
 
 def _copied(row: QgsFeature, names: Sequence[str], fields: QgsFields) -> QgsFeature:
