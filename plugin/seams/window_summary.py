@@ -290,7 +290,7 @@ def _is_told_by_the_seam(row: WindowRecord, explanation: Explanation | None) -> 
     return is_lost_along_the_seam(row) and (is_alone or is_more)
 
 
-def told_causes(row: WindowRecord) -> list[str]:
+def named_causes(row: WindowRecord) -> list[str]:
     """The cause that the sentence tells first, and the main one of the window where that is another."""
     causes = [cause for cause in _causes_of(row) if _is_at_seam(cause, None)]
     at_seam = causes[:1] if row.reference == SEAM and _is_told_by_the_seam(row, None) else []

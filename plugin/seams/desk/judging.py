@@ -343,17 +343,17 @@ class Judging(QObject):
 
     def _following(self) -> int | None:
         """The next one to judge; where all are judged, as in a review, the one after this. None where none was yet."""
-        found = self.next_to_judge()
-        if found is None and any(map(self.word, self._session.windows())):
+        following = self.next_to_judge()
+        if following is None and any(map(self.word, self._session.windows())):
             return self.neighbour(1)
-        return found
+        return following
 
     def _after(self, row: WindowRecord) -> int | None:
         """The window that a verdict on the selected one leads to; only in a review, of windows judged before, to a
         judged one."""
-        found, below = self.next_to_judge(), self.neighbour(1)
-        if found is not None or _kind(row, self.operator) == _LEFT:
-            return found
+        following, below = self.next_to_judge(), self.neighbour(1)
+        if following is not None or _kind(row, self.operator) == _LEFT:
+            return following
         there = None if below is None else self._session.row(below)
         if there is None:
             return row.fid if self.word(row) else None

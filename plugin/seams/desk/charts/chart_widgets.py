@@ -142,8 +142,8 @@ class ProfileChart(ChartWidget):
         is_inside = painter.axes.left() <= place.x() <= painter.axes.right()
         self._point(self.shown.bin_at(painter.distance_at(place.x())) if is_inside else None)
 
-    def _point(self, one: ProfileBin | None) -> None:
-        if one != self.pointed_bin:
-            self.pointed_bin = one
+    def _point(self, bin_: ProfileBin | None) -> None:
+        if bin_ != self.pointed_bin:
+            self.pointed_bin = bin_
             self.update()
-            self.pointed.emit(one)
+            self.pointed.emit(bin_)

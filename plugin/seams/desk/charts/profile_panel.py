@@ -93,7 +93,7 @@ class ProfilePanel(ChartPanel):
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
         )
         self._save = PictureButton()
-        self._save.told.connect(self._session.messageRaised)
+        self._save.notified.connect(self._session.messageRaised)
         self._tools = QHBoxLayout()
         self._tools.addStretch()
         self._tools.addWidget(self._save)
@@ -164,8 +164,8 @@ class ProfilePanel(ChartPanel):
         shown = self.chart.shown if self._pages.currentWidget() is self.chart else None
         words = [""]
         if shown is not None:
-            one = self.chart.pointed_bin
-            words = bin_words(shown, one) if one is not None else summary_words(shown)
+            bin_ = self.chart.pointed_bin
+            words = bin_words(shown, bin_) if bin_ is not None else summary_words(shown)
             if (live := self._session.live) is not None:  # nothing is said while its profile is still to come
                 words = [tr("Live: ") + text for text in words] if live.profile is not None else [""]
         self._status.setText(words[0], shorter=words[1:])

@@ -58,16 +58,16 @@ class WindowView:
             return []
         width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
         height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
-        found = []
+        views = []
         for x, y in self._worst_places(fid, grid) or [(whole.center().x(), whole.center().y())]:
             middle = QgsPointXY(
                 _within(x, whole.xMinimum(), whole.xMaximum(), width),
                 _within(y, whole.yMinimum(), whole.yMaximum(), height),
             )
             view = QgsRectangle.fromCenterAndSize(middle, width, height)
-            if view not in found:
-                found.append(view)
-        return found
+            if view not in views:
+                views.append(view)
+        return views
 
     def _worst_places(self, fid: int, grid: Grid) -> list[tuple[float, float]]:
         """In the mosaic's reference system; empty where it is not known where detail was lost, or not to be told."""

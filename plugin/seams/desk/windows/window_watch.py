@@ -38,7 +38,7 @@ class WindowWatch(QObject):
         super().__init__(parent)
         self._layer: QgsVectorLayer | None = None
         self._notifier = single_shot(self, self._notify)
-        self._told: set[int] | None = set()  # the selection
+        self._last_selected: set[int] | None = set()  # the selection
         self._is_unmoved = False
         self.state: str | None = None  # the fingerprint of the inputs
         self._forget()
@@ -68,12 +68,12 @@ class WindowWatch(QObject):
                 signal.disconnect(slot)
         self._layer = layer if window_layer.holds_windows(layer) else None
         had_windows = bool(self._rows)
-        if self._told:
-            self._told = None  # of equal ids others are meant now
+        if self._last_selected:
+            self._last_selected = None  # of equal ids others are meant now
         self._forget()
         for signal, slot in self._signals():
             signal.connect(slot)
-        if had_windows or self._told is None or self._by_fid():
+        if had_windows or self._last_selected is None or self._by_fid():
             self._notifier.start()
 
     @contextmanager
@@ -112,7 +112,7 @@ class WindowWatch(QObject):
         self._by_fid()
         return self._last_number + 1
 
-    def own(self) -> QgsVectorLayer | None:
+    def writable(self) -> QgsVectorLayer | None:
         """The layer, to be written to. Raises WindowLayerError for one that is only read."""
         if self._layer is not None and self.path is None:
             raise WindowLayerError(messages.WINDOWS_TO_COPY(name=self._layer.name()))
@@ -123,7 +123,7 @@ class WindowWatch(QObject):
 
         Raises WindowLayerError when it can't be written.
         """
-        layer, rows = self.own(), self._by_fid()
+        layer, rows = self.writable(), self._by_fid()
         assert layer is not None
         window_layer.add_levels(layer, levels)
         lacking = {fid: {"window_id": rows[fid].window_id} for fid in self._unnumbered.intersection(fids)}
@@ -275,6 +275,6 @@ class WindowWatch(QObject):
 
     def _tell_selection(self) -> None:
         selected = set(self.selected())
-        if selected != self._told:
-            self._told = selected
+        if selected != self._last_selected:
+            self._last_selected = selected
             self.selectionChanged.emit()

@@ -90,11 +90,11 @@ class WindowsTable(QTableView):
         around = self.horizontalHeader().sizeHint().height() + 2 * self.frameWidth()
         self.setMinimumHeight(around + rows * self.verticalHeader().defaultSectionSize() if rows else 0)
 
-    def set_blind(self, own: frozenset[str] | None) -> None:
+    def set_blind(self, allowed: frozenset[str] | None) -> None:
         """Show no other columns than these, by their fields, whatever was chosen; None: all that were chosen."""
-        if own != self._blind:
-            self._blind = own
-            self._windows.is_blind = own is not None
+        if allowed != self._blind:
+            self._blind = allowed
+            self._windows.is_blind = allowed is not None
             self.fit()
 
     def fit(self) -> None:
