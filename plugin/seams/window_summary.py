@@ -166,9 +166,7 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel
     return filled(tr("{finding} Changed since: inspect it again."), finding=sentence) if row.stale else sentence
 
 
-def window_why(
-    row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None
-) -> list[str]:
+def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> list[str]:
     """What the sentence of a window rests on, and all else that was found, a paragraph each."""
     explanation = explanation_of(row, result)
     said = []
@@ -220,8 +218,8 @@ def cause_numbers(explanation: Explanation) -> list[str]:
     if explanation.misfit is not None:
         lines.append(filled(tr("images lie {value} px apart where they meet"), value=shown_number(explanation.misfit)))
     if explanation.expected and explanation.expected[0] is not None:
-        left = percent(explanation.expected[0])
-        lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=left))
+        kept = percent(explanation.expected[0])
+        lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=kept))
     mixed = percent(max(explanation.mixed_share, explanation.unclear_share))
     return [*lines, filled(tr("mixed or unclear: {percent} % of the pixels"), percent=mixed)]
 
@@ -254,10 +252,10 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
 
 def _is_blurred(row: WindowRecord) -> bool:
     """Whether the whole is blurred so badly that the ground around tells nothing of the seam."""
-    return _left_in_whole(row) <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
+    return _kept_in_whole(row) <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
 
 
-def _left_in_whole(row: WindowRecord) -> float:
+def _kept_in_whole(row: WindowRecord) -> float:
     """Share of the finest detail energy of the window's sources; all where that is not known."""
     return 1.0 if row.sharpness is None else row.sharpness**2
 
@@ -268,12 +266,12 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     last, away from the seam's causes."""
     if row.verdict not in LOSSES:
         return [_what_is_left(row, _done(row, explanation, width, along_the_seam=True))]
-    is_along, whole = is_lost_along_the_seam(row), 1 - _left_in_whole(row)
+    is_along, whole = is_lost_along_the_seam(row), 1 - _kept_in_whole(row)
     is_whole = not is_along or _is_whole_soft(row, explanation)
     at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)] * is_along
     in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)] * is_whole
     lost = 1 - (row.kept_1 or 0.0)
-    if _is_told_by_the_seam(row, explanation):
+    if _is_seam_decisive(row, explanation):
         said, causes = _lost_along(row, lost, is_whole, width), at_seam
         in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
         clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(cause) for cause in in_whole[:1])
@@ -283,9 +281,9 @@ def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str)
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole), *in_all]
 
 
-def _is_told_by_the_seam(row: WindowRecord, explanation: Explanation | None) -> bool:
+def _is_seam_decisive(row: WindowRecord, explanation: Explanation | None) -> bool:
     """Whether the seam took the more, or made the verdict."""
-    is_more = (row.kept_1 or 0.0) <= _left_in_whole(row)
+    is_more = (row.kept_1 or 0.0) <= _kept_in_whole(row)
     is_alone = row.verdict == "significant" or not _is_whole_soft(row, explanation)
     return is_lost_along_the_seam(row) and (is_alone or is_more)
 
@@ -293,7 +291,7 @@ def _is_told_by_the_seam(row: WindowRecord, explanation: Explanation | None) -> 
 def named_causes(row: WindowRecord) -> list[str]:
     """The cause that the sentence tells first, and the main one of the window where that is another."""
     causes = [cause for cause in _causes_of(row) if _is_at_seam(cause, None)]
-    at_seam = causes[:1] if row.reference == SEAM and _is_told_by_the_seam(row, None) else []
+    at_seam = causes[:1] if row.reference == SEAM and _is_seam_decisive(row, None) else []
     return list(dict.fromkeys([*at_seam, row.cause]))
 
 
@@ -302,7 +300,7 @@ def _causes_of(row: WindowRecord) -> list[str]:
 
 
 def _is_whole_soft(row: WindowRecord, explanation: Explanation | None) -> bool:
-    return _left_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2 if explanation is None else explanation.ground_left < 1
+    return _kept_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2 if explanation is None else explanation.ground_left < 1
 
 
 def _lost_along(row: WindowRecord, lost: float, is_whole: bool, width: str) -> str:

@@ -126,10 +126,10 @@ class MendSeams(SeamInspectorAlgorithm):
             feature(fields, column_values(CUT_COLUMNS, seam), QgsGeometry(QgsLineString(*seam.vertices.T.tolist())))
             for seam in seams
         ))
-        left = metres(seams, LEFT)
+        left_metres = metres(seams, LEFT)
         return {
             PATCHES: patches, MENDED: mended, MENDED_MOSAIC: mended, CUTS: cuts,
-            MENDED_METRES: metres(seams) - left, LEFT_METRES: left,
+            MENDED_METRES: metres(seams) - left_metres, LEFT_METRES: left_metres,
             **run.save(common.REPORT, lambda path: save_mending_report(path, request, mended, seams)),
         }
 

@@ -128,8 +128,8 @@ class MosaicScans(QObject):
         if not self.news.measured:
             return filled(tr("Scan: putting the blocks together, {percent} %"), percent=int(100 * self.news.share))
         text = filled(tr("Scan: {percent} %"), percent=int(100 * self.news.share))
-        left = self.news.seconds_left
-        return text if left is None else f"{text}, {time_left(left)}"
+        seconds_left = self.news.seconds_left
+        return text if seconds_left is None else f"{text}, {time_left(seconds_left)}"
 
     def _files(self, order: ScanOrder) -> ScanFiles:
         """Beside the project; those of a scan that is not complete are taken again."""

@@ -213,8 +213,8 @@ def _encoded(pictures: Sequence[np.ndarray], bytes_each: float) -> tuple[list[by
     while True:
         inside = slice(first, side - first)
         files = [encoded(np.ascontiguousarray(picture[inside, inside]), "JPEG") for picture in pictures]
-        weight, left = sum(map(len, files)), side - 2 * first
-        if weight <= bytes_each or left <= MIN_REPORT_CLIP_PX:
+        weight, remaining_px = sum(map(len, files)), side - 2 * first
+        if weight <= bytes_each or remaining_px <= MIN_REPORT_CLIP_PX:
             return files, first
-        smaller = max(int(left * math.sqrt(bytes_each / weight)) // 2 * 2, MIN_REPORT_CLIP_PX)
-        first += max(1, (left - smaller) // 2)
+        smaller = max(int(remaining_px * math.sqrt(bytes_each / weight)) // 2 * 2, MIN_REPORT_CLIP_PX)
+        first += max(1, (remaining_px - smaller) // 2)

@@ -47,7 +47,7 @@ from .record_tables import level_names, read_windows
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
-_FOUND = tuple(column for column in MEASURED if column.name not in ("window_id", "observer"))
+_MEASURED_COLUMNS = tuple(column for column in MEASURED if column.name not in ("window_id", "observer"))
 _FULL_BOX = 0.9  # of its box: a rectangle of another system is turned a little
 
 
@@ -179,15 +179,15 @@ def new_windows(
 def measured_values(layer: QgsVectorLayer, result: WindowResult) -> dict[str, object]:
     """What is written of a result. The observer's word stays; ratios of more levels, of another inspection, go."""
     levels = len(result.judgement.ratios.detail)
-    values = zip(column_fields(_FOUND, levels).names(), column_values(_FOUND, result, levels))
+    values = zip(column_fields(_MEASURED_COLUMNS, levels).names(), column_values(_MEASURED_COLUMNS, result, levels))
     return {**dict.fromkeys(measured_names(layer)), **dict(values)}
 
 
 def measured_names(layer: QgsVectorLayer) -> list[str]:
     """The fields of a layer that an inspection fills."""
     names = layer.fields().names()
-    by_level = [name for column in _FOUND if column.by_level for name in level_names(column.name, names)]
-    return [*by_level, *(column.name for column in _FOUND if not column.by_level and column.name in names)]
+    by_level = [name for column in _MEASURED_COLUMNS if column.by_level for name in level_names(column.name, names)]
+    return [*by_level, *(column.name for column in _MEASURED_COLUMNS if not column.by_level and column.name in names)]
 
 
 def held_values(layer: QgsVectorLayer, fids: Iterable[int], names: Sequence[str]) -> dict[int, dict[str, object]]:

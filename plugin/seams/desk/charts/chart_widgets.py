@@ -117,9 +117,7 @@ class ProfileChart(ChartWidget):
         room, font = QRectF(self.rect()), self.font()
         return ProfilePainter(self.shown, room, chart_style(self), font, self.pointed_bin)
 
-    def show_profile(
-        self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0
-    ) -> None:
+    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
         """Paint a profile; ``pixel_m``: the mosaic's pixel size, ``min_kept``: the limit of a significant loss."""
         shown = ShownProfile(profile, pixel_m, min_kept, self._levels, ground_left)
         if shown != self.shown:

@@ -49,9 +49,7 @@ class ProfilePanel(ChartPanel):
         """What is said in the chart's place; empty while there is one."""
         return str(self._text.text()) if self._pages.currentWidget() is self._text else ""
 
-    def show_profile(
-        self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0
-    ) -> None:
+    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
         """Show any place's profile, as while the mouse is dragged; the next ``refresh`` shows the selected window's
         again."""
         self._fill_levels(len(profile.kept))

@@ -51,7 +51,7 @@ class Suggesting(QObject):
         super().__init__(parent)
         self._session = session
         self._key: object = None  # of the rasters that were looked at
-        self._found: dict[str, Suitability] = {}
+        self._suitabilities: dict[str, Suitability] = {}
         self._suggested: Sources = ()  # when it was looked last
         self._mosaic = ""  # for which
         self._set: Sources | None = None  # the very tuple that was set here: what others set is theirs, and stays
@@ -59,7 +59,7 @@ class Suggesting(QObject):
 
     def standing(self, layer_id: str) -> Suitability | None:
         """Whether a raster is suggested, and why not; None where nothing is known of it."""
-        return self._found.get(layer_id)
+        return self._suitabilities.get(layer_id)
 
     def forget_choices(self) -> None:
         """Another project, in which the operator has chosen nothing."""
@@ -133,8 +133,8 @@ class Suggesting(QObject):
         key = mosaic_id, [(layer.id(), layer.source(), layer.crs().authid()) for layer in rasters]
         if key == self._key:
             return
-        self._key, self._mosaic, self._found = key, mosaic_id, suitabilities(mosaic_id, rasters)
-        self._suggested = tuple(name for name, suitability in self._found.items() if suitability.is_suggested)
+        self._key, self._mosaic, self._suitabilities = key, mosaic_id, suitabilities(mosaic_id, rasters)
+        self._suggested = tuple(name for name, suitability in self._suitabilities.items() if suitability.is_suggested)
 
 
 _SEAM_NAMES = re.compile(r"seam|cut_?line|mosai[ck]|nahtlinie|szwy|mozaik|graphe", re.IGNORECASE)

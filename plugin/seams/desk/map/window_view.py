@@ -22,9 +22,7 @@ _LEAST_SHOWN = 0.5  # of the window, or of the map where the window is larger
 class WindowView:
     """In the mosaic's reference system, in whose pixels windows are seen."""
 
-    def __init__(
-        self, canvas: QgsMapCanvas, session: Session, is_blind: Callable[[], bool] = lambda: False
-    ) -> None:
+    def __init__(self, canvas: QgsMapCanvas, session: Session, is_blind: Callable[[], bool] = lambda: False) -> None:
         """``is_blind``: whether it is hidden where detail was lost."""
         self._canvas, self._session, self._is_blind = canvas, session, is_blind
         self._looked = 0, 0  # the window that was gone to last, and which of its places

@@ -140,7 +140,7 @@ class WindowWatch(QObject):
         """Windows that changed."""
         unread, self._unread = self._unread, set()
         fresh = window_layer.read_layer(layer, unread)
-        if unread is not None and self._took_in_place(unread, fresh):
+        if unread is not None and self._updated_in_place(unread, fresh):
             return
         rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
         fresh.sort(key=lambda row: (row.fid < 0, abs(row.fid)))  # of two with one number the older one keeps it
@@ -155,7 +155,7 @@ class WindowWatch(QObject):
         self._rows = dict(sorted(rows.items(), key=lambda item: item[1].window_id))
         self._fids = {row.window_id: fid for fid, row in self._rows.items()}
 
-    def _took_in_place(self, unread: set[int], fresh: list[WindowRecord]) -> bool:
+    def _updated_in_place(self, unread: set[int], fresh: list[WindowRecord]) -> bool:
         """Whether the same windows have the same numbers: then one that is judged costs no more among thousands."""
         if len(fresh) != len(unread):
             return False

@@ -134,13 +134,13 @@ class WindowsTable(QTableView):
             self.fit()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and _is_own(event):
+        if event.type() == QEvent.Type.ShortcutOverride and _is_table_key(event):
             event.accept()  # else QGIS's own action on this key would compete for it
             return True
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not _is_own(event):
+        if not _is_table_key(event):
             super().keyPressEvent(event)
         elif event.matches(QKeySequence.StandardKey.Copy):
             self.copyRequested.emit()
@@ -199,7 +199,7 @@ class WindowsTable(QTableView):
         return menu
 
 
-def _is_own(event: QKeyEvent) -> bool:
+def _is_table_key(event: QKeyEvent) -> bool:
     enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
     keys = (QKeySequence.StandardKey.Delete, QKeySequence.StandardKey.Copy)
     return any(map(event.matches, keys)) or (

@@ -100,7 +100,7 @@ class Filters:
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
 
-    def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
+    def with_taps(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
         separate = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
         return replace(self, taps=separate, came_over_cuts=False)
