@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 
 def judged_kept(row: WindowRecord) -> float | None:
     """kept_1 where the verdict was taken by it; None where the sharpness of the whole told the loss."""
-    is_told = row.verdict == "preserved" or is_lost_along_the_seam(row)
-    return row.kept_1 if row.reference == SEAM and is_told else None
+    is_by_seam = row.verdict == "preserved" or is_lost_along_the_seam(row)
+    return row.kept_1 if row.reference == SEAM and is_by_seam else None
 
 
 def judged_words(row: WindowRecord) -> list[str]:

@@ -86,7 +86,7 @@ class Session(SessionInputs):
             (self._new.drawn, self._take_drawn),
             (self._new.scanned, self._take_scanned),
             (self._steps.stepped, self._follow_step),
-            *((signal, self._tell) for signal in (
+            *((notifier, self._tell) for notifier in (
                 self._background.failed, self._results.failed, self._mosaics.notified, self._new.notified,
                 self._steps.failed,
             )),

@@ -27,7 +27,7 @@ from ..measure.planning.loss_forecast import Forecast, ForecastPair
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED, WINDOW_FIELDS
 
-give_titles({field.name: field.title for field in WINDOW_FIELDS if field.title})
+give_titles({column.name: column.title for column in WINDOW_FIELDS if column.title})
 
 FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (
     Column("window_id", "integer", lambda forecast: forecast.window_id),

@@ -212,10 +212,10 @@ def copy_to_file(layer: QgsVectorLayer, levels: int, wkt: str, folder: Path) -> 
     return window_file.write_window_file(system_wkt(layer.crs()) or wkt, folder, fields, rows, shape)
 
 
-def _kind(field: QgsField) -> str:
+def _kind(layer_field: QgsField) -> str:
     """The kind of field that holds its values in a windows file."""
-    kinds = (kind for kind in ("integer", "real", "text") if made_field("", kind).type() == field.type())
-    return next(kinds, "real" if field.isNumeric() else "text")
+    kinds = (kind for kind in ("integer", "real", "text") if made_field("", kind).type() == layer_field.type())
+    return next(kinds, "real" if layer_field.isNumeric() else "text")
 
 
 def _copied(row: QgsFeature, names: Sequence[str], fields: QgsFields) -> QgsFeature:

@@ -102,9 +102,9 @@ class ClickedPieces(QObject):
     def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:
         """The nearest piece of the mosaic's last scan, where the map shows it."""
         worst = worst_layer(QgsProject.instance(), self._session.inputs.mosaic)
-        vectors = (layer for layer in self._canvas.layers() if isinstance(layer, QgsVectorLayer))
-        shown = [layer for layer in vectors if worst is not None and layer_path(layer) == layer_path(worst)
-                 and f"layername={SEAMS.name}" in layer.source()]  # fmt: skip
+        vectors = (vector for vector in self._canvas.layers() if isinstance(vector, QgsVectorLayer))
+        shown = [vector for vector in vectors if worst is not None and layer_path(vector) == layer_path(worst)
+                 and f"layername={SEAMS.name}" in vector.source()]  # fmt: skip
         if not shown:
             return None
         layer, map_crs = shown[0], self._canvas.mapSettings().destinationCrs()

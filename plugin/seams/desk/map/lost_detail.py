@@ -142,13 +142,13 @@ class LossOverlay(QObject):
         if is_late:
             self._next_slice.start()
         placed = [
-            placed_picture(picture.image, picture.window, picture.cell_px, grid)
-            for picture in pictures.values()
-            if picture.image is not None and picture.window is not None
+            placed_picture(loss.image, loss.window, loss.cell_px, grid)
+            for loss in pictures.values()
+            if loss.image is not None and loss.window is not None
         ]
         self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
         self._overlay.set_visible(not self._gives_way)
-        self._legend.show_legend(any(picture.cell_px for picture in pictures.values()))
+        self._legend.show_legend(any(loss.cell_px for loss in pictures.values()))
 
 
 def _picture(row: WindowRecord, result: WindowResult) -> _Picture:

@@ -281,8 +281,8 @@ def filter_power(taps: Iterable[np.ndarray]) -> float | None:
     powers = []
     for kernel in taps:
         longer, shorter = (_response(kernel, wave) for wave in _WAVES_PX)
-        is_told = bool(((shorter >= _LEAST_RESPONSE) & (shorter < 1)).all())
-        powers.append(float((np.log(np.minimum(longer, 1)) / np.log(shorter)).min()) if is_told else 0.0)
+        is_usable = bool(((shorter >= _LEAST_RESPONSE) & (shorter < 1)).all())
+        powers.append(float((np.log(np.minimum(longer, 1)) / np.log(shorter)).min()) if is_usable else 0.0)
     return min(powers, default=None)
 
 

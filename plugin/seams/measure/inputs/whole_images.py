@@ -114,14 +114,14 @@ def have_same_grid(first: Raster, second: Raster) -> bool:
 
 def _show_same(first: OpenRaster, second: OpenRaster) -> bool:
     """Whether both show the same, by some places. Raises RasterError where one can't be read."""
-    is_told = False
+    is_any_same = False
     for place, others_place in _shared(first.raster, second.raster):
         block, other = first.read(place), second.read(others_place)
         is_same = _same_content(block.bands, other.bands, block.valid & other.valid)
         if is_same is False:
             return False
-        is_told = is_told or is_same is True
-    return is_told
+        is_any_same = is_any_same or is_same is True
+    return is_any_same
 
 
 def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelWindow]]:

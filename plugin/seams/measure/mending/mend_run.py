@@ -166,7 +166,7 @@ def _mended(request: RunRequest) -> MendedRun:
     made = eased(images, weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
-    was, is_now = (judged_plane(image.astype(np.float32), names) for image in (before, after))
+    was, is_now = (judged_plane(bands.astype(np.float32), names) for bands in (before, after))
     otherwise = _shown_otherwise(before, after, unmixed)
     if otherwise > _MOST_OTHERWISE:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))

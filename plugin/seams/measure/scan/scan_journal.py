@@ -145,7 +145,7 @@ def _said_beside(path: str) -> str:
     except ParseError:
         return _content(path)
     for parent in list(root.iter()):
-        for child in [child for child in parent if child.tag in OF_NO_CONSEQUENCE]:
+        for child in [element for element in parent if element.tag in OF_NO_CONSEQUENCE]:
             parent.remove(child)
     kept = [band for band in root if len(band) or (band.text or "").strip()]
     return "".join(re.sub(r"\s+", " ", tostring(element, "unicode")) for element in kept)

@@ -77,8 +77,8 @@ def given_seams(
     elif not named and not ambiguous:
         notices.append(messages.SEAMS_UNNAMED())
     if ambiguous:
-        told_names = ", ".join(sorted(ambiguous)[:_NAMED])
-        notices.append(messages.SEAM_SOURCES_AMBIGUOUS(count=len(ambiguous), names=told_names))
+        ambiguous_names = ", ".join(sorted(ambiguous)[:_NAMED])
+        notices.append(messages.SEAM_SOURCES_AMBIGUOUS(count=len(ambiguous), names=ambiguous_names))
     dates = {name: next(iter(days)) for name, days in pieces.dates.items() if len(days) == 1}
     return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices), dates)
 
