@@ -32,15 +32,14 @@ class WindowRecord(NumberedWindow):
 
     verdict: str = ""
     reason: str = ""
-    reason_code: str = ""
     sources: int | None = None
     ratios: tuple[float | None, ...] = ()
     background_ratio: float | None = None
     observer: str = ""
-    observer_2: str = ""
     confidence: int | None = None
-    confidence_2: int | None = None
     remark: str = ""
+    observer_2: str = ""
+    confidence_2: int | None = None
     remark_2: str = ""
     seam_id: int | None = None
     station: float | None = None
@@ -63,6 +62,7 @@ class WindowRecord(NumberedWindow):
     sharpness: float | None = None
     added: float | None = None
     explained: float | None = None
+    reason_code: str = ""
     fid: int = 0
     """Feature id; changes when a new feature is saved."""
     stale: bool = False
