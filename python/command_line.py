@@ -67,7 +67,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         signal.signal(number, lambda *_: stopped.set())
     logging.basicConfig(format="%(message)s", level=logging.ERROR if asked.quiet else logging.WARNING)
     asked.run = {
-        "executor": asked.scheduler or None, "progress": _shown if sys.stderr.isatty() and not asked.quiet else _untold,
+        "executor": asked.scheduler or None, "progress": _shown if sys.stderr.isatty() and not asked.quiet else _silent,
         "cancelled": stopped.is_set,
     }  # fmt: skip
     with warnings.catch_warnings():
@@ -246,7 +246,7 @@ def _shown(share: float) -> None:
     _say(f"\r{share:4.0%}", end="\n" if share >= 1 else "")
 
 
-def _untold(share: float) -> None:
+def _silent(share: float) -> None:
     """Nobody watches."""
 
 

@@ -81,10 +81,10 @@ def inspect_windows(
     ]
     if not all(isinstance(request, WindowRequest) for request in requests):
         raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
-    return _inspected(requests, executor, progress or _untold, cancelled or _goes_on)
+    return _inspected(requests, executor, progress or _silent, cancelled or _goes_on)
 
 
-def _untold(share: float) -> None:
+def _silent(share: float) -> None:
     """Nobody watches."""
 
 
@@ -140,7 +140,7 @@ def scan(
     outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
     read = filter(None, (*block.paths, *block.files, given))
     with writing(outputs, read), open_executor(executor, cancelled) as (opened, ahead):
-        run = ScanRun(opened, ahead, _rising(progress or _untold), cancelled)
+        run = ScanRun(opened, ahead, _rising(progress or _silent), cancelled)
         result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(result.notices)
     result = result if block.sheet is None else _within(result, block.mosaic.grid, block.sheet)
@@ -220,7 +220,7 @@ def mend(
         pieces = tuple(given_pieces(features, FIELDS, which))
         request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings or MendSettings())
         with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
-            return _mended(job, crew, _rising(progress or _untold), cancelled)
+            return _mended(job, crew, _rising(progress or _silent), cancelled)
 
 
 def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:

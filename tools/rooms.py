@@ -34,8 +34,8 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5486, 1, 0),
-    "plugin/seams/measure": Measures(18477, 233, 0),
-    "plugin/seams": Measures(15798, 237, 1),
+    "plugin/seams/measure": Measures(18476, 1, 0),
+    "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6486, 1, 0),
     "plugin/toolkit": Measures(4934, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),

@@ -40,8 +40,8 @@ def inspection_job(requests: Iterable[WindowRequest], count: int, measure: Measu
 
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         if count == 1:
-            for found in inspect_one(next(iter(requests)), measure):
-                yield (0.0, Ahead(found)) if isinstance(found, WindowClips) else (1.0, found)
+            for measured in inspect_one(next(iter(requests)), measure):
+                yield (0.0, Ahead(measured)) if isinstance(measured, WindowClips) else (1.0, measured)
                 if cancelled():
                     return
             return
@@ -161,14 +161,14 @@ def scan_job(order: ScanOrder, files: ScanFiles) -> Job:
 
 
 def _request(order: ScanOrder) -> tuple[ScanRequest, tuple[Message, ...]]:
-    sources, told = leave_out_copies(order.mosaic, order.sources)
+    sources, doubts = leave_out_copies(order.mosaic, order.sources)
     given: GivenSeams | None = None
     if order.read_seams is not None:
         features, lost = order.read_seams()
         given = given_seams(features, order.mosaic.grid, paths=[source.ref.path for source in sources])
-        told += [] if lost is None else [lost]
+        doubts += [] if lost is None else [lost]
     request, notices = scan_request(order.mosaic, sources, order.settings, given)
-    return request, (*told, *notices)
+    return request, (*doubts, *notices)
 
 
 def _workers() -> int:
@@ -180,12 +180,12 @@ def _measured(scan: WholeScan, cancelled: Cancelled) -> Iterator[ScanNews]:
     """All blocks."""
     workers = _workers()
     share, told_at = 0.0, 0.0
-    told: set[str] = set()
+    sentences: set[str] = set()
     with reading_threads(workers) as executor:
         for step in scan.steps(executor, _AHEAD * workers, cancelled):
             share = max(share, MEASURED * step.share)  # a second look adds blocks
-            fresh = tuple(notice for notice in step.notices if str(notice) not in told)
-            told.update(map(str, fresh))
+            fresh = tuple(notice for notice in step.notices if str(notice) not in sentences)
+            sentences.update(map(str, fresh))
             if fresh or time.monotonic() - told_at > _NEWS_S:
                 told_at = time.monotonic()
                 yield ScanNews(share, step.seconds_left, notices=fresh)

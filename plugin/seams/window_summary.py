@@ -18,9 +18,9 @@ from .words import (
     brief_words,
     cause_clause,
     judged_change,
+    loss_words,
     seam_width_words,
     to_do,
-    took_words,
     verdict_sentence,
     verdict_word,
 )
@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 
 def judged_kept(row: WindowRecord) -> float | None:
     """kept_1 where the verdict was taken by it; None where the sharpness of the whole told the loss."""
-    is_told = row.verdict == "preserved" or is_lost_along_the_seam(row)
-    return row.kept_1 if row.reference == SEAM and is_told else None
+    is_by_seam = row.verdict == "preserved" or is_lost_along_the_seam(row)
+    return row.kept_1 if row.reference == SEAM and is_by_seam else None
 
 
 def judged_words(row: WindowRecord) -> list[str]:
@@ -70,9 +70,9 @@ _LEAST_TAKEN = 0.005  # of the window's finest detail
 _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
 
 
-def by_mixture(found: Explanation | None) -> list[str]:
+def by_mixture(explanation: Explanation | None) -> list[str]:
     """That what is kept was told by the images' mixture alone, and why."""
-    profile = None if found is None else found.profile
+    profile = None if explanation is None else explanation.profile
     if profile is None or profile.measure is not Measure.MIXTURE:
         return []
     if profile.by_energy is None:
@@ -82,12 +82,12 @@ def by_mixture(found: Explanation | None) -> list[str]:
     return [tr("This follows from the mixture of the images, since the ground around is mixed too.")]
 
 
-def _took_along_the_seam(cause: str, found: Explanation | None) -> bool:
-    return cause in (*ALONG_THE_SEAM, Cause.UNCLEAR) or _is_softened_seam(cause, found)
+def _is_at_seam(cause: str, explanation: Explanation | None) -> bool:
+    return cause in (*ALONG_THE_SEAM, Cause.UNCLEAR) or _is_softened_seam(cause, explanation)
 
 
-def _is_softened_seam(cause: str, found: Explanation | None) -> bool:
-    return cause == Cause.BLUR and found is not None and found.evidence.is_smoothed_seam
+def _is_softened_seam(cause: str, explanation: Explanation | None) -> bool:
+    return cause == Cause.BLUR and explanation is not None and explanation.evidence.is_smoothed_seam
 
 
 def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
@@ -104,9 +104,9 @@ def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
     return ", ".join(words[cause] for cause in causes if cause in words)
 
 
-def _mixing_alone(row: WindowRecord, found: Explanation | None) -> list[str]:
+def _mixing_alone(row: WindowRecord, explanation: Explanation | None) -> list[str]:
     """What the mixture would have taken where the mosaic lost more."""
-    profile = None if found is None else found.profile
+    profile = None if explanation is None else explanation.profile
     if profile is None or profile.measure is not Measure.ENERGY or (profile.by_mixture or 0) <= profile.high:
         return [tr("What took detail along the seam is unclear.")] * (
             Cause.UNCLEAR in _causes_of(row) and is_lost_along_the_seam(row)
@@ -117,20 +117,20 @@ def _mixing_alone(row: WindowRecord, found: Explanation | None) -> list[str]:
     return [filled(text, percent=percent(max(1 - (profile.by_mixture or 0), 0.0)))]
 
 
-def _done(row: WindowRecord, found: Explanation | None, width: str, along_the_seam: bool = False) -> str:
+def _done(row: WindowRecord, explanation: Explanation | None, width: str, along_the_seam: bool = False) -> str:
     """All that was done to the window, or what took most ``along_the_seam``, to go on a sentence with."""
     causes = [cause for cause in _causes_of(row) if cause not in _TOLD_BEFORE]
-    at_seam = [cause for cause in causes if _took_along_the_seam(cause, found)]
+    at_seam = [cause for cause in causes if _is_at_seam(cause, explanation)]
     if at_seam[:1] == [Cause.UNCLEAR]:  # which is told with what mixing took
         causes, at_seam = [cause for cause in causes if cause not in at_seam], []
     causes = at_seam[:1] if along_the_seam else causes
-    return "; ".join(filter(None, (_clause(cause, row, found, width) for cause in causes)))
+    return "; ".join(filter(None, (_clause(cause, row, explanation, width) for cause in causes)))
 
 
-def _clause(cause: str, row: WindowRecord, found: Explanation | None, width: str) -> str:
-    if _is_softened_seam(cause, found):
+def _clause(cause: str, row: WindowRecord, explanation: Explanation | None, width: str) -> str:
+    if _is_softened_seam(cause, explanation):
         return tr("the mosaic is softened along the seam")
-    clause = cause_clause(cause, found, row.misfit if cause == Cause.MISREGISTRATION else None)
+    clause = cause_clause(cause, explanation, row.misfit if cause == Cause.MISREGISTRATION else None)
     if width and cause in (Cause.FEATHERING, Cause.OTHER_MIXTURE):
         return filled(tr("{clause} over {width} m"), clause=clause, width=width)
     return clause
@@ -158,24 +158,22 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None, pixel
         return verdict_sentence("")
     why = explanation_of(row, result)
     if row.verdict == _NOT_COMPARABLE:
-        found = row.reason or verdict_sentence(row.verdict)
+        sentence = row.reason or verdict_sentence(row.verdict)
     elif row.reference == SEAM:
-        found = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, _width(row, result, pixel_m))])
+        sentence = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why, _width(row, result, pixel_m))])
     else:
-        found = _by_ratio(row, why)
-    return filled(tr("{finding} Changed since: inspect it again."), finding=found) if row.stale else found
+        sentence = _by_ratio(row, why)
+    return filled(tr("{finding} Changed since: inspect it again."), finding=sentence) if row.stale else sentence
 
 
-def window_why(
-    row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None
-) -> list[str]:
+def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: float | None = None) -> list[str]:
     """What the sentence of a window rests on, and all else that was found, a paragraph each."""
-    found = explanation_of(row, result)
+    explanation = explanation_of(row, result)
     said = []
     if row.reference == SEAM and row.verdict:
-        done = _done(row, found, _width(row, result, pixel_m))
-        said = [*_interval(row), _as_sentence(done), *by_mixture(found), *_mixing_alone(row, found)]
-        said += _sharpness(row, found)
+        done = _done(row, explanation, _width(row, result, pixel_m))
+        said = [*_interval(row), _as_sentence(done), *by_mixture(explanation), *_mixing_alone(row, explanation)]
+        said += _sharpness(row, explanation)
         is_sentence = row.verdict == _NOT_COMPARABLE or (row.verdict not in LOSSES and _has_no_kept(row))
         if row.reason and not is_sentence:
             said.append(row.reason)
@@ -184,7 +182,7 @@ def window_why(
             text = tr("{percent} % of the pixels match none of the given sources and took no part.")
             said.append(filled(text, percent=percent(missing)))
         said += by_the_paper(row)
-    return [*filter(None, said), *(cause_numbers(found) if found is not None else ())]
+    return [*filter(None, said), *(cause_numbers(explanation) if explanation is not None else ())]
 
 
 def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None) -> str:
@@ -193,15 +191,15 @@ def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
     """The explanation behind what the row holds; None when it is not at hand."""
-    found = result.explanation if result is not None else None
-    if result is None or found is None or found.cause.value != row.cause:
+    explanation = result.explanation if result is not None else None
+    if result is None or explanation is None or explanation.cause.value != row.cause:
         return None
-    return found if all(map(is_same, row.ratios, result.judgement.ratios.detail)) else None
+    return explanation if all(map(is_same, row.ratios, result.judgement.ratios.detail)) else None
 
 
-def cause_numbers(found: Explanation) -> list[str]:
+def cause_numbers(explanation: Explanation) -> list[str]:
     """What was measured against the composite of the sources, one line each, for a tooltip."""
-    change = judged_change(found)
+    change = judged_change(explanation)
     lines = [tr("Against the composite of the sources:")]
     if change.tone is not None:
         tone, words = change.tone, tr("gain {gain}, bias {bias}, gamma {gamma}")
@@ -209,27 +207,27 @@ def cause_numbers(found: Explanation) -> list[str]:
         lines.append(filled(words, gain=gain, bias=bias, gamma=gamma))
     if change.contrast[0] is not None:
         lines.append(filled(tr("contrast at level 1: {percent} %"), percent=percent(change.contrast[0])))
-    if found.sharpness is not None:
-        lines.append(filled(tr("sharpness at level 1: {percent} %"), percent=percent(found.sharpness)))
+    if explanation.sharpness is not None:
+        lines.append(filled(tr("sharpness at level 1: {percent} %"), percent=percent(explanation.sharpness)))
     lines.append(filled(tr("clipped: {percent} %"), percent=percent(change.clipped)))
     if change.colour_shift is not None:
         factor = shown_number(change.colour_shift)
         lines.append(filled(tr("gains of the colours differ by a factor of {factor}"), factor=factor))
     if change.shift is not None:
         lines.append(filled(tr("shift: {length} px"), length=shown_number(change.shift.length)))
-    if found.misfit is not None:
-        lines.append(filled(tr("images lie {value} px apart where they meet"), value=shown_number(found.misfit)))
-    if found.expected and found.expected[0] is not None:
-        left = percent(found.expected[0])
-        lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=left))
-    mixed = percent(max(found.mixed_share, found.unclear_share))
+    if explanation.misfit is not None:
+        lines.append(filled(tr("images lie {value} px apart where they meet"), value=shown_number(explanation.misfit)))
+    if explanation.expected and explanation.expected[0] is not None:
+        kept = percent(explanation.expected[0])
+        lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=kept))
+    mixed = percent(max(explanation.mixed_share, explanation.unclear_share))
     return [*lines, filled(tr("mixed or unclear: {percent} % of the pixels"), percent=mixed)]
 
 
-def _by_ratio(row: WindowRecord, found: Explanation | None) -> str:
+def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     """The sentence where the verdict was taken by whole windows."""
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
-    because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else cause_clause(row.cause, found)
+    because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else cause_clause(row.cause, explanation)
     if ratio is None:
         return f"{verdict} {_as_sentence(because)}".rstrip()
     values = {"percent": percent(ratio)}
@@ -254,46 +252,46 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
 
 def _is_blurred(row: WindowRecord) -> bool:
     """Whether the whole is blurred so badly that the ground around tells nothing of the seam."""
-    return _left_in_whole(row) <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
+    return _kept_in_whole(row) <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
 
 
-def _left_in_whole(row: WindowRecord) -> float:
+def _kept_in_whole(row: WindowRecord) -> float:
     """Share of the finest detail energy of the window's sources; all where that is not known."""
     return 1.0 if row.sharpness is None else row.sharpness**2
 
 
-def _by_the_seam(row: WindowRecord, found: Explanation | None, width: str) -> list[str]:
+def _by_the_seam(row: WindowRecord, explanation: Explanation | None, width: str) -> list[str]:
     """Sentences of how much was lost and by what, and what to do about it: two lines at most, so of seam and whole
     window only what took the more, or made the verdict, is told with its cause. What a seam did not take alone stands
     last, away from the seam's causes."""
     if row.verdict not in LOSSES:
-        return [_what_is_left(row, _done(row, found, width, along_the_seam=True))]
-    is_along, whole = is_lost_along_the_seam(row), 1 - _left_in_whole(row)
-    is_whole = not is_along or _is_whole_soft(row, found)
-    at_seam = [cause for cause in _causes_of(row) if _took_along_the_seam(cause, found)] * is_along
-    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and took_words(cause, 0.0)] * is_whole
+        return [_what_is_left(row, _done(row, explanation, width, along_the_seam=True))]
+    is_along, whole = is_lost_along_the_seam(row), 1 - _kept_in_whole(row)
+    is_whole = not is_along or _is_whole_soft(row, explanation)
+    at_seam = [cause for cause in _causes_of(row) if _is_at_seam(cause, explanation)] * is_along
+    in_whole = [cause for cause in _causes_of(row) if cause not in at_seam and loss_words(cause, 0.0)] * is_whole
     lost = 1 - (row.kept_1 or 0.0)
-    if _is_told_by_the_seam(row, found):
+    if _is_seam_decisive(row, explanation):
         said, causes = _lost_along(row, lost, is_whole, width), at_seam
         in_all = [filled(tr("In all {area}."), area=shown_area(row.loss))] * is_whole if row.loss is not None else []
-        clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(one) for one in in_whole[:1])
+        clause = _brief_at_seam(at_seam, row) if at_seam else "".join(brief_words(cause) for cause in in_whole[:1])
     else:
         said, causes, in_all = _lost_in_whole(row, whole, is_along), in_whole, []
-        clause = "".join(brief_words(one) for one in in_whole[:1])
+        clause = "".join(brief_words(cause) for cause in in_whole[:1])
     return [f"{said}: {clause}." if clause else f"{said}.", *_done_about(row, causes or in_whole), *in_all]
 
 
-def _is_told_by_the_seam(row: WindowRecord, found: Explanation | None) -> bool:
+def _is_seam_decisive(row: WindowRecord, explanation: Explanation | None) -> bool:
     """Whether the seam took the more, or made the verdict."""
-    is_more = (row.kept_1 or 0.0) <= _left_in_whole(row)
-    is_alone = row.verdict == "significant" or not _is_whole_soft(row, found)
+    is_more = (row.kept_1 or 0.0) <= _kept_in_whole(row)
+    is_alone = row.verdict == "significant" or not _is_whole_soft(row, explanation)
     return is_lost_along_the_seam(row) and (is_alone or is_more)
 
 
-def told_causes(row: WindowRecord) -> list[str]:
+def named_causes(row: WindowRecord) -> list[str]:
     """The cause that the sentence tells first, and the main one of the window where that is another."""
-    causes = [one for one in _causes_of(row) if _took_along_the_seam(one, None)]
-    at_seam = causes[:1] if row.reference == SEAM and _is_told_by_the_seam(row, None) else []
+    causes = [cause for cause in _causes_of(row) if _is_at_seam(cause, None)]
+    at_seam = causes[:1] if row.reference == SEAM and _is_seam_decisive(row, None) else []
     return list(dict.fromkeys([*at_seam, row.cause]))
 
 
@@ -301,8 +299,8 @@ def _causes_of(row: WindowRecord) -> list[str]:
     return (row.causes or row.cause).split("; ")
 
 
-def _is_whole_soft(row: WindowRecord, found: Explanation | None) -> bool:
-    return (_left_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2) if found is None else found.ground_left < 1
+def _is_whole_soft(row: WindowRecord, explanation: Explanation | None) -> bool:
+    return _kept_in_whole(row) < (1 - SHARPNESS_TOLERANCE) ** 2 if explanation is None else explanation.ground_left < 1
 
 
 def _lost_along(row: WindowRecord, lost: float, is_whole: bool, width: str) -> str:
@@ -384,29 +382,29 @@ def by_the_paper(row: WindowRecord) -> list[str]:
     return [filled(text, verdict=verdict_word(row.paper_verdict), percent=percent(row.ratio))]
 
 
-def _sharpness(row: WindowRecord, found: Explanation | None) -> list[str]:
+def _sharpness(row: WindowRecord, explanation: Explanation | None) -> list[str]:
     """Sharpness of the whole window, with what took of its detail where that is known. Of the energy of detail, of
     which sharpness is the root."""
     if row.sharpness is None:
         return []
-    taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
-    at_seam = [cause for cause in taken if _took_along_the_seam(cause, found)]
-    took = [
+    taken = {} if explanation is None else {cause.value: share for cause, share in causes_taken(explanation.evidence)}
+    at_seam = [cause for cause in taken if _is_at_seam(cause, explanation)]
+    shares = [
         words for cause in _causes_of(row)
-        if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := took_words(cause, taken[cause]))
+        if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := loss_words(cause, taken[cause]))
     ]
-    if took:
+    if shares:
         if (by_seam := sum(taken[cause] for cause in at_seam)) >= _LEAST_TAKEN:
-            took.append(filled(tr("the seam took {value} %"), value=percent(by_seam)))
+            shares.append(filled(tr("the seam took {value} %"), value=percent(by_seam)))
         text = tr("In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.")
         left, sharpness = percent(row.sharpness**2), percent(row.sharpness)
-        return [filled(text, left=left, sharpness=sharpness, took=", ".join(took))]
+        return [filled(text, left=left, sharpness=sharpness, took=", ".join(shares))]
     if abs(row.sharpness - 1) < _AS_SHARP:
         return [tr("The window is as sharp as its sources.")]
     text = tr("The whole window has {percent} % of the sharpness of its sources.")
     return [filled(text, percent=percent(row.sharpness))]
 
 
-def is_same(one: float | None, other: float | None) -> bool:
+def is_same(first: float | None, other: float | None) -> bool:
     """Whether two numbers are one, of which a layer may keep fewer digits."""
-    return one == other or (one is not None and other is not None and math.isclose(one, other, rel_tol=_SAME))
+    return first == other or (first is not None and other is not None and math.isclose(first, other, rel_tol=_SAME))

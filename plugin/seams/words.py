@@ -54,8 +54,8 @@ def verdict_word(verdict: str) -> str:
 
 def verdict_sentence(verdict: str) -> str:
     """What a verdict says of a window."""
-    told = VERDICTS[verdict].sentence if verdict in VERDICTS else ""
-    return tr(told) if told else f"{verdict_word(verdict).capitalize()}."
+    verdict_text = VERDICTS[verdict].sentence if verdict in VERDICTS else ""
+    return tr(verdict_text) if verdict_text else f"{verdict_word(verdict).capitalize()}."
 
 
 def verdict_colour(verdict: str) -> str:
@@ -87,13 +87,13 @@ def observer_word(observer: str) -> str:
     return words.get(observer, observer)
 
 
-def judged_change(found: Explanation) -> Change:
+def judged_change(explanation: Explanation) -> Change:
     """The mosaic against the composite, in the judged band, which is the first."""
-    return next(iter(found.changes[-1].values()))
+    return next(iter(explanation.changes[-1].values()))
 
 
-def _noise(found: Explanation) -> float | None:
-    return found.evidence.texture.noise_dn if found.evidence.texture else None
+def _noise(explanation: Explanation) -> float | None:
+    return explanation.evidence.texture.noise_dn if explanation.evidence.texture else None
 
 
 def _tenths(value: float) -> str:
@@ -107,10 +107,10 @@ class ShownCause(NamedTuple):
     meaning: str
     clause: str  # what was done, to go on a sentence with
     measured: str = ""  # the clause with its number, ``{value}``
-    number: Callable[[Explanation], float | None] = lambda found: None
+    number: Callable[[Explanation], float | None] = lambda explanation: None
     """That number; None where it is not known, and 0 says nothing."""
     shown: Callable[[float], str] = shown_number
-    took: str = ""  # what it took all over a window, ``{value}`` per cent of the finest detail
+    loss: str = ""  # what it took all over a window, ``{value}`` per cent of the finest detail
     brief: str = ""  # what was done to all of the mosaic where it took detail, in a word or two
     to_do: str = ""  # what whoever made the mosaic can do about what it took
 
@@ -121,7 +121,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("The mosaic is less sharp than its sources, beyond what tone and feathering explain."),
         QT_TR_NOOP("the mosaic is blurred"),
         QT_TR_NOOP("the mosaic is blurred to {value} % of their sharpness"),
-        lambda found: found.sharpness,
+        lambda explanation: explanation.sharpness,
         percent,
         QT_TR_NOOP("blur took {value} %"),
         brief=QT_TR_NOOP("blurred"),
@@ -132,7 +132,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("Two images that differ were mixed by weights along the seam."),
         QT_TR_NOOP("images are feathered"),
         QT_TR_NOOP("images {value} px apart are feathered"),
-        lambda found: found.misfit if (found.misfit or 0) >= MIN_MISREGISTRATION_PX else None,
+        lambda explanation: explanation.misfit if (explanation.misfit or 0) >= MIN_MISREGISTRATION_PX else None,
         _tenths,
         to_do=QT_TR_NOOP("Feather less."),
     ),
@@ -147,15 +147,15 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("Grey values were pressed together by a linear function."),
         QT_TR_NOOP("the histogram is narrowed"),
         QT_TR_NOOP("the histogram is narrowed, gain {value}"),
-        lambda found: max((tone.gain for tone in found.evidence.tones if tone.gain), default=None),
+        lambda explanation: max((tone.gain for tone in explanation.evidence.tones if tone.gain), default=None),
     ),
     Cause.GAMMA.value: ShownCause(
         QT_TR_NOOP("gamma"),
         QT_TR_NOOP("Grey values were changed by a power function."),
         QT_TR_NOOP("grey values are bent by a gamma"),
         QT_TR_NOOP("grey values are bent, gamma {value}"),
-        lambda found: max(
-            (tone.gamma for tone in found.evidence.tones), key=lambda gamma: abs(log(gamma)), default=None
+        lambda explanation: max(
+            (tone.gamma for tone in explanation.evidence.tones), key=lambda gamma: abs(log(gamma)), default=None
         ),
     ),
     Cause.CLIPPING.value: ShownCause(
@@ -163,7 +163,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("Highlights or shadows were driven into the limits."),
         QT_TR_NOOP("highlights or shadows are clipped"),
         QT_TR_NOOP("{value} % of the pixels are clipped"),
-        lambda found: judged_change(found).clipped,
+        lambda explanation: judged_change(explanation).clipped,
         percent,
         QT_TR_NOOP("clipping took {value} %"),
         brief=QT_TR_NOOP("clipped"),
@@ -174,14 +174,14 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("The channels were corrected one by one, so the colours shifted."),
         QT_TR_NOOP("the colours are shifted"),
         QT_TR_NOOP("the colours are shifted, gains differ by a factor of {value}"),
-        lambda found: max((tone.colour_shift for tone in found.evidence.tones if tone.colour_shift), default=None),
+        lambda explanation: max(filter(None, (tone.colour_shift for tone in explanation.evidence.tones)), default=None),
     ),
     Cause.MISREGISTRATION.value: ShownCause(
         QT_TR_NOOP("misregistration"),
         QT_TR_NOOP("Images that meet in the mosaic do not lie on each other there."),
         QT_TR_NOOP("images do not fit where they meet"),
         QT_TR_NOOP("images lie {value} px apart where they meet"),
-        lambda found: found.misfit,
+        lambda explanation: explanation.misfit,
         _tenths,
         to_do=QT_TR_NOOP("Register images."),
     ),
@@ -192,7 +192,7 @@ CAUSES: dict[str, ShownCause] = {
         ),
         QT_TR_NOOP("a part of the mosaic matches none of these sources"),
         QT_TR_NOOP("{value} % of the mosaic match none of these sources"),
-        lambda found: found.evidence.missing,
+        lambda explanation: explanation.evidence.missing,
         percent,
         to_do=QT_TR_NOOP("Add the missing orthoimage."),
     ),
@@ -201,7 +201,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("The mosaic's pixels lie between those of its sources, so they were interpolated from them."),
         QT_TR_NOOP("the mosaic was resampled"),
         QT_TR_NOOP("the mosaic was resampled, {value} px off the sources' pixels"),
-        lambda found: found.evidence.off_pixel,
+        lambda explanation: explanation.evidence.off_pixel,
         _tenths,
         QT_TR_NOOP("resampling took {value} %"),
         brief=QT_TR_NOOP("resampled"),
@@ -212,7 +212,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("The whole mosaic was sharpened, beyond what its sources show."),
         QT_TR_NOOP("the mosaic was sharpened"),
         QT_TR_NOOP("the mosaic was sharpened to {value} % of the sources' contrast"),
-        lambda found: found.evidence.texture.most_transfer if found.evidence.texture else None,
+        lambda explanation: explanation.evidence.texture.most_transfer if explanation.evidence.texture else None,
         percent,
     ),
     Cause.COMPRESSED.value: ShownCause(
@@ -238,7 +238,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("dodging"),
         QT_TR_NOOP("Brightness was evened out from place to place; done from a coarse overview, that takes detail."),
         QT_TR_NOOP("brightness was evened out from place to place"),
-        took=QT_TR_NOOP("dodging took {value} %"),
+        loss=QT_TR_NOOP("dodging took {value} %"),
         brief=QT_TR_NOOP("dodged"),
         to_do=QT_TR_NOOP("Dodge it less."),
     ),
@@ -247,14 +247,14 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("The sources were brought to each other's tones, each by its gain and bias; nothing is lost."),
         QT_TR_NOOP("the sources' tones were balanced"),
         QT_TR_NOOP("the sources' tones were balanced, gains a factor of {value} apart"),
-        lambda found: found.evidence.spread[0] if found.evidence.spread[0] >= MIN_GAIN_RATIO else None,
+        lambda explanation: ratio if (ratio := explanation.evidence.spread[0]) >= MIN_GAIN_RATIO else None,
     ),
     Cause.NONE.value: ShownCause(
         QT_TR_NOOP("none"),
         QT_TR_NOOP("No step of production was found that took contrast away."),
         QT_TR_NOOP("no step of production took detail away, so the sources differ in content"),
         QT_TR_NOOP("the sources were compressed with loss, and the mosaic holds more than they do"),
-        lambda found: 1.0 if found.evidence.has_compressed_sources else None,
+        lambda explanation: 1.0 if explanation.evidence.has_compressed_sources else None,
     ),
     Cause.UNCLEAR.value: ShownCause(
         QT_TR_NOOP("unclear"),
@@ -280,9 +280,9 @@ def cause_sentence(cause: str) -> str:
     return tr(CAUSES[cause].meaning) if cause in CAUSES else ""
 
 
-def took_words(cause: str, share: float) -> str:
+def loss_words(cause: str, share: float) -> str:
     """What a cause took all over a window; empty for one that does not."""
-    text = CAUSES[cause].took if cause in CAUSES else ""
+    text = CAUSES[cause].loss if cause in CAUSES else ""
     return filled(tr(text), value=percent(share)) if text else ""
 
 
@@ -291,13 +291,13 @@ def to_do(cause: str) -> str:
     return tr(CAUSES[cause].to_do) if cause in CAUSES and CAUSES[cause].to_do else ""
 
 
-def cause_clause(cause: str, found: Explanation | None, number: float | None = None) -> str:
+def cause_clause(cause: str, explanation: Explanation | None, number: float | None = None) -> str:
     """What the cause did, to go on a sentence with; empty for an unknown one. With its number where that is at hand,
     else with the one given."""
     if cause not in CAUSES:
         return ""
     shown = CAUSES[cause]
-    number = number if found is None else shown.number(found)
+    number = number if explanation is None else shown.number(explanation)
     return filled(tr(shown.measured), value=shown.shown(number)) if number else tr(shown.clause)
 
 

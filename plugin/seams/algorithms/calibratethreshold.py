@@ -82,16 +82,16 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         from ..tables.result_tables import calibration_features, calibration_fields
 
         run.check_chart()
-        found = []
+        calibrations = []
         for verdicts in self._verdicts(run):
             most = float("inf") if verdicts.measure in _UNBOUNDED else _HIGHEST_RATIO
-            found.append(calibrate(verdicts, most))
-            run.tell(*found[-1].notices)
+            calibrations.append(calibrate(verdicts, most))
+            run.tell(*calibrations[-1].notices)
         output, output_id = run.sink(OUTPUT, calibration_fields())
-        for one in found:
-            run.write(output, calibration_features(one))
-        chart = run.save(common.CHART, lambda path: _save_chart(path, found))
-        return {OUTPUT: output_id, **_numbers(found[0]), **chart}
+        for calibration in calibrations:
+            run.write(output, calibration_features(calibration))
+        chart = run.save(common.CHART, lambda path: _save_chart(path, calibrations))
+        return {OUTPUT: output_id, **_numbers(calibrations[0]), **chart}
 
     def _verdicts(self, run: Run) -> list[Verdicts]:
         """The measures that are there in the judged windows, the one that the numbers are of first."""
@@ -101,7 +101,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         if asked and asked not in measures:
             raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field=asked))
         has_kept = any(value is not None for _, value in measures.get(_KEPT, ()))
-        first = asked or next(one for one in ((_KEPT,) if has_kept else ()) + (_RATIO, *measures) if one in measures)
+        first = asked or next(name for name in ((_KEPT,) if has_kept else ()) + (_RATIO, *measures) if name in measures)
         ordered = sorted(measures, key=lambda measure: measure != first)
         return [self._measured(measure, measures[measure], run) for measure in ordered]
 
@@ -116,17 +116,17 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         names = windows.fields().names()
         if "observer" not in names:
             raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="observer"))
-        found = [window for window in read_windows(layers.features(windows), names) if window.observer]
-        judged = [window for window in found if window.is_judged]
+        observed = [window for window in read_windows(layers.features(windows), names) if window.observer]
+        judged = [window for window in observed if window.is_judged]
         run.tell(*doubts(judged))
-        both = agreement([(window.observer, window.observer_2) for window in found])
+        both = agreement([(window.observer, window.observer_2) for window in observed])
         if (kappa := both.kappa) is not None:
             run.tell(messages.OPERATORS_AGREE(
                 count=both.count, agreed=both.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high
             ))
-        unsure = sum(window.observer == UNSURE for window in found)
-        if len(judged) + unsure < len(found):
-            run.tell(messages.VERDICTS_UNKNOWN(count=len(found) - len(judged) - unsure))
+        unsure = sum(window.observer == UNSURE for window in observed)
+        if len(judged) + unsure < len(observed):
+            run.tell(messages.VERDICTS_UNKNOWN(count=len(observed) - len(judged) - unsure))
         without = sum(window.extent is None for window in judged)
         if without:
             run.tell(messages.VERDICTS_WITHOUT_OUTLINE(count=without))
@@ -151,12 +151,12 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             if _CONTRAST in table.fields().names():
                 names = [*names, _CONTRAST]
                 read[_CONTRAST] = lambda window: contrast_of(pairs.get(window.window_id, ()))
-        found = {
-            measure: [(one, read[measure](one)) for one in judged] for measure in _MEASURES if measure in names
+        values = {
+            measure: [(window, read[measure](window)) for window in judged] for measure in _MEASURES if measure in names
         }
-        if not found:
+        if not values:
             check_inspected(names)
-        return found
+        return values
 
     @staticmethod
     def _measured(measure: str, values: _Values, run: Run) -> Verdicts:
@@ -170,21 +170,21 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         return verdicts_of(measure, placed, is_loss=measure == _VISIBILITY)
 
 
-def _save_chart(path: Path, found: list[ThresholdCalibration]) -> None:
+def _save_chart(path: Path, calibrations: list[ThresholdCalibration]) -> None:
     from ...toolkit.charts.figure_files import save_figure
     from ..charts.calibration_chart import calibration_figure
 
-    save_figure(calibration_figure(found), path)
+    save_figure(calibration_figure(calibrations), path)
 
 
-def _numbers(found: ThresholdCalibration) -> dict[str, float]:
+def _numbers(calibration: ThresholdCalibration) -> dict[str, float]:
     """What the results say of the first measure; a number that nobody knows is not among them."""
-    visible, invisible = len(found.verdicts.visible), len(found.verdicts.invisible)
+    visible, invisible = len(calibration.verdicts.visible), len(calibration.verdicts.invisible)
     numbers: dict[str, float] = {VISIBLE_COUNT: visible, INVISIBLE_COUNT: invisible}
-    if found.best is not None:
-        numbers[MAX_RATIO] = found.best.threshold
-    if found.area is not None:
-        numbers.update({AUC: found.area.value, AUC_LOW: found.area.low, AUC_HIGH: found.area.high})
-    if found.wanted is not None:
-        numbers[WANTED_COUNT] = sum(found.wanted)
+    if calibration.best is not None:
+        numbers[MAX_RATIO] = calibration.best.threshold
+    if calibration.area is not None:
+        numbers.update({AUC: calibration.area.value, AUC_LOW: calibration.area.low, AUC_HIGH: calibration.area.high})
+    if calibration.wanted is not None:
+        numbers[WANTED_COUNT] = sum(calibration.wanted)
     return numbers

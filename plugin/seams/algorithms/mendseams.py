@@ -126,10 +126,10 @@ class MendSeams(SeamInspectorAlgorithm):
             feature(fields, column_values(CUT_COLUMNS, seam), QgsGeometry(QgsLineString(*seam.vertices.T.tolist())))
             for seam in seams
         ))
-        left = metres(seams, LEFT)
+        left_metres = metres(seams, LEFT)
         return {
             PATCHES: patches, MENDED: mended, MENDED_MOSAIC: mended, CUTS: cuts,
-            MENDED_METRES: metres(seams) - left, LEFT_METRES: left,
+            MENDED_METRES: metres(seams) - left_metres, LEFT_METRES: left_metres,
             **run.save(common.REPORT, lambda path: save_mending_report(path, request, mended, seams)),
         }
 
@@ -152,9 +152,9 @@ class MendSeams(SeamInspectorAlgorithm):
 
         transform = run.transform(given, crs)
         windows = [layers.window_geometry(feature, transform) for feature in layers.features(given)]
-        found = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
-        run.tell_once(found.notices)
-        rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(found)]
+        result = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
+        run.tell_once(result.notices)
+        rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(result)]
         return given_pieces(rows, FIELDS, what, lambda vertices: any(
             window.intersects(QgsGeometry(QgsLineString(*vertices.T.tolist()))) for window in windows
         ))

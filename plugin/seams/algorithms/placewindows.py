@@ -85,8 +85,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
             geometry = layers.rectangle(mosaic.grid.window_extent(placed.window))
             run.write(sink, [feature(fields, column_values(PLACED_COLUMNS, placed), geometry)])
             run.progress(done / len(placement.windows))
-        told = tr("{windows} windows placed along {seams} seams.")
-        run.inform(filled(told, windows=len(placement.windows), seams=len(seams)))
+        sentence = tr("{windows} windows placed along {seams} seams.")
+        run.inform(filled(sentence, windows=len(placement.windows), seams=len(seams)))
         run.style(destination, "placed_windows")
         return {OUTPUT: destination}
 

@@ -105,10 +105,10 @@ class Report(SeamInspectorAlgorithm):
             transform = run.transform(windows, crs)
         names = windows.fields().names()
         record_tables.check_inspected(names)
-        found = record_tables.read_windows(layers.features(windows), names, transform)
-        run.tell(*record_tables.doubts(found))
+        records = record_tables.read_windows(layers.features(windows), names, transform)
+        run.tell(*record_tables.doubts(records))
         return ReportRequest(
-            tuple(found),
+            tuple(records),
             curves=self._table(run, CURVES, record_tables.read_curves),
             pairs=self._table(run, PAIRS, record_tables.read_pairs),
             profiles=self._table(run, PROFILES, record_tables.read_profiles),

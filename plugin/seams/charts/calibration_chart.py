@@ -20,18 +20,18 @@ _SCATTER = 0.22  # rows: how far points that would hide each other are moved apa
 _WIDTHS = (6.4, 5.2, 4.0, 2.6, 1.4)  # of the curves, so that one on top of another does not hide it
 
 
-def calibration_figure(found: Sequence[ThresholdCalibration]) -> Figure:
+def calibration_figure(calibrations: Sequence[ThresholdCalibration]) -> Figure:
     """ROC curves with their areas above, the judged windows of each measure below."""
-    heights = [_CURVES_SIDE, *(_MEASURE_HEIGHT for _ in found)]
+    heights = [_CURVES_SIDE, *(_MEASURE_HEIGHT for _ in calibrations)]
     figure = new_figure(_CURVES_SIDE + _WORDS_WIDTH, sum(heights))
     grid = figure.add_gridspec(len(heights), 2, height_ratios=heights, width_ratios=(_CURVES_SIDE, _WORDS_WIDTH))
-    _draw_roc(figure.add_subplot(grid[0, 0]), figure.add_subplot(grid[0, 1]), found, PAPER)
-    for row, one in enumerate(found, 1):
-        _draw_verdicts(figure.add_subplot(grid[row, :]), one, PAPER)
+    _draw_roc(figure.add_subplot(grid[0, 0]), figure.add_subplot(grid[0, 1]), calibrations, PAPER)
+    for row, calibration in enumerate(calibrations, 1):
+        _draw_verdicts(figure.add_subplot(grid[row, :]), calibration, PAPER)
     return figure
 
 
-def _draw_roc(axes: Axes, words: Axes, found: Sequence[ThresholdCalibration], style: ChartStyle) -> None:
+def _draw_roc(axes: Axes, words: Axes, calibrations: Sequence[ThresholdCalibration], style: ChartStyle) -> None:
     _frame(axes, style)
     axes.set_aspect("equal")
     axes.set_xlim(-0.02, 1.02)
@@ -40,43 +40,43 @@ def _draw_roc(axes: Axes, words: Axes, found: Sequence[ThresholdCalibration], st
     axes.set_ylabel(tr("visible losses flagged (sensitivity)"))
     axes.grid(True, color=style.grid, linewidth=0.8)
     lines = axes.plot([0, 1], [0, 1], color=style.text, linewidth=0.8, linestyle=":", label=tr("a guess"))
-    for one, colour, width in zip(found, style.sources, _WIDTHS[-len(found) :]):
-        if one.area is None:
+    for calibration, colour, width in zip(calibrations, style.sources, _WIDTHS[-len(calibrations) :]):
+        if calibration.area is None:
             continue
-        x = [0.0, *(1 - step.specificity for step in one.steps)]
-        y = [0.0, *(step.sensitivity for step in one.steps)]
-        lines += axes.plot(x, y, color=colour, linewidth=width, label=_area_words(one))
-        if one.best is not None:
-            place = [1 - one.best.specificity], [one.best.sensitivity]
+        x = [0.0, *(1 - step.specificity for step in calibration.steps)]
+        y = [0.0, *(step.sensitivity for step in calibration.steps)]
+        lines += axes.plot(x, y, color=colour, linewidth=width, label=_area_words(calibration))
+        if calibration.best is not None:
+            place = [1 - calibration.best.specificity], [calibration.best.sensitivity]
             axes.plot(*place, "o", color=colour, markersize=5 + width, markeredgecolor=style.background)
     words.set_axis_off()
     words.legend(handles=lines, loc="lower left", frameon=False, fontsize=8, borderaxespad=0, labelspacing=0.9)
-    why = [sentence(notice) for one in found if one.area is None for notice in one.notices]
+    why = [sentence(notice) for measure in calibrations if measure.area is None for notice in measure.notices]
     text = "\n\n".join(textwrap.fill(words, _WORDS_LETTERS) for words in why)
     words.text(0.02, 1, text, va="top", fontsize=8, color=style.limit)
 
 
-def _area_words(found: ThresholdCalibration) -> str:
+def _area_words(calibration: ThresholdCalibration) -> str:
     """A measure with its area and the verdicts wanted."""
-    assert found.area is not None
+    assert calibration.area is not None
     area = filled(tr("AUC {area:.3f} (95 %: {low:.3f} to {high:.3f})"),
-        area=found.area.value, low=found.area.low, high=found.area.high
+        area=calibration.area.value, low=calibration.area.low, high=calibration.area.high
     )
-    if found.best is None:
-        return f"{found.verdicts.measure}\n{area}"
+    if calibration.best is None:
+        return f"{calibration.verdicts.measure}\n{area}"
     best = filled(tr("threshold {value:g}: {hits} of {seen}, by mistake {vain} of {unseen}"),
-        value=found.best.threshold,
-        hits=found.best.flagged_visible,
-        seen=len(found.verdicts.visible),
-        vain=found.best.flagged_invisible,
-        unseen=len(found.verdicts.invisible),
+        value=calibration.best.threshold,
+        hits=calibration.best.flagged_visible,
+        seen=len(calibration.verdicts.visible),
+        vain=calibration.best.flagged_invisible,
+        unseen=len(calibration.verdicts.invisible),
     )
-    return f"{found.verdicts.measure}\n{area}\n{best}"
+    return f"{calibration.verdicts.measure}\n{area}\n{best}"
 
 
-def _draw_verdicts(axes: Axes, found: ThresholdCalibration, style: ChartStyle) -> None:
+def _draw_verdicts(axes: Axes, calibration: ThresholdCalibration, style: ChartStyle) -> None:
     """Each judged window a point, the threshold a line."""
-    verdicts = found.verdicts
+    verdicts = calibration.verdicts
     _frame(axes, style)
     titles = (
         filled(tr("visible ({count})"), count=len(verdicts.visible)),
@@ -95,10 +95,10 @@ def _draw_verdicts(axes: Axes, found: ThresholdCalibration, style: ChartStyle) -
     standard = STANDARD_LIMITS.get(verdicts.measure)
     if standard is not None:
         _line(axes, standard, tr("standard {value:g}"), style.text, "--")
-    if found.best is not None:
-        if found.best_range is not None:
-            axes.axvspan(*found.best_range, color=style.limit, alpha=0.12, linewidth=0)
-        _line(axes, found.best.threshold, tr("threshold {value:g}"), style.limit, "-")
+    if calibration.best is not None:
+        if calibration.best_range is not None:
+            axes.axvspan(*calibration.best_range, color=style.limit, alpha=0.12, linewidth=0)
+        _line(axes, calibration.best.threshold, tr("threshold {value:g}"), style.limit, "-")
     if axes.get_legend_handles_labels()[0]:
         axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize=8, borderaxespad=0)
 

@@ -39,7 +39,7 @@ class ShownProfile:
 
     def bins(self, level: int) -> list[ProfileBin]:
         """Bins of one level, from the seam outwards."""
-        return [one for one in self.profile.bins if one.level == level]
+        return [bin_ for bin_ in self.profile.bins if bin_.level == level]
 
     @property
     def main_level(self) -> int:
@@ -50,13 +50,13 @@ class ShownProfile:
     def mixed(self) -> list[ProfileBin]:
         """The part of the chart in which the images' mixture is drawn, from the seam outwards: beside level 1, where
         anything is mixed."""
-        known = [one for one in self.bins(1) if one.mixture is not None] if 1 in self.levels else []
-        return known if any((one.mixture or 0) >= _LEAST_MIXTURE for one in known) else []
+        known = [bin_ for bin_ in self.bins(1) if bin_.mixture is not None] if 1 in self.levels else []
+        return known if any((bin_.mixture or 0) >= _LEAST_MIXTURE for bin_ in known) else []
 
     def bin_at(self, distance_m: float) -> ProfileBin | None:
         """The main level's bin at a distance from the seam; None where nothing was measured."""
         away = distance_m / self.pixel_m
-        return next((one for one in self.bins(self.main_level) if one.near_px <= away < one.far_px), None)
+        return next((bin_ for bin_ in self.bins(self.main_level) if bin_.near_px <= away < bin_.far_px), None)
 
 
 def level_colour(level: int, style: ChartStyle) -> str:
@@ -64,20 +64,20 @@ def level_colour(level: int, style: ChartStyle) -> str:
     return style.sources[(level - 1) % len(style.sources)]
 
 
-def bin_words(shown: ShownProfile, one: ProfileBin) -> list[str]:
+def bin_words(shown: ShownProfile, bin_: ProfileBin) -> list[str]:
     """What was measured in a bin, in full and in short."""
     values = {
-        "near": shown_number(one.near_px * shown.pixel_m), "far": shown_number(one.far_px * shown.pixel_m),
-        "kept": percent(one.kept), "low": percent(one.low), "high": percent(one.high),
-        "other": percent(one.mixture or 0),
+        "near": shown_number(bin_.near_px * shown.pixel_m), "far": shown_number(bin_.far_px * shown.pixel_m),
+        "kept": percent(bin_.kept), "low": percent(bin_.low), "high": percent(bin_.high),
+        "other": percent(bin_.mixture or 0),
     }  # fmt: skip
-    if isinf(one.far_px):
+    if isinf(bin_.far_px):
         long, short = tr("beyond {near} m from the seam: {kept} % kept ({low} to {high} %)"), tr("> {near} m: {kept} %")
     else:
         long = tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)")
         short = tr("{near} to {far} m: {kept} %")
     words = [long, short]
-    if one in shown.mixed:
+    if bin_ in shown.mixed:
         words.insert(0, tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image"))
     return [filled(text, **values) for text in words]
 
@@ -130,8 +130,8 @@ class ProfilePainter(ChartPainter):
         self._is_roomy = room.height() > _ROOMY_LINES * self.line
         bottom = (2.5 if self._is_roomy else 1.5) * self.line
         self.axes = room.adjusted(left, 0.6 * self.line, -0.9 * self.line, -bottom)
-        highest = max((one.kept for level in shown.levels for one in shown.bins(level)), default=1.0)
-        ends = max((min(one.high, _HIGHEST_END) for one in self._main_bins()), default=1.0)
+        highest = max((bin_.kept for level in shown.levels for bin_ in shown.bins(level)), default=1.0)
+        ends = max((min(bin_.high, _HIGHEST_END) for bin_ in self._main_bins()), default=1.0)
         self.most_kept = min(max(1.08 * highest, 1.03 * ends, _LOWEST_TOP), _HIGHEST_TOP)
         """The share at the axis's upper end."""
 
@@ -149,10 +149,10 @@ class ProfilePainter(ChartPainter):
         """y of a share that is kept; what is above the axis stays at its end."""
         return float(self.axes.bottom() - self.axes.height() * min(max(kept, 0.0), self.most_kept) / self.most_kept)
 
-    def ends(self, one: ProfileBin) -> tuple[float, float]:
+    def ends(self, bin_: ProfileBin) -> tuple[float, float]:
         """Left and right of a bin."""
         metres = self._shown.pixel_m
-        return self.x_of(one.near_px * metres), self.x_of(min(one.far_px, FARTHEST_PX) * metres)
+        return self.x_of(bin_.near_px * metres), self.x_of(min(bin_.far_px, FARTHEST_PX) * metres)
 
     @property
     def mixture(self) -> list[tuple[float, float]]:
@@ -160,7 +160,7 @@ class ProfilePainter(ChartPainter):
         shown = self._shown.mixed
         if not shown:
             return []
-        points = [(self.x_of(one.middle_px * self._shown.pixel_m), self.y_of(one.mixture or 0)) for one in shown]
+        points = [(self.x_of(bin_.middle_px * self._shown.pixel_m), self.y_of(bin_.mixture or 0)) for bin_ in shown]
         return [(self.ends(shown[0])[0], points[0][1]), *points, (self.ends(shown[-1])[1], points[-1][1])]
 
     def distance_ticks(self) -> list[tuple[float, str]]:
@@ -186,7 +186,7 @@ class ProfilePainter(ChartPainter):
     def _main_bins(self) -> list[ProfileBin]:
         """Bins whose interval is drawn and known."""
         bins = self._shown.bins(self._shown.main_level)
-        return [one for one in bins if isfinite(one.low) and isfinite(one.high)]
+        return [bin_ for bin_ in bins if isfinite(bin_.low) and isfinite(bin_.high)]
 
     def _paint(self, painter: QPainter) -> None:
         axes = self.axes
@@ -197,7 +197,7 @@ class ProfilePainter(ChartPainter):
         self._paint_interval(painter)
         self._paint_mixture(painter)
         for level in sorted(self._shown.levels, reverse=True):
-            steps = [QPointF(x, self.y_of(one.kept)) for one in self._shown.bins(level) for x in self.ends(one)]
+            steps = [QPointF(x, self.y_of(bin_.kept)) for bin_ in self._shown.bins(level) for x in self.ends(bin_)]
             width = 2.2 if level == self._shown.main_level else 1.5
             painter.setPen(QPen(QColor(level_colour(level, self.style)), width * self.style.scale))
             painter.drawPolyline(QPolygonF(steps))
@@ -227,9 +227,9 @@ class ProfilePainter(ChartPainter):
     def _paint_interval(self, painter: QPainter) -> None:
         colour = QColor(level_colour(self._shown.main_level, self.style))
         colour.setAlphaF(0.22)
-        for one in self._main_bins():
-            left, right = self.ends(one)
-            painter.fillRect(QRectF(QPointF(left, self.y_of(one.high)), QPointF(right, self.y_of(one.low))), colour)
+        for bin_ in self._main_bins():
+            left, right = self.ends(bin_)
+            painter.fillRect(QRectF(QPointF(left, self.y_of(bin_.high)), QPointF(right, self.y_of(bin_.low))), colour)
 
     def _paint_mixture(self, painter: QPainter) -> None:
         """With its words at the right, above where a feather ends and below what is kept."""

@@ -107,11 +107,11 @@ class AcceptPage(QDialog):
         """Copy what was decided into a folder, in which none of it may be. Raises SettingsError."""
         pictures = map(pictures_beside, self.files.values())
         there = [file for file in (*self.files.values(), *pictures) if file.exists()]
-        if taken := next((folder / one.name for one in there if (folder / one.name).exists()), None):
+        if taken := next((folder / file.name for file in there if (folder / file.name).exists()), None):
             raise SettingsError(messages.DECISION_THERE_ALREADY(path=taken))
         try:
-            for one in there:
-                (shutil.copytree if one.is_dir() else shutil.copyfile)(one, folder / one.name)
+            for made in there:
+                (shutil.copytree if made.is_dir() else shutil.copyfile)(made, folder / made.name)
         except OSError as error:
             raise SettingsError(messages.DECISION_NOT_SAVED(folder=folder, error=system_reason(error))) from None
         shown = self._shown_failures()
@@ -165,8 +165,8 @@ class AcceptPage(QDialog):
 
     def _shown_failures(self) -> QgsVectorLayer | None:
         source = str(self.files.get("DEFECTS", ""))
-        found = (layer for layer in self._project.mapLayers().values() if source and layer.source() == source)
-        return next((layer for layer in found if isinstance(layer, QgsVectorLayer)), None)
+        failures = (layer for layer in self._project.mapLayers().values() if source and layer.source() == source)
+        return next((layer for layer in failures if isinstance(layer, QgsVectorLayer)), None)
 
     def _show_state(self, *_: object) -> None:
         is_busy = self._task is not None

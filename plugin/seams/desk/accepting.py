@@ -41,16 +41,17 @@ class DeliveredScan:
 
 def delivered_scans(project: QgsProject, first: str) -> list[DeliveredScan]:
     """Scans of the project's mosaics, that of the mosaic ``first`` first."""
-    found = []
-    rasters = [one for one in project.mapLayers().values() if isinstance(one, QgsRasterLayer) and one.isValid()]
+    scans = []
+    rasters = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer) and layer.isValid()]
     for mosaic in sorted(rasters, key=lambda raster: (raster.id() != first, raster.name())):
         worst = worst_layer(project, mosaic.id())
         if worst is not None and layer_path(worst):
             file = Path(layer_path(worst))
-            loss = next((one for one in rasters if Path(one.source()).parent == file.parent and is_picture(one)), None)
+            beside = (raster for raster in rasters if Path(raster.source()).parent == file.parent)
+            loss = next(filter(is_picture, beside), None)
             seams = f"{file}|layername={SEAMS.name}"
-            found.append(DeliveredScan(mosaic.name(), mosaic.id(), seams, "" if loss is None else loss.id()))
-    return found
+            scans.append(DeliveredScan(mosaic.name(), mosaic.id(), seams, "" if loss is None else loss.id()))
+    return scans
 
 
 def decision_values(inputs: Inputs, scans: Sequence[DeliveredScan]) -> dict[str, Any]:
@@ -70,7 +71,7 @@ def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, str]:
     mosaic, worst = _mosaic_file(project, inputs), worst_layer(project, inputs.mosaic)
     scan = Path(layer_path(worst)) if worst is not None and layer_path(worst) else None
     profile = Path(QgsApplication.qgisSettingsDirPath())  # where scans of projects without a file lie, and nobody looks
-    beside = [one.parent for one in (scan, mosaic) if one is not None and one.parent != profile]
+    beside = [file.parent for file in (scan, mosaic) if file is not None and file.parent != profile]
     places = [*([Path(project.homePath())] if project.homePath() else ()), *beside, Path.home()]
     folder = next((place for place in places if place.is_dir() and os.access(place, os.W_OK)), None)
     stem = file_stem(project.baseName() or "delivery" if mosaic is None else mosaic.name)
@@ -82,7 +83,7 @@ def _unused(files: Mapping[str, Path]) -> dict[str, str]:
     for number in count(1):
         ending = f"_{number}" if number > 1 else ""
         counted = {output: file.with_name(f"{file.stem}{ending}{file.suffix}") for output, file in files.items()}
-        there = (os.path.lexists(one) for file in counted.values() for one in (file, pictures_beside(file)))
+        there = (os.path.lexists(path) for file in counted.values() for path in (file, pictures_beside(file)))
         if not any(there):
             break
     return {output: str(file) for output, file in counted.items()}

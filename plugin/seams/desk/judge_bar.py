@@ -224,10 +224,10 @@ class JudgeBar(QWidget):
 
     def _show(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
         """The words, if they are to be others: a key is told several times, and what it takes is to lay them out."""
-        judging, one, result = self._judging, selected[0] if len(selected) == 1 else None, None
-        is_pending = one is not None and self._session.is_pending(one.fid)
-        if one is not None and not is_pending and not judging.is_blind:
-            result = self._session.result(one.fid)
+        judging, window, result = self._judging, selected[0] if len(selected) == 1 else None, None
+        is_pending = window is not None and self._session.is_pending(window.fid)
+        if window is not None and not is_pending and not judging.is_blind:
+            result = self._session.result(window.fid)
         piece = self._pieces.current if self._pieces is not None else None
         state = selected, piece, progress, judging.place, judging.count, judging.is_blind, judging.just_sure, is_pending
         if state == self._shown and result is self._shown_result:
@@ -282,9 +282,9 @@ class JudgeBar(QWidget):
         elif piece is not None:
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
-            found = window_sentence(piece.found, pixel_m=pixel_m)
+            finding = window_sentence(piece.record, pixel_m=pixel_m)
             text = tr("By the scan, this piece of seam: {finding} The charts are of the window around it.")
-            sentence = filled(text, finding=found)
+            sentence = filled(text, finding=finding)
         elif progress.is_done:
             sentence = self._summary()
         else:

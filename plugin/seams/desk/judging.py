@@ -52,33 +52,33 @@ class JudgingProgress:
     count: int
     judged: int  # with a verdict of his
     unsure: int  # where he looked and was not sure
-    left: int
+    to_judge: int
     """To look at yet, be there too little for a verdict. The others have no source, or are not inspected."""
 
     @property
     def is_done(self) -> bool:
         """Whether all were looked at that can be."""
-        return self.left == 0 < self.judged + self.unsure
+        return self.to_judge == 0 < self.judged + self.unsure
 
     def words(self) -> list[str]:
         """``21 to go: 38 of 59 judged``, then shorter; where nothing is judged or to judge, as before an inspection,
         just that."""
-        count = self.judged + self.unsure + self.left  # so that it adds up
+        count = self.judged + self.unsure + self.to_judge  # so that it adds up
         if not count:
             return [tr("nothing to judge yet") if self.count else ""]
         text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure") if self.unsure else tr(
             "{left} to go: {judged} of {count} judged"
         )
         words = [text, tr("{judged} of {count} judged"), tr("{left} to go"), "{judged}/{count}"]
-        return [filled(word, judged=self.judged, count=count, unsure=self.unsure, left=self.left) for word in words]
+        return [filled(word, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge) for word in words]
 
     def tip(self) -> str:
         """What the other windows are."""
-        rest = self.count - self.judged - self.unsure - self.left
+        rest = self.count - self.judged - self.unsure - self.to_judge
         said = tr(
             "Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}."
         )
-        return filled(said, judged=self.judged, unsure=self.unsure, left=self.left, rest=rest)
+        return filled(said, judged=self.judged, unsure=self.unsure, left=self.to_judge, rest=rest)
 
 
 _JUDGED, _UNSURE, _LEFT, _REST = "judged", "unsure", "left", "rest"
@@ -343,17 +343,17 @@ class Judging(QObject):
 
     def _following(self) -> int | None:
         """The next one to judge; where all are judged, as in a review, the one after this. None where none was yet."""
-        found = self.next_to_judge()
-        if found is None and any(map(self.word, self._session.windows())):
+        following = self.next_to_judge()
+        if following is None and any(map(self.word, self._session.windows())):
             return self.neighbour(1)
-        return found
+        return following
 
     def _after(self, row: WindowRecord) -> int | None:
         """The window that a verdict on the selected one leads to; only in a review, of windows judged before, to a
         judged one."""
-        found, below = self.next_to_judge(), self.neighbour(1)
-        if found is not None or _kind(row, self.operator) == _LEFT:
-            return found
+        following, below = self.next_to_judge(), self.neighbour(1)
+        if following is not None or _kind(row, self.operator) == _LEFT:
+            return following
         there = None if below is None else self._session.row(below)
         if there is None:
             return row.fid if self.word(row) else None

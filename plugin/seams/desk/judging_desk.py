@@ -69,8 +69,8 @@ class JudgingDesk(QObject):
         """The operator or what is hidden changed."""
         model, settings = self.model, self.model.settings
         self._windows.operator = model.operator
-        own = frozenset((_NUMBER, *model.operator)) if model.is_blind else None
-        self._windows.set_blind(own)
+        allowed = frozenset((_NUMBER, *model.operator)) if model.is_blind else None
+        self._windows.set_blind(allowed)
         self._windows.set_filter(settings.search, settings.shown)
         self._hide_loss()
         self._hide_on_map()

@@ -86,8 +86,8 @@ class JudgingLayout(QObject):
 
     def _make_room(self) -> None:
         docks = [
-            one for one in self._window.findChildren(QDockWidget)
-            if one is not self._dock and one.toggleViewAction().isChecked() and not one.isFloating()
+            dock for dock in self._window.findChildren(QDockWidget)
+            if dock is not self._dock and dock.toggleViewAction().isChecked() and not dock.isFloating()
         ]  # fmt: skip
         self._panels = [(dock, not dock.visibleRegion().isEmpty()) for dock in docks]
         for panel, _ in self._panels:

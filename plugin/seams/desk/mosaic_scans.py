@@ -49,8 +49,8 @@ class MosaicScans(QObject):
     """One scan at a time. One that was stopped, in whatever way, goes on when it is started again."""
 
     changed = pyqtSignal()  # a scan has begun or ended, or is as far as ``news`` says
-    told = pyqtSignal(str, int)  # a sentence and its Qgis.MessageLevel as int
-    found = pyqtSignal(object)  # a ScanDone whose layers are on the map
+    notified = pyqtSignal(str, int)  # a sentence and its Qgis.MessageLevel as int
+    scanned = pyqtSignal(object)  # a ScanDone whose layers are on the map
 
     def __init__(self, session: Session, parent: QObject) -> None:
         super().__init__(parent)
@@ -128,8 +128,8 @@ class MosaicScans(QObject):
         if not self.news.measured:
             return filled(tr("Scan: putting the blocks together, {percent} %"), percent=int(100 * self.news.share))
         text = filled(tr("Scan: {percent} %"), percent=int(100 * self.news.share))
-        left = self.news.seconds_left
-        return text if left is None else f"{text}, {time_left(left)}"
+        seconds_left = self.news.seconds_left
+        return text if seconds_left is None else f"{text}, {time_left(seconds_left)}"
 
     def _files(self, order: ScanOrder) -> ScanFiles:
         """Beside the project; those of a scan that is not complete are taken again."""
@@ -188,7 +188,7 @@ class MosaicScans(QObject):
         if self._waiting:
             self._adder.start()
         else:
-            self.found.emit(self._done)
+            self.scanned.emit(self._done)
 
     def _add(self, layer: QgsMapLayer, kind: ScanLayer | None) -> None:
         """On top of the group."""
@@ -224,7 +224,7 @@ class MosaicScans(QObject):
                     self._tell(notice)
 
     def _tell(self, message: Message) -> None:
-        self.told.emit(sentence(message), bar_level(message))
+        self.notified.emit(sentence(message), bar_level(message))
 
 
 def scan_sentence(done: ScanDone) -> str:
@@ -266,11 +266,11 @@ def uncover(project: QgsProject, layer: QgsMapLayer) -> None:
 
 def worst_layer(project: QgsProject, mosaic: str) -> QgsVectorLayer | None:
     """The worst windows of the last scan of a mosaic layer, while the project has them."""
-    found = [
+    layers = [
         layer for layer in project.mapLayers().values()
         if isinstance(layer, QgsVectorLayer) and layer.isValid() and layer.customProperty(_MOSAIC) == mosaic
     ]
-    return max(found, key=lambda layer: str(layer.customProperty(_SCANNED)), default=None) if mosaic else None
+    return max(layers, key=lambda layer: str(layer.customProperty(_SCANNED)), default=None) if mosaic else None
 
 
 def _picture(path: Path, title: str) -> QgsRasterLayer:

@@ -26,7 +26,7 @@ _KEY = "report"
 class ReportWriter(QObject):
     """One report at a time."""
 
-    told = pyqtSignal(str, int)  # a sentence, which may hold a link, and its Qgis.MessageLevel as int
+    notified = pyqtSignal(str, int)  # a sentence, which may hold a link, and its Qgis.MessageLevel as int
 
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)
@@ -45,7 +45,7 @@ class ReportWriter(QObject):
         """Ask for the file, then write it; say so where what reports need is missing."""
         missing = missing_packages_sentence(pages=True)
         if missing:
-            self.told.emit(escape(missing, quote=False), int(Qgis.MessageLevel.Warning))
+            self.notified.emit(escape(missing, quote=False), int(Qgis.MessageLevel.Warning))
             return
         home = self._folder if self._folder.parts else Path(QgsProject.instance().homePath() or Path.home())
         kind = tr("HTML files (*.html)")
@@ -93,7 +93,7 @@ class ReportWriter(QObject):
             words.append(filled(more, count=windows - measured))
         words += [escape(sentence(notice), quote=False) for notice in notices]
         level = Qgis.MessageLevel.Warning if len(words) > 1 else Qgis.MessageLevel.Success
-        self.told.emit(" ".join(words), int(level))
+        self.notified.emit(" ".join(words), int(level))
 
     def _failed(self, message: Message) -> None:
-        self.told.emit(escape(sentence(message), quote=False), bar_level(message))
+        self.notified.emit(escape(sentence(message), quote=False), bar_level(message))

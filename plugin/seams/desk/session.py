@@ -86,8 +86,9 @@ class Session(SessionInputs):
             (self._new.drawn, self._take_drawn),
             (self._new.scanned, self._take_scanned),
             (self._steps.stepped, self._follow_step),
-            *((told, self._tell) for told in (
-                self._background.failed, self._results.failed, self._mosaics.told, self._new.told, self._steps.failed,
+            *((notifier, self._tell) for notifier in (
+                self._background.failed, self._results.failed, self._mosaics.notified, self._new.notified,
+                self._steps.failed,
             )),
         ):  # fmt: skip
             signal.connect(slot)
@@ -177,7 +178,7 @@ class Session(SessionInputs):
     def note(self, fids: Sequence[int], values: Mapping[str, object]) -> None:
         """Write what an operator says of windows, by his fields' names; None takes it back."""
         with self._raised():
-            if (layer := self._watch.own()) is None:
+            if (layer := self._watch.writable()) is None:
                 return
             held = window_layer.held_values(layer, fids, list(values))
             others = [fid for fid, said in held.items() if any(said.get(name) != values[name] for name in values)]

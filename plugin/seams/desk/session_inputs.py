@@ -62,7 +62,7 @@ class SessionInputs(QObject):
             (block.opened, self._follow_block),
             (self._layers.layersChanged, self._files_changed),
             (self._layers.seamlinesEdited, partial(self._seams.refresh, anew=True)),
-            *((told, self._tell) for told in (self._opening.failed, self._live.failed, block.told)),
+            *((notifier, self._tell) for notifier in (self._opening.failed, self._live.failed, block.notified)),
         ):  # fmt: skip
             signal.connect(slot)
 

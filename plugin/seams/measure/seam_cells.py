@@ -51,22 +51,22 @@ def cell_labels(
 
 def is_one_of(labels: np.ndarray, numbers: Iterable[int]) -> np.ndarray:
     """Pixels with one of some labels, bool: of the few that a window has in a tenth of the time of ``np.isin``."""
-    found = np.zeros(labels.shape, bool)
+    pixels = np.zeros(labels.shape, bool)
     for number in numbers:
-        found |= labels == number
-    return found
+        pixels |= labels == number
+    return pixels
 
 
 def present(labels: np.ndarray) -> list[int]:
     """The sources that any pixel follows."""
-    left, found = int(np.count_nonzero(labels != UNKNOWN)), []
+    remainder, sources = int(np.count_nonzero(labels != UNKNOWN)), []
     for number in range(UNKNOWN):
-        if not left:
+        if not remainder:
             break
         if count := int(np.count_nonzero(labels == number)):
-            found.append(number)
-            left -= count
-    return found
+            sources.append(number)
+            remainder -= count
+    return sources
 
 
 def source_stem(name: str) -> str:
@@ -89,19 +89,19 @@ def meant_sources(
         by_stem.setdefault(stem, set()).add(place)
         for part in _runs(stem):
             parts.setdefault(part, set()).add(place)
-    found = {}
+    meant = {}
     for name in set(names):
         stem = source_stem(name)
         places = by_stem.get(stem, set())
         if not places:
             some = parts.get("_".join(_words(stem)), set())
             places = some if len({place if images is None else images[place] for place in some}) == 1 else set()
-        own = _folders(name)
+        name_folders = _folders(name)
         # With a folder more of the name at a time, as long as some file still fits.
-        for count in range(1, len(own) + 1):
-            places = {place for place in places if folders[place][-count:] == own[-count:]} or places
-        found[name] = {place if images is None else images[place] for place in places}
-    return found
+        for count in range(1, len(name_folders) + 1):
+            places = {place for place in places if folders[place][-count:] == name_folders[-count:]} or places
+        meant[name] = {place if images is None else images[place] for place in places}
+    return meant
 
 
 def _folders(path: str) -> list[str]:
@@ -121,10 +121,10 @@ def _runs(stem: str) -> set[str]:
 def names_apart(paths: Sequence[str]) -> list[str]:
     """The file names of paths; those of one name with as many of their folders as it takes to tell them apart."""
     parts = [path.replace("\\", "/").split("/") for path in paths]
-    found = [part[-1] or path for part, path in zip(parts, paths)]
+    names = [part[-1] or path for part, path in zip(parts, paths)]
     for count in range(2, max(map(len, parts), default=0) + 1):
-        same = {name for name, times in Counter(found).items() if times > 1}
+        same = {name for name, times in Counter(names).items() if times > 1}
         if not same:
             break
-        found = ["/".join(part[-count:]) if name in same else name for part, name in zip(parts, found)]
-    return found
+        names = ["/".join(part[-count:]) if name in same else name for part, name in zip(parts, names)]
+    return names

@@ -53,8 +53,8 @@ def measured_loss(block: Block, window: PixelWindow) -> PlacedLoss | None:
 
 def most_lost(shown: PixelWindow, placed: PlacedLoss, side: int) -> tuple[int, int]:
     """Row and column, in the pixels shown, of the square in which most detail was lost."""
-    found, inside = _by_pixel(1 - np.clip(np.nan_to_num(placed.loss.kept, nan=1.0), 0, 1), shown, placed)
-    sums = np.pad((found * inside).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    shares, inside = _by_pixel(1 - np.clip(np.nan_to_num(placed.loss.kept, nan=1.0), 0, 1), shown, placed)
+    sums = np.pad((shares * inside).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     lost = sums[side:, side:] - sums[:-side, side:] - sums[side:, :-side] + sums[:-side, :-side]
     row, column = np.unravel_index(lost.argmax(), lost.shape)
     return int(row), int(column)
@@ -81,9 +81,9 @@ def _by_pixel(cells: np.ndarray, shown: PixelWindow, placed: PlacedLoss) -> tupl
     side, window = placed.loss.cell_px, placed.window
     rows = np.arange(shown.row, shown.row + shown.height) - window.row
     columns = np.arange(shown.column, shown.column + shown.width) - window.column
-    found = cells[np.ix_(np.clip(rows // side, 0, len(cells) - 1), np.clip(columns // side, 0, cells.shape[1] - 1))]
+    values = cells[np.ix_(np.clip(rows // side, 0, len(cells) - 1), np.clip(columns // side, 0, cells.shape[1] - 1))]
     inside = np.outer((rows >= 0) & (rows < window.height), (columns >= 0) & (columns < window.width))
-    return found, inside
+    return values, inside
 
 
 def _reduced(pixels: np.ndarray, step: int) -> np.ndarray:
@@ -213,8 +213,8 @@ def _encoded(pictures: Sequence[np.ndarray], bytes_each: float) -> tuple[list[by
     while True:
         inside = slice(first, side - first)
         files = [encoded(np.ascontiguousarray(picture[inside, inside]), "JPEG") for picture in pictures]
-        weight, left = sum(map(len, files)), side - 2 * first
-        if weight <= bytes_each or left <= MIN_REPORT_CLIP_PX:
+        weight, remaining_px = sum(map(len, files)), side - 2 * first
+        if weight <= bytes_each or remaining_px <= MIN_REPORT_CLIP_PX:
             return files, first
-        smaller = max(int(left * math.sqrt(bytes_each / weight)) // 2 * 2, MIN_REPORT_CLIP_PX)
-        first += max(1, (left - smaller) // 2)
+        smaller = max(int(remaining_px * math.sqrt(bytes_each / weight)) // 2 * 2, MIN_REPORT_CLIP_PX)
+        first += max(1, (remaining_px - smaller) // 2)

@@ -47,9 +47,9 @@ class WindowSections:
         pairs, loss = self._request.pairs.get(record.window_id, ()), self._request.losses.get(record.window_id)
         if pairs:
             band = judged_band(pair.band for pair in pairs)
-            own = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
-            own.sort(key=lambda pair: -(pair.ratio or 0))
-            return ClipJob(record.extent, tuple(pair.source for pair in own), loss)
+            judged = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
+            judged.sort(key=lambda pair: -(pair.ratio or 0))
+            return ClipJob(record.extent, tuple(pair.source for pair in judged), loss)
         curves = self._request.curves.get(record.window_id, ())
         return ClipJob(record.extent, tuple(curve.raster for curve in curves if curve.role == "source"), loss)
 

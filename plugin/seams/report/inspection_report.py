@@ -76,7 +76,7 @@ def write_report(
             levels=levels,
             ratio_levels=max((len(record.ratios) for record in request.records), default=0),
             windows=(
-                window_rows(one, request.curves.get(one.window_id, ()), levels, linked) for one in request.records
+                window_rows(row, request.curves.get(row.window_id, ()), levels, linked) for row in request.records
             ),
             sections=shown(),
             magnification=limits.JUDGED_MAGNIFICATION,
@@ -119,7 +119,7 @@ def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
 
 def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
     """Windows that a report shows in detail, as many as it can, the greatest loss first."""
-    return sorted(flagged, key=lambda one: (-(one.loss or 0.0), one.window_id))[:MAX_REPORT_DETAILS]
+    return sorted(flagged, key=lambda record: (-(record.loss or 0.0), record.window_id))[:MAX_REPORT_DETAILS]
 
 
 def _how_measured(request: ReportRequest) -> HowMeasured:
@@ -143,10 +143,10 @@ def _mosaic_of(request: ReportRequest, record: WindowRecord) -> str:
 
 
 def _by_mosaic(request: ReportRequest) -> dict[str, list[WindowRecord]]:
-    found: dict[str, list[WindowRecord]] = {}
+    by_mosaic: dict[str, list[WindowRecord]] = {}
     for record in request.records:
-        found.setdefault(_mosaic_of(request, record), []).append(record)
-    return found
+        by_mosaic.setdefault(_mosaic_of(request, record), []).append(record)
+    return by_mosaic
 
 
 def _mosaics_title(request: ReportRequest) -> str:
@@ -200,14 +200,14 @@ def _map(request: ReportRequest, detailed: set[int]) -> dict[str, object]:
     """The sketch and its legend."""
     order = list(VERDICTS)[::-1]
     known = [record for record in request.records if record.extent is not None]
-    known.sort(key=lambda one: (order.index(one.verdict) if one.verdict in order else 0, one.window_id in detailed))
+    known.sort(key=lambda row: (order.index(row.verdict) if row.verdict in order else 0, row.window_id in detailed))
     if not known:
         return {"sketch": None}
-    shapes = [_shape(one, one.window_id in detailed) for one in known]
+    shapes = [_shape(record, record.window_id in detailed) for record in known]
     metres = metres_per_unit(request.wkt, middle_of(shapes[0].extent))
     if not all(0 < metre < math.inf for metre in metres):
         metres = 1.0, 1.0  # a system whose units have no length: drawn as the map shows it
-    counts = Counter(one.verdict for one in known)
+    counts = Counter(record.verdict for record in known)
     return {
         "sketch": map_sketch(shapes, *metres, background=_background(request, shapes, metres)),
         "map_legend": [

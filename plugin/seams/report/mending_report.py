@@ -49,20 +49,21 @@ def save_mending_report(path: Path, request: MendRequest, mended: str, seams: Se
                 ]
                 for seam in seams
             ],
-            sections=((_name(one), list(_pictures(one, request, mended))) for one in shown),
+            sections=((_name(seam), list(_pictures(seam, request, mended))) for seam in shown),
             magnification=JUDGED_MAGNIFICATION,
         )
 
 
-def _name(one: MendedSeam) -> str:
-    piece = one.run.piece
+def _name(seam: MendedSeam) -> str:
+    piece = seam.run.piece
     return filled(tr("{seam}, from {station} m"), seam=piece.seam_id, station=formatted(piece.station_m, ".0f"))
 
 
-def _pictures(one: MendedSeam, request: MendRequest, mended: str) -> Iterator[tuple[bytes, int, str]]:
+def _pictures(seam: MendedSeam, request: MendRequest, mended: str) -> Iterator[tuple[bytes, int, str]]:
     """The mosaic and the mended one at the old seam and at the new cut: JPEG, columns, and what it shows."""
     mosaic = request.mosaic
-    for vertices, place in ((one.run.piece.vertices, tr("where the seam was")), (one.vertices, tr("where it is now"))):
+    old_seam = seam.run.piece.vertices
+    for vertices, place in ((old_seam, tr("where the seam was")), (seam.vertices, tr("where it is now"))):
         along = vertex_stations(vertices)
         x, y = points_at(vertices, along, along[-1:] / 2)[0].tolist()
         window = standard_window(mosaic.grid, x, y, REPORT_CLIP_PX).moved_into(mosaic.columns, mosaic.rows)

@@ -53,13 +53,13 @@ def report_request(
     """
     target = layers.mosaic_crs(block.mosaic) if block is not None else crs
     inspected = [row for row in rows if row.verdict]
-    measured = {row.window_id: found for row in inspected if (found := result(row.fid)) is not None}
+    measured = {row.window_id: measured_window for row in inspected if (measured_window := result(row.fid)) is not None}
     return ReportRequest(
         tuple(_on_mosaic(row, measured.get(row.window_id), crs, target, project) for row in inspected),
-        curves={number: _curves(found) for number, found in measured.items() if found.clips},
-        pairs={number: _pairs(found) for number, found in measured.items() if found.pairs},
-        profiles={number: _profile(found) for number, found in measured.items() if found.profile is not None},
-        losses={number: found.loss for number, found in measured.items() if found.loss is not None},
+        curves={number: _curves(window) for number, window in measured.items() if window.clips},
+        pairs={number: _pairs(window) for number, window in measured.items() if window.pairs},
+        profiles={number: _profile(window) for number, window in measured.items() if window.profile is not None},
+        losses={number: window.loss for number, window in measured.items() if window.loss is not None},
         block=block,
         wkt=layers.system_wkt(target),
         max_ratio=max_ratio,
@@ -69,38 +69,37 @@ def report_request(
 
 def _on_mosaic(
     row: WindowRecord,
-    found: WindowResult | None,
+    result: WindowResult | None,
     crs: QgsCoordinateReferenceSystem,
     target: QgsCoordinateReferenceSystem,
     project: QgsProject,
 ) -> WindowRecord:
     """With its extent in another system, and all that was measured of its composite."""
     row = replace(row, extent=row.extent and layers.transformed_extent(row.extent, crs, target, project))
-    why = found.explanation if found is not None else None
+    why = result.explanation if result is not None else None
     if why is None:
         return row
     ratios = next(iter(why.ratios.values())).detail
     return replace(row, composite_ratios=ratios, expected_ratios=why.expected, unclear_share=why.unclear_share)
 
 
-def _curves(found: WindowResult) -> list[CurveRecord]:
+def _curves(result: WindowResult) -> list[CurveRecord]:
     """In the judged band."""
-    band = judged_band(found.clips[0].curves)
-    clips = (clip for clip in found.with_composite if band in clip.curves)
+    band = judged_band(result.clips[0].curves)
+    clips = (clip for clip in result.with_composite if band in clip.curves)
     return [
         CurveRecord(clip.raster, clip.role, clip.curves[band].detail, clip.curves[band].background) for clip in clips
     ]
 
 
-def _profile(found: WindowResult) -> list[ProfileRecord]:
-    pixel_m, bins = found.ground_sample_distance, found.profile.bins if found.profile is not None else ()
-    return [
-        ProfileRecord(one.level, pixel_m * one.middle_px, one.kept, one.low, one.high, one.mixture) for one in bins
-    ]
+def _profile(result: WindowResult) -> list[ProfileRecord]:
+    pixel_m, bins = result.ground_sample_distance, result.profile.bins if result.profile is not None else ()
+    return [ProfileRecord(bin_.level, pixel_m * bin_.middle_px, bin_.kept, bin_.low, bin_.high, bin_.mixture)
+            for bin_ in bins]  # fmt: skip
 
 
-def _pairs(found: WindowResult) -> list[PairRecord]:
+def _pairs(result: WindowResult) -> list[PairRecord]:
     return [
         PairRecord(pair.source, pair.band, pair.ratios.detail[0], pair.change.contrast[0] if pair.change else None)
-        for pair in (*found.pairs, *found.composite_pairs)
+        for pair in (*result.pairs, *result.composite_pairs)
     ]

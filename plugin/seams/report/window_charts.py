@@ -96,13 +96,13 @@ def shown_profile(
     if not known:
         return None
     pixel_m = pixel_m or known[0].distance / _middles()[0][0]
-    bins = [found for row in known if (found := _bin_of(row, pixel_m)) is not None]
+    bins = [bin_ for row in known if (bin_ := _bin_of(row, pixel_m)) is not None]
     if not bins:
         return None
     width_px = (record.band_width or 0.0) / pixel_m
     low, high = (math.nan if end is None else end for end in (record.kept_low, record.kept_high))
     profile = SeamProfile(record.kept, low, high, width_px, 0.0, tuple(bins))
-    return ShownProfile(profile, pixel_m, min_kept, frozenset(one.level for one in bins))
+    return ShownProfile(profile, pixel_m, min_kept, frozenset(bin_.level for bin_ in bins))
 
 
 def _middles() -> list[tuple[float, float, float]]:
@@ -114,7 +114,7 @@ def _middles() -> list[tuple[float, float, float]]:
 def _bin_of(row: ProfileRecord, pixel_m: float) -> ProfileBin | None:
     """The bin whose middle a row of the table names; None for one of another table."""
     away = row.distance / pixel_m
-    middle, near, far = min(_middles(), key=lambda one: abs(one[0] - away))
+    middle, near, far = min(_middles(), key=lambda edges: abs(edges[0] - away))
     if abs(middle - away) > _SAME_PLACE * middle:
         return None
     return ProfileBin(row.level, near, far, row.kept, row.low, row.high, math.nan, math.nan, row.mixture)

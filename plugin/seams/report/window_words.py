@@ -19,7 +19,7 @@ def window_rows(
         "number": record.window_id,
         "anchor": anchor(record.window_id) if record.window_id in linked else "",
         "colour": verdict_colour(record.verdict),
-        "found": list(_found(record)),
+        "found": list(_findings(record)),
         "ratios": [*map(two_digits, record.ratios), two_digits(record.background_ratio)],
         "rasters": [_raster_row(curve, levels) for role in _ROLES for curve in curves if curve.role == role],
     }
@@ -45,7 +45,7 @@ def paper_words(record: WindowRecord) -> str:
     return filled(tr("by the paper's rule: {verdict}, ratio 1: {ratio:.2f}"), verdict=word, ratio=record.ratio)
 
 
-def _found(record: WindowRecord) -> Iterator[str]:
+def _findings(record: WindowRecord) -> Iterator[str]:
     """In some lines, its verdict the first."""
     yield ", ".join([verdict_word(record.verdict), *judged_words(record)])
     if record.reason:

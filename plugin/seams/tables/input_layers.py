@@ -75,5 +75,5 @@ def plain_text(value: object) -> str:
     if isinstance(value, (QDate, QDateTime)):
         return str(value.toString(Qt.DateFormat.ISODate))
     if isinstance(value, (list, tuple)):  # elements that a GML file repeats
-        return ", ".join(plain_text(one) for one in value)
+        return ", ".join(plain_text(part) for part in value)
     return text(value) if is_known(value) else ""

@@ -21,7 +21,7 @@ from ..measure.window.window_tables import MEASURED, MOST_RATIO, WINDOW_FIELDS, 
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 
 _BACKGROUND = 0
-_IN_RECORDS = {one.name for one in fields(WindowRecord)}
+_IN_RECORDS = {column.name for column in fields(WindowRecord)}
 
 
 def check_inspected(names: Iterable[str]) -> None:
@@ -42,36 +42,38 @@ def read_windows(
     WindowError when an outline can't be transformed.
     """
     read: dict[str, Callable[[object], Any]] = {"text": _words, "real": number, "integer": whole_number}
-    held = [one for one in WINDOW_FIELDS if one in MEASURED or one.name in names]
-    levels = [(one, level_names(one.name, names)) for one in held if one.by_level]
-    single = [(one.read_as, one.name, read[one.kind]) for one in held if not one.by_level]
-    bounded = [one for one in held if one.most is not None]
-    found = []
+    held = [field for field in WINDOW_FIELDS if field in MEASURED or field.name in names]
+    levels = [(field.read_as, level_names(field.name, names)) for field in held if field.by_level]
+    single = [(field.read_as, field.name, read[field.kind]) for field in held if not field.by_level]
+    bounded = [field for field in held if field.most is not None]
+    records, observers = [], [operator.observer for operator in OPERATORS]
     for row in attributes(rows, names):
         values: dict[str, Any] = {name: value(row[field]) for name, field, value in single}
-        values.update((one.read_as, tuple([number(row[field]) for field in fields])) for one, fields in levels)
+        values.update((name, tuple([number(row[field]) for field in fields])) for name, fields in levels)
         impossible = _without_impossible(values, bounded)
         if values["window_id"] is None:
             values["window_id"] = unnumbered
-        values.update((one.observer, values[one.observer].lower()) for one in OPERATORS if one.observer in values)
+        values.update((name, values[name].lower()) for name in observers if name in values)
         others = {name: values.pop(name) for name in values.keys() - _IN_RECORDS}
         extent = outline_extent(row.feature, transform)
-        found.append(WindowRecord(extent=extent, fid=row.feature.id(), others=others, impossible=impossible, **values))
-    return found
+        fid = row.feature.id()
+        records.append(WindowRecord(extent=extent, fid=fid, others=others, impossible=impossible, **values))
+    return records
 
 
 def _without_impossible(values: dict[str, Any], bounded: Sequence[WindowField]) -> tuple[str, ...]:
     """The fields whose numbers no measurement gives; these are taken out of the values of a row."""
-    found: list[str] = []
-    for one in bounded:
-        held = values[one.read_as]
-        if one.by_level and not all(map(one.is_possible, held)):
-            found += [f"{one.name}_{level}" for level, value in enumerate(held, 1) if not one.is_possible(value)]
-            values[one.read_as] = tuple(value if one.is_possible(value) else None for value in held)
-        elif not one.by_level and not one.is_possible(held):
-            found.append(one.name)
-            values[one.read_as] = None
-    return tuple(found)
+    impossible: list[str] = []
+    for field in bounded:
+        held = values[field.read_as]
+        if field.by_level and not all(map(field.is_possible, held)):
+            levels = [level for level, value in enumerate(held, 1) if not field.is_possible(value)]
+            impossible += [f"{field.name}_{level}" for level in levels]
+            values[field.read_as] = tuple(value if field.is_possible(value) else None for value in held)
+        elif not field.by_level and not field.is_possible(held):
+            impossible.append(field.name)
+            values[field.read_as] = None
+    return tuple(impossible)
 
 
 def doubts(windows: Iterable[WindowRecord]) -> list[Message]:
@@ -85,15 +87,15 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
     for name in ("window_id", "source", "band"):
         if name not in names:
             raise SettingsError(messages.TABLE_WITHOUT_FIELD(table="PAIRS", field=name))
-    found: dict[int, list[PairRecord]] = {}
+    pairs: dict[int, list[PairRecord]] = {}
     for row in attributes(rows, names):
         window_id = whole_number(row["window_id"])
         if window_id is not None:
             source, band = _words(row["source"]), text(row["band"])
             ratio, contrast = (possible(number(row[name]), MOST_RATIO) for name in ("ratio_1", "contrast_1"))
             pair = PairRecord(source, band, ratio, contrast)
-            found.setdefault(window_id, []).append(pair)
-    return found
+            pairs.setdefault(window_id, []).append(pair)
+    return pairs
 
 
 def read_profiles(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[ProfileRecord]]:
@@ -101,16 +103,16 @@ def read_profiles(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int,
     for name in ("window_id", "level", "distance", "kept"):
         if name not in names:
             raise SettingsError(messages.TABLE_WITHOUT_FIELD(table="PROFILES", field=name))
-    found: dict[int, list[ProfileRecord]] = {}
+    profiles: dict[int, list[ProfileRecord]] = {}
     for row in attributes(rows, names):
         window_id, level = whole_number(row["window_id"]), whole_number(row["level"])
         distance, kept = number(row["distance"]), number(row["kept"])
         if window_id is not None and level is not None and distance is not None and kept is not None:
             low, high = (math.nan if end is None else end for end in (number(row["low"]), number(row["high"])))
-            found.setdefault(window_id, []).append(
+            profiles.setdefault(window_id, []).append(
                 ProfileRecord(level, distance, kept, low, high, number(row["mixture"]))
             )
-    return found
+    return profiles
 
 
 def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[CurveRecord]]:
@@ -132,14 +134,14 @@ def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, l
         if place is None:  # a part of the detail, by direction
             continue
         curves = windows.setdefault(window_id, {}).setdefault(band, [])
-        own = [curve for curve in curves if (curve.raster, curve.role) == (raster, role)]
-        if not own or place in own[-1].shares:
-            own.append(_Components(raster, role, {}))
-            curves.append(own[-1])
+        same_clip = [curve for curve in curves if (curve.raster, curve.role) == (raster, role)]
+        if not same_clip or place in same_clip[-1].shares:
+            same_clip.append(_Components(raster, role, {}))
+            curves.append(same_clip[-1])
         share = number(row["relative_variance"])
-        own[-1].shares[place] = math.nan if share is None else share
+        same_clip[-1].shares[place] = math.nan if share is None else share
     return {
-        window_id: [curve for found in bands[judged_band(bands)] if (curve := found.curve()) is not None]
+        window_id: [curve for components in bands[judged_band(bands)] if (curve := components.curve()) is not None]
         for window_id, bands in windows.items()
     }
 
@@ -167,5 +169,5 @@ def _words(value: object) -> str:
 
 def level_names(name: str, names: Iterable[str]) -> list[str]:
     """The fields ``name_1``..``name_R`` among some, level by level."""
-    found = (re.fullmatch(rf"{name}_([1-9][0-9]*)", one) for one in names)
-    return [match[0] for match in sorted(filter(None, found), key=lambda match: int(match[1]))]
+    matches = (re.fullmatch(rf"{name}_([1-9][0-9]*)", field) for field in names)
+    return [match[0] for match in sorted(filter(None, matches), key=lambda match: int(match[1]))]

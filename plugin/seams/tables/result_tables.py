@@ -27,7 +27,7 @@ from ..measure.planning.loss_forecast import Forecast, ForecastPair
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED, WINDOW_FIELDS
 
-give_titles({one.name: one.title for one in WINDOW_FIELDS if one.title})
+give_titles({column.name: column.title for column in WINDOW_FIELDS if column.title})
 
 FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (
     Column("window_id", "integer", lambda forecast: forecast.window_id),
@@ -103,21 +103,22 @@ def calibration_fields() -> QgsFields:
     return table_fields(*_COLUMNS)
 
 
-def calibration_features(found: ThresholdCalibration) -> Iterator[QgsFeature]:
+def calibration_features(calibration: ThresholdCalibration) -> Iterator[QgsFeature]:
     """The rows of one measure."""
-    counts = {"visible": len(found.verdicts.visible), "invisible": len(found.verdicts.invisible)}
-    summary = {**_threshold_values(found.best), **counts, "note": " ".join(map(sentence, found.notices)) or None}
-    if found.area is not None:
-        summary.update(auc=found.area.value, auc_low=found.area.low, auc_high=found.area.high)
-    summary.update(zip(("threshold_low", "threshold_high"), found.best_range or ()))
-    summary.update(zip(("wanted_visible", "wanted_invisible"), found.wanted or ()))
-    summary["neighbourhoods"] = found.neighbourhoods
-    yield _row(found, SUMMARY, summary)
-    limit = STANDARD_LIMITS.get(found.verdicts.measure)
-    if found.steps and limit is not None:
-        yield _row(found, STANDARD, {**_threshold_values(step_at(found.verdicts, limit)), **counts})
-    for step in found.steps:
-        yield _row(found, STEP, {**_threshold_values(step), **counts})
+    counts = {"visible": len(calibration.verdicts.visible), "invisible": len(calibration.verdicts.invisible)}
+    note = " ".join(map(sentence, calibration.notices)) or None
+    summary = {**_threshold_values(calibration.best), **counts, "note": note}
+    if calibration.area is not None:
+        summary.update(auc=calibration.area.value, auc_low=calibration.area.low, auc_high=calibration.area.high)
+    summary.update(zip(("threshold_low", "threshold_high"), calibration.best_range or ()))
+    summary.update(zip(("wanted_visible", "wanted_invisible"), calibration.wanted or ()))
+    summary["neighbourhoods"] = calibration.neighbourhoods
+    yield _row(calibration, SUMMARY, summary)
+    limit = STANDARD_LIMITS.get(calibration.verdicts.measure)
+    if calibration.steps and limit is not None:
+        yield _row(calibration, STANDARD, {**_threshold_values(step_at(calibration.verdicts, limit)), **counts})
+    for step in calibration.steps:
+        yield _row(calibration, STEP, {**_threshold_values(step), **counts})
 
 
 def _threshold_values(step: Step | None) -> dict[str, object]:
@@ -127,6 +128,6 @@ def _threshold_values(step: Step | None) -> dict[str, object]:
     return {name: getattr(step, name) for name in names}
 
 
-def _row(found: ThresholdCalibration, kind: str, values: dict[str, object]) -> QgsFeature:
-    given = {"measure": found.verdicts.measure, "row": kind, **values}
+def _row(calibration: ThresholdCalibration, kind: str, values: dict[str, object]) -> QgsFeature:
+    given = {"measure": calibration.verdicts.measure, "row": kind, **values}
     return feature(calibration_fields(), [given.get(name) for name, _ in _COLUMNS])

@@ -50,8 +50,8 @@ class ScanLayer:
         """All features."""
         levels = request.settings.levels
         fields = self.fields(levels)
-        for one, outline in self.results(result, request):
-            yield feature(fields, column_values(self.columns, one, levels), outline)
+        for result_row, outline in self.results(result, request):
+            yield feature(fields, column_values(self.columns, result_row, levels), outline)
 
 
 def _pieces(result: ScanResult, _request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:

@@ -211,7 +211,7 @@ def _changed(path: Path, access: int) -> Iterator[gdal.Dataset]:
 
 
 def _add_tables(dataset: gdal.Dataset) -> None:
-    levels = sum(one.GetName().startswith("ratio_") for one in dataset.GetLayerByName(TABLE).schema)
+    levels = sum(definition.GetName().startswith("ratio_") for definition in dataset.GetLayerByName(TABLE).schema)
     kinds = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString, "binary": ogr.OFTBinary}
     columns = {name: [(field_name, column.kind) for column in columns for field_name in column.names(levels)]
                for name, (columns, _rows) in _MEASURED.items()}  # fmt: skip
@@ -221,7 +221,7 @@ def _add_tables(dataset: gdal.Dataset) -> None:
         is_new = layer is None
         if is_new:
             layer = dataset.CreateLayer(name, None, ogr.wkbNone)
-        there = {one.GetName() for one in layer.schema}
+        there = {definition.GetName() for definition in layer.schema}
         for field_name, kind in fields:
             if field_name not in there:
                 layer.CreateField(ogr.FieldDefn(field_name, kinds[kind]))
@@ -245,13 +245,13 @@ def _insert(layer: ogr.Layer, rows: Iterable[Row]) -> None:
 def _selected(path: Path, columns: str, where: str) -> Sequence[tuple[Any, ...]]:
     """Rows of ``results``; none of a file that can't be read."""
     dataset = open_dataset(str(path), FEATURES)
-    found: list[tuple[Any, ...]] = []
+    values: list[tuple[Any, ...]] = []
     with gdal_silenced(), suppress(RuntimeError):
         rows = dataset.ExecuteSQL(f"SELECT {columns} FROM {_RESULTS} {where}") if dataset is not None else None
         if rows is not None and dataset is not None:
-            found = [tuple(_value(row, place) for place in range(row.GetFieldCount())) for row in rows]
+            values = [tuple(_value(row, place) for place in range(row.GetFieldCount())) for row in rows]
             dataset.ReleaseResultSet(rows)
-    return found
+    return values
 
 
 def _value(row: ogr.Feature, place: int) -> object:

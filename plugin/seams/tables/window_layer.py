@@ -47,7 +47,7 @@ from .record_tables import level_names, read_windows
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
-_FOUND = tuple(column for column in MEASURED if column.name not in ("window_id", "observer"))
+_MEASURED_COLUMNS = tuple(column for column in MEASURED if column.name not in ("window_id", "observer"))
 _FULL_BOX = 0.9  # of its box: a rectangle of another system is turned a little
 
 
@@ -164,7 +164,7 @@ def new_windows(
     layer: QgsVectorLayer, outlines: Iterable[QgsGeometry], first: int, values: Iterable[Mapping[str, object]]
 ) -> list[QgsFeature]:
     """Windows that are to be added, numbered from ``first`` on, and what is known of each."""
-    fields, is_multi, found = layer.fields(), QgsWkbTypes.isMultiType(layer.wkbType()), []
+    fields, is_multi, features = layer.fields(), QgsWkbTypes.isMultiType(layer.wkbType()), []
     for number, (outline, known) in enumerate(zip(outlines, values), first):
         if is_multi:
             outline.convertToMultiType()
@@ -172,22 +172,22 @@ def new_windows(
         for name, value in {"window_id": number, **known}.items():
             if fields.indexOf(name) >= 0:
                 made[name] = value
-        found.append(made)
-    return found
+        features.append(made)
+    return features
 
 
 def measured_values(layer: QgsVectorLayer, result: WindowResult) -> dict[str, object]:
     """What is written of a result. The observer's word stays; ratios of more levels, of another inspection, go."""
     levels = len(result.judgement.ratios.detail)
-    values = zip(column_fields(_FOUND, levels).names(), column_values(_FOUND, result, levels))
+    values = zip(column_fields(_MEASURED_COLUMNS, levels).names(), column_values(_MEASURED_COLUMNS, result, levels))
     return {**dict.fromkeys(measured_names(layer)), **dict(values)}
 
 
 def measured_names(layer: QgsVectorLayer) -> list[str]:
     """The fields of a layer that an inspection fills."""
     names = layer.fields().names()
-    by_level = [name for column in _FOUND if column.by_level for name in level_names(column.name, names)]
-    return [*by_level, *(column.name for column in _FOUND if not column.by_level and column.name in names)]
+    by_level = [name for column in _MEASURED_COLUMNS if column.by_level for name in level_names(column.name, names)]
+    return [*by_level, *(column.name for column in _MEASURED_COLUMNS if not column.by_level and column.name in names)]
 
 
 def held_values(layer: QgsVectorLayer, fids: Iterable[int], names: Sequence[str]) -> dict[int, dict[str, object]]:
@@ -208,14 +208,14 @@ def copy_to_file(layer: QgsVectorLayer, levels: int, wkt: str, folder: Path) -> 
     fields = window_file.window_fields(max(levels, len(level_names("ratio", names))), besides)
     is_multi = QgsWkbTypes.isMultiType(layer.wkbType())
     shape = QgsWkbTypes.Type.MultiPolygon if is_multi else QgsWkbTypes.Type.Polygon
-    rows = (_copied(one, names, fields) for one in layer.getFeatures())
+    rows = (_copied(row, names, fields) for row in layer.getFeatures())
     return window_file.write_window_file(system_wkt(layer.crs()) or wkt, folder, fields, rows, shape)
 
 
-def _kind(one: QgsField) -> str:
+def _kind(layer_field: QgsField) -> str:
     """The kind of field that holds its values in a windows file."""
-    kinds = (kind for kind in ("integer", "real", "text") if made_field("", kind).type() == one.type())
-    return next(kinds, "real" if one.isNumeric() else "text")
+    kinds = (kind for kind in ("integer", "real", "text") if made_field("", kind).type() == layer_field.type())
+    return next(kinds, "real" if layer_field.isNumeric() else "text")
 
 
 def _copied(row: QgsFeature, names: Sequence[str], fields: QgsFields) -> QgsFeature:

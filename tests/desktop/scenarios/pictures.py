@@ -186,7 +186,7 @@ def scan(desk: Desk, shots: Path) -> None:
     desk.session.set_inputs(replace(desk.session.inputs, seamlines="", piece_m=piece_m))
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic open")
     items: list[object] = []
-    desk.dock.scans.found.connect(items.append)
+    desk.dock.scans.scanned.connect(items.append)
     desk.dock.scan.trigger()
     desk.wait(lambda: items, 400, "the scan's end")
     desk.wait_for_map()

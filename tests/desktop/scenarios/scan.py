@@ -42,7 +42,7 @@ def play(desk: Desk) -> None:
 def scan(desk: Desk) -> None:
     """Scan by the dock's own button, stopped once and gone on."""
     scans, bar, ends = desk.dock.scans, desk.dock.scan_progress, []
-    scans.found.connect(ends.append)
+    scans.scanned.connect(ends.append)
     with Gaps() as gaps:
         desk.dock.scan.trigger()
         desk.wait(lambda: ends or (scans.is_busy and scans.news.share > 0), 60, "a block")

@@ -180,10 +180,10 @@ def scan(desk: Desk) -> None:
     """The whole mosaic; what was found is taken off the project again, so that each round begins alike."""
     before = set(desk.project.mapLayers())
     items: list[object] = []
-    desk.dock.scans.found.connect(items.append)
+    desk.dock.scans.scanned.connect(items.append)
     desk.dock.scan.trigger()
     desk.wait(lambda: items and not desk.dock.scans.is_busy, 600, "the scan's end")
-    desk.dock.scans.found.disconnect(items.append)
+    desk.dock.scans.scanned.disconnect(items.append)
     desk.wait_for_work()
     iface.messageBar().clearWidgets()
     group = [node for node in desk.project.layerTreeRoot().findGroups() if not before & set(node.findLayerIds())]

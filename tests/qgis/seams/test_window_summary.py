@@ -23,7 +23,7 @@ from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, WindowRecord
 from seam_inspector.plugin.seams.window_summary import (
-    told_causes,
+    named_causes,
     window_sentence,
 )
 
@@ -202,4 +202,4 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
     ],
 )  # fmt: skip
 def test_the_table_names_the_cause_that_the_sentence_tells_first(values: dict[str, Any], causes: list[str]) -> None:
-    assert told_causes(seam_row(**values)) == causes
+    assert named_causes(seam_row(**values)) == causes

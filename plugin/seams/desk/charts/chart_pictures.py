@@ -41,7 +41,7 @@ class ChartPicture:
 class PictureButton(QToolButton):
     """Saves what was shown when it was clicked, whatever comes while the dialog is open."""
 
-    told = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
+    notified = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -85,7 +85,7 @@ class PictureButton(QToolButton):
             said, level = filled(text, path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
         else:
             said, level = filled(tr("The picture was saved to {path}."), path=path), Qgis.MessageLevel.Success
-        self.told.emit(said, int(level))
+        self.notified.emit(said, int(level))
 
 
 def curves_picture(name: str, chart: Chart, title: str) -> ChartPicture:

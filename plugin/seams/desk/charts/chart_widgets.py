@@ -117,9 +117,7 @@ class ProfileChart(ChartWidget):
         room, font = QRectF(self.rect()), self.font()
         return ProfilePainter(self.shown, room, chart_style(self), font, self.pointed_bin)
 
-    def show_profile(
-        self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0
-    ) -> None:
+    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
         """Paint a profile; ``pixel_m``: the mosaic's pixel size, ``min_kept``: the limit of a significant loss."""
         shown = ShownProfile(profile, pixel_m, min_kept, self._levels, ground_left)
         if shown != self.shown:
@@ -142,8 +140,8 @@ class ProfileChart(ChartWidget):
         is_inside = painter.axes.left() <= place.x() <= painter.axes.right()
         self._point(self.shown.bin_at(painter.distance_at(place.x())) if is_inside else None)
 
-    def _point(self, one: ProfileBin | None) -> None:
-        if one != self.pointed_bin:
-            self.pointed_bin = one
+    def _point(self, bin_: ProfileBin | None) -> None:
+        if bin_ != self.pointed_bin:
+            self.pointed_bin = bin_
             self.update()
-            self.pointed.emit(one)
+            self.pointed.emit(bin_)

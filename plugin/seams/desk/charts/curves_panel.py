@@ -66,7 +66,7 @@ class CurvesPanel(ChartPanel):
         self._fill_bands([BAND_ORDER[0]])
         self._bands.activated.connect(self._on_band_chosen)
         self._save = PictureButton()
-        self._save.told.connect(self._session.messageRaised)
+        self._save.notified.connect(self._session.messageRaised)
         self._chart = CurvesChart()
         self._chart.pointed.connect(self._show_point)
         self._legend = CurvesLegend()
@@ -210,9 +210,9 @@ class CurvesPanel(ChartPanel):
 def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
     """What there is of the selected window, if it can be compared; else why not."""
     selected = session.selected()
-    found = session.clips(selected[0]) if len(selected) == 1 else None
-    if found is not None and found.is_compared and found.clips:
-        return found, ""
+    clips = session.clips(selected[0]) if len(selected) == 1 else None
+    if clips is not None and clips.is_compared and clips.clips:
+        return clips, ""
     return None, _why_nothing(session, selected)
 
 

@@ -49,9 +49,7 @@ class ProfilePanel(ChartPanel):
         """What is said in the chart's place; empty while there is one."""
         return str(self._text.text()) if self._pages.currentWidget() is self._text else ""
 
-    def show_profile(
-        self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0
-    ) -> None:
+    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
         """Show any place's profile, as while the mouse is dragged; the next ``refresh`` shows the selected window's
         again."""
         self._fill_levels(len(profile.kept))
@@ -93,7 +91,7 @@ class ProfilePanel(ChartPanel):
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
         )
         self._save = PictureButton()
-        self._save.told.connect(self._session.messageRaised)
+        self._save.notified.connect(self._session.messageRaised)
         self._tools = QHBoxLayout()
         self._tools.addStretch()
         self._tools.addWidget(self._save)
@@ -164,8 +162,8 @@ class ProfilePanel(ChartPanel):
         shown = self.chart.shown if self._pages.currentWidget() is self.chart else None
         words = [""]
         if shown is not None:
-            one = self.chart.pointed_bin
-            words = bin_words(shown, one) if one is not None else summary_words(shown)
+            bin_ = self.chart.pointed_bin
+            words = bin_words(shown, bin_) if bin_ is not None else summary_words(shown)
             if (live := self._session.live) is not None:  # nothing is said while its profile is still to come
                 words = [tr("Live: ") + text for text in words] if live.profile is not None else [""]
         self._status.setText(words[0], shorter=words[1:])

@@ -54,7 +54,7 @@ class BlockCache(QObject):
 
     opened = pyqtSignal()
     """The mosaic was opened, or could not be; or copies of it were found among its sources."""
-    told = pyqtSignal(object)  # a Message on copies of the mosaic among its sources
+    notified = pyqtSignal(object)  # a Message on copies of the mosaic among its sources
     _compared = pyqtSignal(object)  # a ComparedBlock, from whatever thread
 
     def __init__(self, project: QgsProject, background: BackgroundTasks, parent: QObject | None = None) -> None:
@@ -168,7 +168,7 @@ class BlockCache(QObject):
     def _take_compared(self, compared: ComparedBlock) -> None:
         if self._made is not None and self._made[1] is compared.block:
             for notice in compared.notices:
-                self.told.emit(notice)
+                self.notified.emit(notice)
             if compared.kept != compared.block:
                 self._block = None
                 self.opened.emit()
@@ -224,7 +224,7 @@ class BlockCache(QObject):
         windows_crs = (self._seen_place(inputs.windows) or ("", ""))[1]
         state = mosaic[0], mosaic[1], tuple(sources), indexed, cells, self.settings(), windows_crs
         if state not in self._states:
-            listed = [(_from(folder, one.ref.path), one.extent) for one in indexed]
+            listed = [(_from(folder, source.ref.path), source.extent) for source in indexed]
             said = os.path.basename(mosaic[0]), mosaic[1], sources, listed, cells, self.settings(), windows_crs
             self._states[state] = hashlib.sha256(repr(said).encode()).hexdigest()
         return self._states[state]
@@ -234,11 +234,11 @@ class BlockCache(QObject):
         place = self.seen(layer_id)
         return place if layer_id in self._seen else None
 
-    def _of_layer(self, found: Mapping[str, tuple[Any, ...]], layer_id: str) -> tuple[Any, ...] | None:
+    def _of_layer(self, by_layer: Mapping[str, tuple[Any, ...]], layer_id: str) -> tuple[Any, ...] | None:
         """What was read from a layer, nothing where there is none; None while it is not read yet."""
-        if layer_id not in found and self._project.mapLayer(layer_id) is None:
+        if layer_id not in by_layer and self._project.mapLayer(layer_id) is None:
             return ()
-        return found.get(layer_id)
+        return by_layer.get(layer_id)
 
     def seen(self, layer_id: str) -> tuple[str, str]:
         """Data source of a layer, and its reference system with its additional nodata, as they were last seen; its id
@@ -251,15 +251,15 @@ class BlockCache(QObject):
             self._seen[layer_id] = layer.source(), said
         return self._seen.get(layer_id, (layer_id, ""))
 
-    def _take(self, turn: int, ids: tuple[str, str], found: object) -> None:
+    def _take(self, turn: int, ids: tuple[str, str], opened: object) -> None:
         if turn != self._turn:
             return
-        if isinstance(found, OpenedFiles):
-            self._opened = found
-            self._indexed[ids[0]], self._cells[ids[1]] = found.indexed, found.cells
+        if isinstance(opened, OpenedFiles):
+            self._opened = opened
+            self._indexed[ids[0]], self._cells[ids[1]] = opened.indexed, opened.cells
         else:
             self._opened = None
-            self._unopened = found if isinstance(found, Message) else messages.MOSAIC_NOT_OPENED()
+            self._unopened = opened if isinstance(opened, Message) else messages.MOSAIC_NOT_OPENED()
         self._block = self._failure = None
         self.opened.emit()
 
@@ -284,10 +284,10 @@ class BlockCache(QObject):
         """
         crs = layers.mosaic_crs(block.mosaic)
         transform = transformation(crs, layer.crs(), self._project.transformContext())
-        found = [layers.rectangle(block.mosaic.grid.window_extent(window)) for window in windows]
-        if not all(_is_transformed(geometry, transform) for geometry in found):
+        rectangles = [layers.rectangle(block.mosaic.grid.window_extent(window)) for window in windows]
+        if not all(_is_transformed(geometry, transform) for geometry in rectangles):
             raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
-        return found
+        return rectangles
 
     def shapes(
         self, layer: QgsVectorLayer, fids: Sequence[int], crs: QgsCoordinateReferenceSystem
@@ -297,8 +297,8 @@ class BlockCache(QObject):
         Raises WindowError when they can't be transformed.
         """
         transform = transformation(layer.crs(), crs, self._project.transformContext())
-        found = window_layer.read_shapes(layer, fids)
-        shapes = [found[fid] for fid in fids if fid in found]
+        by_fid = window_layer.read_shapes(layer, fids)
+        shapes = [by_fid[fid] for fid in fids if fid in by_fid]
         if not all(_is_transformed(geometry, transform) for geometry in shapes):
             raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
         return shapes

@@ -73,17 +73,17 @@ def read_settings(
     ``words``: the only values that some fields can have.
     """
     values = {}
-    for one in fields(kind):  # type: ignore[arg-type]
-        value: Any = stored.get(one.name)
-        wanted = type(one.default)
+    for setting in fields(kind):  # type: ignore[arg-type]
+        value: Any = stored.get(setting.name)
+        wanted = type(setting.default)
         if type(value) in (int, float) and not abs(value) <= _LARGEST:
             continue
-        if one.type == "float" and type(value) in (int, float):
+        if setting.type == "float" and type(value) in (int, float):
             value, wanted = float(value), float
         elif wanted is tuple and isinstance(value, list):
             value = tuple(text for text in value if isinstance(text, str))
-        if type(value) is wanted and (one.name not in words or value in words[one.name]):
-            values[one.name] = value
+        if type(value) is wanted and (setting.name not in words or value in words[setting.name]):
+            values[setting.name] = value
     return kind(**values)
 
 
@@ -111,16 +111,16 @@ class LayerPlaces:
 
     def note(self, inputs: Inputs) -> None:
         """Remember where the layers of the inputs are, as far as they are there."""
-        found = {}
+        places = {}
         for name in _ids(inputs):
             layer = self._project.mapLayer(name)
             place = _place(layer) if layer is not None else self._places.get(name)
             if place is not None:
-                found[name] = place
-        if found != self._places:
-            self._places = found
+                places[name] = place
+        if places != self._places:
+            self._places = places
             with unmodified(self._project):
-                save_settings(self._project, _PLACES_KEY, found)
+                save_settings(self._project, _PLACES_KEY, places)
 
     def found_again(self, inputs: Inputs) -> Inputs:
         """The inputs, with layers of the same place instead of those that are not in the project any more."""
@@ -159,8 +159,8 @@ def _decoded(provider: str, source: str) -> Place:
     return (str(path), str(parts.get("layerName") or "")) if path else (source, "")
 
 
-def _same(one: Place, other: Place) -> bool:
-    return one[0] == other[0] and (one[1] == other[1] or "" in (one[1], other[1]))
+def _same(first: Place, other: Place) -> bool:
+    return first[0] == other[0] and (first[1] == other[1] or "" in (first[1], other[1]))
 
 
 _EDITS_MS = 500  # edits that come within this time are one

@@ -183,8 +183,8 @@ def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Ent
     fit: list[_Entry] = []
     unfit: list[_Entry] = []
     for layer in rasters:
-        found = standing(layer.id())
-        reason = sentence(found.reason) if found is not None and found.reason is not None else ""
+        suitability = standing(layer.id())
+        reason = sentence(suitability.reason) if suitability is not None and suitability.reason is not None else ""
         text = f"{layer.name()} \u2013 {reason}" if reason else layer.name()
         tip = "\n".join(filter(None, (reason, layer.source())))
         (unfit if reason else fit).append(_Entry(layer.id(), text, tip, reason=reason))

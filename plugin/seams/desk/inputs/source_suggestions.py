@@ -39,7 +39,7 @@ def suitabilities(mosaic_id: str, rasters: Sequence[QgsRasterLayer]) -> dict[str
     mosaic = QgsProject.instance().mapLayer(mosaic_id)
     if not isinstance(mosaic, QgsRasterLayer):
         return {}
-    facts = {one.key: one for one in facts_of(rasters, mosaic)}
+    facts = {raster.key: raster for raster in facts_of(rasters, mosaic)}
     seen_from = facts.pop(mosaic_id, None)
     return {} if seen_from is None else suitable_by_header(seen_from, list(facts.values()))
 
@@ -51,7 +51,7 @@ class Suggesting(QObject):
         super().__init__(parent)
         self._session = session
         self._key: object = None  # of the rasters that were looked at
-        self._found: dict[str, Suitability] = {}
+        self._suitabilities: dict[str, Suitability] = {}
         self._suggested: Sources = ()  # when it was looked last
         self._mosaic = ""  # for which
         self._set: Sources | None = None  # the very tuple that was set here: what others set is theirs, and stays
@@ -59,7 +59,7 @@ class Suggesting(QObject):
 
     def standing(self, layer_id: str) -> Suitability | None:
         """Whether a raster is suggested, and why not; None where nothing is known of it."""
-        return self._found.get(layer_id)
+        return self._suitabilities.get(layer_id)
 
     def forget_choices(self) -> None:
         """Another project, in which the operator has chosen nothing."""
@@ -109,16 +109,16 @@ class Suggesting(QObject):
         inputs = self._session.inputs
         if load_inputs(QgsProject.instance()) != inputs:  # a project is just being read
             return
-        found = inputs if self._is_mosaic_chosen else with_likely_mosaic(inputs)
-        if found.mosaic != inputs.mosaic:
-            self._note(found.mosaic)
-            found = replace(found, sources=self._suggested)
-            self._set = found.sources
+        suggested = inputs if self._is_mosaic_chosen else with_likely_mosaic(inputs)
+        if suggested.mosaic != inputs.mosaic:
+            self._note(suggested.mosaic)
+            suggested = replace(suggested, sources=self._suggested)
+            self._set = suggested.sources
         if not self._are_seamlines_chosen:
-            found = with_likely_vectors(found)
-        if found != inputs:
+            suggested = with_likely_vectors(suggested)
+        if suggested != inputs:
             with unmodified(QgsProject.instance()):
-                self._session.set_inputs(found)
+                self._session.set_inputs(suggested)
 
     def _is_ours(self, inputs: Inputs) -> bool:
         """Whether sources are ours, by identity: equal ones set by the operator, the project or a script are theirs."""
@@ -133,8 +133,8 @@ class Suggesting(QObject):
         key = mosaic_id, [(layer.id(), layer.source(), layer.crs().authid()) for layer in rasters]
         if key == self._key:
             return
-        self._key, self._mosaic, self._found = key, mosaic_id, suitabilities(mosaic_id, rasters)
-        self._suggested = tuple(name for name, one in self._found.items() if one.is_suggested)
+        self._key, self._mosaic, self._suitabilities = key, mosaic_id, suitabilities(mosaic_id, rasters)
+        self._suggested = tuple(name for name, suitability in self._suitabilities.items() if suitability.is_suggested)
 
 
 _SEAM_NAMES = re.compile(r"seam|cut_?line|mosai[ck]|nahtlinie|szwy|mozaik|graphe", re.IGNORECASE)
@@ -149,11 +149,11 @@ def with_likely_mosaic(inputs: Inputs) -> Inputs:
     for layer in file_rasters():
         by_system[layer.crs().authid() or layer.crs().toWkt()].append(layer)
     likely = (
-        likely_mosaic([replace(one, is_mosaic=False) for one in facts_of(rasters, rasters[0])])
+        likely_mosaic([replace(facts, is_mosaic=False) for facts in facts_of(rasters, rasters[0])])
         for rasters in by_system.values() if len(rasters) > 2
     )
-    found = {name for name in likely if name is not None}
-    return replace(inputs, mosaic=found.pop()) if len(found) == 1 else inputs
+    names = {name for name in likely if name is not None}
+    return replace(inputs, mosaic=names.pop()) if len(names) == 1 else inputs
 
 
 def with_likely_vectors(inputs: Inputs) -> Inputs:
@@ -161,23 +161,23 @@ def with_likely_vectors(inputs: Inputs) -> Inputs:
     mosaic = QgsProject.instance().mapLayer(inputs.mosaic)
     if not isinstance(mosaic, QgsRasterLayer):
         return inputs
-    vectors = [one for one in QgsProject.instance().mapLayers().values() if isinstance(one, QgsVectorLayer)]
-    vectors = [vector for vector in vectors if vector.isValid()]
+    every = QgsProject.instance().mapLayers().values()
+    vectors = [layer for layer in every if isinstance(layer, QgsVectorLayer) and layer.isValid()]
     if not inputs.seamlines:
-        lines = _on(mosaic, [vector for vector in vectors if _are_seams(vector, QgsWkbTypes.GeometryType.LineGeometry)])
-        cells = _on(mosaic, [one for one in vectors if _are_seams(one, QgsWkbTypes.GeometryType.PolygonGeometry)])
+        lines = _on(mosaic, [line for line in vectors if _are_seams(line, QgsWkbTypes.GeometryType.LineGeometry)])
+        cells = _on(mosaic, [area for area in vectors if _are_seams(area, QgsWkbTypes.GeometryType.PolygonGeometry)])
         inputs = replace(inputs, seamlines=_only(lines or cells))
     if not inputs.source_index and not inputs.sources:
         inputs = replace(inputs, source_index=_only(_on(mosaic, [vector for vector in vectors if _is_index(vector)])))
     return inputs
 
 
-def _only(found: list[QgsVectorLayer]) -> str:
-    return str(found[0].id()) if len(found) == 1 else ""
+def _only(layers: list[QgsVectorLayer]) -> str:
+    return str(layers[0].id()) if len(layers) == 1 else ""
 
 
-def _on(mosaic: QgsRasterLayer, found: list[QgsVectorLayer]) -> list[QgsVectorLayer]:
-    return [one for one in found if _meets(one, mosaic)]
+def _on(mosaic: QgsRasterLayer, vectors: list[QgsVectorLayer]) -> list[QgsVectorLayer]:
+    return [vector for vector in vectors if _meets(vector, mosaic)]
 
 
 def _is_index(layer: QgsVectorLayer) -> bool:
@@ -212,9 +212,10 @@ _MOST_BANDS = 16  # whose roles are asked for
 
 def file_rasters() -> list[QgsRasterLayer]:
     """The project's rasters that GDAL reads from files, by name; pictures of losses are none of them."""
-    rasters = (one for one in QgsProject.instance().mapLayers().values() if isinstance(one, QgsRasterLayer))
-    found = (one for one in rasters if one.isValid() and one.providerType() == "gdal" and not is_picture(one))
-    return sorted(found, key=lambda layer: (layer.name().casefold(), layer.id()))
+    every = QgsProject.instance().mapLayers().values()
+    rasters = (layer for layer in every if isinstance(layer, QgsRasterLayer) and layer.isValid())
+    from_files = (raster for raster in rasters if raster.providerType() == "gdal" and not is_picture(raster))
+    return sorted(from_files, key=lambda layer: (layer.name().casefold(), layer.id()))
 
 
 def facts_of(layers: Sequence[QgsRasterLayer], mosaic: QgsRasterLayer) -> list[RasterFacts]:
@@ -227,9 +228,9 @@ def facts_of(layers: Sequence[QgsRasterLayer], mosaic: QgsRasterLayer) -> list[R
 def _facts(
     layer: QgsRasterLayer, mosaic: QgsRasterLayer, crs: QgsCoordinateReferenceSystem, known: dict[str, bool]
 ) -> RasterFacts:
-    own = layer.crs()
-    name = own.authid() or own.toWkt()
-    same = known.setdefault(name, own == crs)
+    layer_crs = layer.crs()
+    name = layer_crs.authid() or layer_crs.toWkt()
+    same = known.setdefault(name, layer_crs == crs)
     extent = box_extent(layer.extent()) if same else _extent_on(layer, crs)
     size = 0.0
     if extent is not None and layer.width() and layer.height():

@@ -30,7 +30,7 @@ _REACH_PX = 8  # screen pixels at 96 dpi, from a line
 class ClickedPiece:
     """The piece that was clicked."""
 
-    found: WindowRecord  # what the scan found, as of a window
+    record: WindowRecord  # what the scan found, as of a window
     window: PixelWindow  # the standard window around the click, which the charts are of
 
 
@@ -84,8 +84,8 @@ class ClickedPieces(QObject):
 
     def _take(self, place: QPoint) -> None:
         point = self._canvas.getCoordinateTransform().toMapCoordinates(place)
-        found, grid, mosaic = self._piece_at(point), self._session.mosaic_grid(), self._session.mosaic_layer()
-        if found is None or grid is None or mosaic is None:
+        piece, grid, mosaic = self._piece_at(point), self._session.mosaic_grid(), self._session.mosaic_layer()
+        if piece is None or grid is None or mosaic is None:
             self.leave()
             return
         here = transformed_point(point, self._canvas.mapSettings().destinationCrs(), mosaic.crs())
@@ -95,26 +95,27 @@ class ClickedPieces(QObject):
             window = None
         if window is not None:
             self._session.select([])
-            self.current = ClickedPiece(found, window)
+            self.current = ClickedPiece(piece, window)
             self._session.hover(window, is_live=True)
             self.changed.emit()
 
     def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:
         """The nearest piece of the mosaic's last scan, where the map shows it."""
         worst = worst_layer(QgsProject.instance(), self._session.inputs.mosaic)
-        shown = [one for one in self._canvas.layers() if isinstance(one, QgsVectorLayer) and worst is not None
-                 and layer_path(one) == layer_path(worst) and f"layername={SEAMS.name}" in one.source()]  # fmt: skip
+        vectors = (vector for vector in self._canvas.layers() if isinstance(vector, QgsVectorLayer))
+        shown = [vector for vector in vectors if worst is not None and layer_path(vector) == layer_path(worst)
+                 and f"layername={SEAMS.name}" in vector.source()]  # fmt: skip
         if not shown:
             return None
         layer, map_crs = shown[0], self._canvas.mapSettings().destinationCrs()
         reach = _REACH_PX * self._canvas.logicalDpiX() / 96 * self._canvas.mapUnitsPerPixel()
         beside = QgsPointXY(point.x() + reach, point.y())
-        here, there = (transformed_point(one, map_crs, layer.crs()) for one in (point, beside))
+        here, there = (transformed_point(place, map_crs, layer.crs()) for place in (point, beside))
         if here is None or there is None:
             return None
         around, clicked = QgsRectangle(here, here).buffered(here.distance(there)), QgsGeometry.fromPointXY(here)
         request = QgsFeatureRequest(around).setFlags(QgsFeatureRequest.Flag.ExactIntersect)
-        nearest = min(layer.getFeatures(request), key=lambda one: one.geometry().distance(clicked), default=None)
+        nearest = min(layer.getFeatures(request), key=lambda seam: seam.geometry().distance(clicked), default=None)
         if nearest is None:
             return None
         (row,) = read_windows([nearest], layer.fields().names())

@@ -29,7 +29,7 @@ class Flicker(QObject):
     """Puts a layer of the hard cut above the map's rasters. QGIS keeps both drawn, so that one follows the other at
     once; once it was asked for, that of each window that is gone to lies ready."""
 
-    told = pyqtSignal(str, int)  # a sentence for the user, and its level in the message bar
+    notified = pyqtSignal(str, int)  # a sentence for the user, and its level in the message bar
     shown = pyqtSignal(bool)  # whether the map shows it from now on
 
     def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QObject) -> None:
@@ -123,4 +123,4 @@ class Flicker(QObject):
         self._show(False)
         self.hard_cut.close()  # the next tap may have more luck
         if was_asked:
-            self.told.emit(sentence(message), bar_level(message))
+            self.notified.emit(sentence(message), bar_level(message))

@@ -124,7 +124,7 @@ class LiveWindows(QObject):
         self._profiles.ask(lambda: (live_profile(pixels),))
         self.changed.emit()
 
-    def _take_profile(self, found: tuple[SeamProfile | None]) -> None:
+    def _take_profile(self, profiles: tuple[SeamProfile | None]) -> None:
         if self._current is not None:
-            self._current = replace(self._current, profile=found[0])
+            self._current = replace(self._current, profile=profiles[0])
             self.changed.emit()

@@ -126,7 +126,7 @@ class LossOverlay(QObject):
             self._legend.hide()
             return
         end, is_late = time.perf_counter() + _SLICE_S, False
-        found: dict[int, _Picture] = {}
+        pictures: dict[int, _Picture] = {}
         for row in self._session.windows():
             if row.stale:
                 continue
@@ -137,18 +137,18 @@ class LossOverlay(QObject):
                 # Only after one that was read, so that each slice gets further
                 is_late = is_late or (picture is not None and time.perf_counter() > end)
             if picture is not None:
-                found[row.window_id] = picture
-        self._pictures = found
+                pictures[row.window_id] = picture
+        self._pictures = pictures
         if is_late:
             self._next_slice.start()
         placed = [
-            placed_picture(one.image, one.window, one.cell_px, grid)
-            for one in found.values()
-            if one.image is not None and one.window is not None
+            placed_picture(loss.image, loss.window, loss.cell_px, grid)
+            for loss in pictures.values()
+            if loss.image is not None and loss.window is not None
         ]
         self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
         self._overlay.set_visible(not self._gives_way)
-        self._legend.show_legend(any(one.cell_px for one in found.values()))
+        self._legend.show_legend(any(loss.cell_px for loss in pictures.values()))
 
 
 def _picture(row: WindowRecord, result: WindowResult) -> _Picture:
@@ -239,18 +239,18 @@ class ProfileOnMap:
             self._result, self._distances = result, None
             self._overlay.hide()
 
-    def highlight(self, one: ProfileBin | None) -> None:
+    def highlight(self, bin_: ProfileBin | None) -> None:
         """Show the ground of a bin on the map; None: nothing."""
         import numpy as np
 
         layer, grid, result = self._session.mosaic_layer(), self._session.mosaic_grid(), self._result
-        distances = None if one is None else self._seam_distances()
-        if one is None or distances is None or layer is None or grid is None or result is None:
+        distances = None if bin_ is None else self._seam_distances()
+        if bin_ is None or distances is None or layer is None or grid is None or result is None:
             self._overlay.hide()
             return
         assert result.window is not None
         rgba = np.zeros((*distances.shape, 4), np.uint8)
-        rgba[(distances >= one.near_px) & (distances < one.far_px)] = _HIGHLIGHT
+        rgba[(distances >= bin_.near_px) & (distances < bin_.far_px)] = _HIGHLIGHT
         placed = placed_picture(rgba_image(rgba), result.window, self._side, grid)
         self._overlay.show([placed], QgsCoordinateReferenceSystem(layer.crs()))
 

@@ -123,7 +123,7 @@ class _PictureItem(QgsMapCanvasItem):
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._smooth)
         for picture in self.pictures:
             try:
-                around, shown = (self._on_canvas(one, transform) for one in (picture.extent, picture.shown))
+                around, shown = (self._on_canvas(extent, transform) for extent in (picture.extent, picture.shown))
             except QgsCsException:
                 continue
             if not shown.boundingRect().intersects(self.boundingRect()):

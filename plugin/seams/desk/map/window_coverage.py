@@ -81,7 +81,7 @@ class WindowCoverage(QObject):
             return
         self._is_started = True
         wanted = (Source(block.mosaic.ref, block.mosaic.extent), *block.sources)
-        self._queue = deque(one for one in wanted if one.ref not in self._known)
+        self._queue = deque(source for source in wanted if source.ref not in self._known)
         if self._queue:
             job = _reading_job(block.mosaic, self._queue)
             self._background.start(tr("Look where the sources have pixels"), job, partial(self._take, self._turn))
@@ -114,8 +114,8 @@ class WindowCoverage(QObject):
         grid = self._block.mosaic.grid
         if along is not None:
             along = (along - (grid.left, grid.top)) / (grid.pixel_width, -grid.pixel_height)
-        found = nearest_judgeable(CellGrid.of(grid), mosaic, window, along)
-        return found if found is not None and self.at(found).can_be_judged else None
+        nearest = nearest_judgeable(CellGrid.of(grid), mosaic, window, along)
+        return nearest if nearest is not None and self.at(nearest).can_be_judged else None
 
     def close(self) -> None:
         """Read no more."""
@@ -130,9 +130,9 @@ class WindowCoverage(QObject):
             return
         self._queue.appendleft(source)
 
-    def _take(self, turn: int, found: Any) -> None:
+    def _take(self, turn: int, known_cells: Any) -> None:
         if turn == self._turn:
-            ref, cells = found
+            ref, cells = known_cells
             self._known[ref] = cells
             if not self._teller.isActive():
                 self._teller.start()
@@ -150,10 +150,10 @@ def _reading_job(mosaic: Raster, queue: deque[Source]) -> Job:
                 except IndexError:
                     return
                 try:
-                    found: ValidCells | None = valid_cells(pool.open(source.ref), source.extent, mosaic)
+                    cells: ValidCells | None = valid_cells(pool.open(source.ref), source.extent, mosaic)
                 except RasterError:
-                    found = None  # the inspection says so where it needs it
-                yield 1 - len(queue) / max(count, 1), (source.ref, found)
+                    cells = None  # the inspection says so where it needs it
+                yield 1 - len(queue) / max(count, 1), (source.ref, cells)
 
     return job
 

@@ -228,8 +228,8 @@ class WindowTool(DrawingTool):
         layer = self._session.mosaic_layer()
         if layer is None:
             return None
-        found = transformed_point(point, self.canvas().mapSettings().destinationCrs(), layer.crs())
-        return (found.x(), found.y()) if found is not None else None
+        place = transformed_point(point, self.canvas().mapSettings().destinationCrs(), layer.crs())
+        return (place.x(), place.y()) if place is not None else None
 
     def _seam_reach(self) -> float:
         """How near a seam counts as near, in the mosaic's units."""
@@ -292,8 +292,8 @@ def window_under(
     here = transformed_point(point, crs, layer.crs())
     if here is None:
         return None
-    found = [row for row in windows if _holds(row, here.x(), here.y())]
-    return min(found, key=lambda row: _distance(row, here.x(), here.y()), default=None)
+    under = [row for row in windows if _holds(row, here.x(), here.y())]
+    return min(under, key=lambda row: _distance(row, here.x(), here.y()), default=None)
 
 
 def _holds(row: WindowRecord, x: float, y: float) -> bool:
@@ -328,15 +328,15 @@ def described(grid: Grid, window: PixelWindow, coverage: Coverage) -> str:
     return ", ".join(parts)
 
 
-def metres_apart(grid: Grid, one: PixelWindow, other: PixelWindow) -> float:
+def metres_apart(grid: Grid, first: PixelWindow, other: PixelWindow) -> float:
     """Between two windows of one size."""
-    across = (other.column - one.column) * grid.pixel_width * grid.metres_x
-    return math.hypot(across, (other.row - one.row) * grid.pixel_height * grid.metres_y)
+    across = (other.column - first.column) * grid.pixel_width * grid.metres_x
+    return math.hypot(across, (other.row - first.row) * grid.pixel_height * grid.metres_y)
 
 
-def is_near(one: PixelWindow, other: PixelWindow) -> bool:
+def is_near(first: PixelWindow, other: PixelWindow) -> bool:
     """Whether two windows of one size overlap or touch."""
-    return abs(other.column - one.column) <= one.width and abs(other.row - one.row) <= one.height
+    return abs(other.column - first.column) <= first.width and abs(other.row - first.row) <= first.height
 
 
 def middle(grid: Grid, window: PixelWindow) -> tuple[float, float]:

@@ -22,9 +22,7 @@ _LEAST_SHOWN = 0.5  # of the window, or of the map where the window is larger
 class WindowView:
     """In the mosaic's reference system, in whose pixels windows are seen."""
 
-    def __init__(
-        self, canvas: QgsMapCanvas, session: Session, is_blind: Callable[[], bool] = lambda: False
-    ) -> None:
+    def __init__(self, canvas: QgsMapCanvas, session: Session, is_blind: Callable[[], bool] = lambda: False) -> None:
         """``is_blind``: whether it is hidden where detail was lost."""
         self._canvas, self._session, self._is_blind = canvas, session, is_blind
         self._looked = 0, 0  # the window that was gone to last, and which of its places
@@ -58,16 +56,16 @@ class WindowView:
             return []
         width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
         height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
-        found = []
+        views = []
         for x, y in self._worst_places(fid, grid) or [(whole.center().x(), whole.center().y())]:
             middle = QgsPointXY(
                 _within(x, whole.xMinimum(), whole.xMaximum(), width),
                 _within(y, whole.yMinimum(), whole.yMaximum(), height),
             )
             view = QgsRectangle.fromCenterAndSize(middle, width, height)
-            if view not in found:
-                found.append(view)
-        return found
+            if view not in views:
+                views.append(view)
+        return views
 
     def _worst_places(self, fid: int, grid: Grid) -> list[tuple[float, float]]:
         """In the mosaic's reference system; empty where it is not known where detail was lost, or not to be told."""

@@ -96,7 +96,7 @@ class ColumnMeter:
 
     def _claims(self) -> list[str]:
         """Words of the windows' verdicts that say whether detail was lost."""
-        claims = [verdict_word(one) for one in CLAIMS if one in self._verdicts]
+        claims = [verdict_word(claim) for claim in CLAIMS if claim in self._verdicts]
         return [*claims, *(filled(tr("{verdict}, changed"), verdict=claim) for claim in claims if self._has_stale)]
 
     def _of_words(self, column: TableColumn, *texts: str) -> int:
@@ -130,7 +130,7 @@ def fitted_columns(columns: Sequence[TableColumn], meter: ColumnMeter, room: int
     names = [column.name for column in columns]
     reason, verdict = names.index("reason"), names.index("verdict")
     coarser = {place for place, column in enumerate(columns) if column.level > 1 or column == PAPER}
-    giving_way = ({place for place, one in enumerate(names) if one == name} for name in _GIVING_WAY)
+    giving_way = ({place for place, name in enumerate(names) if name == wide} for wide in _GIVING_WAY)
     shown = set(range(reason + 1))  # the others are for the operator to choose
     for group in (set[int](), {reason}, coarser, *giving_way):
         shown -= group

@@ -69,8 +69,8 @@ class KindBox(QComboBox):
 
     def test(self) -> Callable[[WindowRecord], bool] | None:
         """What the windows shown pass; None for all."""
-        found: Callable[[WindowRecord], bool] | None = self.currentData()
-        return found
+        test: Callable[[WindowRecord], bool] | None = self.currentData()
+        return test
 
     def show_kind(self, kind: str) -> None:
         """A kind that tells what is hidden is lifted until that is seen again."""

@@ -51,7 +51,7 @@ class NewWindows(QObject):
     layerMade = pyqtSignal(str)  # id of a new window layer in the project, to be followed from now on
     scanned = pyqtSignal(list)  # feature ids of the windows at the worst places of a scan, worst first
     drawn = pyqtSignal(list)  # feature ids of windows that are to be inspected at once
-    told = pyqtSignal(object)  # a Message
+    notified = pyqtSignal(object)  # a Message
 
     def __init__(
         self, home: WindowHome, block: BlockCache, watch: WindowWatch, steps: WindowSteps, background: BackgroundTasks,
@@ -117,10 +117,10 @@ class NewWindows(QObject):
     def _drawing(self, window: PixelWindow) -> Iterator[None]:
         yield from self._with_layer(block := self._block.required())
         outlines = self._outlines(block, [window])
-        found = [fid for fid in self._there(outlines, window.width) if fid is not None]
+        there = [fid for fid in self._there(outlines, window.width) if fid is not None]
         words = filled(tr("drawing window {number}"), number=self._watch.next_number)
         added = self._added([(outlines[0], {"origin": DRAWN})], words)
-        self.drawn.emit(found or [fid for fids in added for fid in fids])
+        self.drawn.emit(there or [fid for fids in added for fid in fids])
 
     def _copying(self, outlines: Sequence[QgsGeometry]) -> Iterator[None]:
         yield from self._with_layer(self._block.required())
@@ -131,27 +131,27 @@ class NewWindows(QObject):
     def _placing(self, mosaic: str, placement: Placement) -> Iterator[None]:
         if mosaic != self._block.inputs.mosaic:
             return
-        found = placement.windows
+        placed = placement.windows
         new: list[Place] = []
-        if found:
+        if placed:
             yield from self._with_layer(block := self._block.required())
-            outlines = self._outlines(block, [one.window for one in found])
-            there = self._there(outlines, found[0].window.width)
+            outlines = self._outlines(block, [place.window for place in placed])
+            there = self._there(outlines, placed[0].window.width)
             new = [
-                (outline, {"origin": PLACED, "seam_id": one.seam_id, "station": one.station_m})
-                for one, outline, fid in zip(found, outlines, there) if fid is None
+                (outline, {"origin": PLACED, "seam_id": place.seam_id, "station": place.station_m})
+                for place, outline, fid in zip(placed, outlines, there) if fid is None
             ]  # fmt: skip
             for _ in self._added(new, filled(tr("placing {count} windows"), count=len(new))):
                 yield
         write_log(placement.dropped)
-        self.told.emit(_placed_message(len(new), len(found) - len(new), placement.dropped))
+        self.notified.emit(_placed_message(len(new), len(placed) - len(new), placement.dropped))
 
     def _scanning(self, worst: QgsVectorLayer) -> Iterator[None]:
         block = self._block.required()
         yield from self._with_layer(block)
-        layer = self._watch.own()
+        layer = self._watch.writable()
         assert layer is not None
-        features = sorted(worst.getFeatures(), key=lambda one: one["window_id"])
+        features = sorted(worst.getFeatures(), key=lambda feature: feature["window_id"])
         outlines = self._block.shapes(worst, [feature.id() for feature in features], layer.crs())
         rows = [row for row in self._watch.rows() if row.extent]
         there = [_same_place(rows, layers.extent(outline)) for outline in outlines]
@@ -162,7 +162,7 @@ class NewWindows(QObject):
         parts = self._added(places, filled(tr("adding {count} places of a scan"), count=len(places)))
         new = iter([fid for fids in parts for fid in fids])
         fids = [next(new) if fid is None else fid for fid in there]
-        self.told.emit(keeping_messages.PLACES_TAKEN(count=len(places), there=len(fids) - len(places)))
+        self.notified.emit(keeping_messages.PLACES_TAKEN(count=len(places), there=len(fids) - len(places)))
         self.scanned.emit(fids)
 
     def _converting(self) -> Iterator[None]:
@@ -184,7 +184,7 @@ class NewWindows(QObject):
 
     def _with_layer(self, block: Block) -> Iterator[None]:
         """Make the window layer when there is none."""
-        if self._watch.own() is None:
+        if self._watch.writable() is None:
             fields = window_file.window_fields(self._block.inputs.levels)
             path = window_file.write_window_file(block.mosaic.wkt, self._home.folder, fields)
             yield
@@ -196,7 +196,7 @@ class NewWindows(QObject):
         yield
         self._project.addMapLayer(made)
         if not self._project.homePath():
-            self.told.emit(keeping_messages.WINDOWS_KEPT_MEANWHILE(path=path))
+            self.notified.emit(keeping_messages.WINDOWS_KEPT_MEANWHILE(path=path))
         yield
         self.layerMade.emit(made.id())
         yield
@@ -217,7 +217,7 @@ class NewWindows(QObject):
 
     def _added(self, places: Sequence[Place], words: str) -> Iterator[list[int]]:
         """Add windows as one step of undo, some at once; yields their feature ids each time."""
-        layer, step = self._watch.own(), PresenceStep()
+        layer, step = self._watch.writable(), PresenceStep()
         for start in range(0, len(places) if layer is not None else 0, _AT_ONCE):
             assert layer is not None
             part = places[start : start + _AT_ONCE]
@@ -248,7 +248,7 @@ class NewWindows(QObject):
             self._waiting.popleft()
         except SeamInspectorError as error:
             self._waiting.popleft()
-            self.told.emit(error.message)
+            self.notified.emit(error.message)
         except BaseException:
             self._waiting.popleft()
             raise

@@ -20,8 +20,8 @@ from ...window_summary import (
     cause_numbers,
     explanation_of,
     judged_kept,
+    named_causes,
     shown_area,
-    told_causes,
     window_sentence,
     window_why,
 )
@@ -123,8 +123,8 @@ class TableColumn(NamedTuple):
     def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
-            found = explanation_of(row, result)
-            return rich_tip(cause_sentence(row.cause), *(cause_numbers(found) if found is not None else ()))
+            explanation = explanation_of(row, result)
+            return rich_tip(cause_sentence(row.cause), *(cause_numbers(explanation) if explanation is not None else ()))
         if not self.level or self.key(row) is None or row.stale:
             return window_tip(row, result)
         value = shown_number(self.key(row), 4)
@@ -157,7 +157,7 @@ def _ratio_column(level: int) -> TableColumn:
         return row.ratios[level - 1] if level <= len(row.ratios) else None
 
     def text(row: WindowRecord) -> str:
-        return "" if (found := ratio(row)) is None else shown_number(found)
+        return "" if (value := ratio(row)) is None else shown_number(value)
 
     heading = QT_TR_NOOP("ratio 1") if level == 1 else str(level)
     return TableColumn("ratio", heading, _RATIO_TIP, text, ratio, _ALIGNED_RIGHT, level=level)
@@ -189,7 +189,7 @@ PAPER = TableColumn(
 
 
 def _cause_words(row: WindowRecord) -> str:
-    return ", ".join(map(cause_word, told_causes(row)))
+    return ", ".join(map(cause_word, named_causes(row)))
 
 
 CAUSE = TableColumn(
@@ -257,11 +257,11 @@ def _column(field: WindowField) -> TableColumn:
 
 
 _LOSS = _column(in_filter()["loss"])
-JUDGING_COLUMNS = tuple(_column(one) for one in SAID if one.heading)
+JUDGING_COLUMNS = tuple(_column(column) for column in SAID if column.heading)
 """Shown as soon as one window has something there."""
 
-_CHOSEN = (*sorted(MEASURED, key=lambda one: one.shown in _TEXTS), *PLACED)  # numbers first
-CHOSEN_COLUMNS = (_KEPT, *(_column(one) for one in _CHOSEN if one.heading and one.name != _LOSS.name))
+_CHOSEN = (*sorted(MEASURED, key=lambda column: column.shown in _TEXTS), *PLACED)  # numbers first
+CHOSEN_COLUMNS = (_KEPT, *(_column(column) for column in _CHOSEN if column.heading and column.name != _LOSS.name))
 """Shown when the operator chooses them."""
 
 

@@ -72,15 +72,15 @@ class WindowResults(QObject):
         row = None if window_id in self._waiting else self._watch.numbered(window_id)
         if row is None:
             return None
-        found = self._results.pop(window_id, None)
-        if found is not None and window_id not in self._unwritten and not _is_of(found, row):
-            found = None
-        if found is None and row.verdict and self._watch.path is not None:
-            found = window_file.load_result(self._watch.path, window_id)
-            found = found if found is not None and _is_of(found, row) else None
-        if found is not None:
-            self._hold(window_id, found)
-        return found
+        result = self._results.pop(window_id, None)
+        if result is not None and window_id not in self._unwritten and not _is_of(result, row):
+            result = None
+        if result is None and row.verdict and self._watch.path is not None:
+            result = window_file.load_result(self._watch.path, window_id)
+            result = result if result is not None and _is_of(result, row) else None
+        if result is not None:
+            self._hold(window_id, result)
+        return result
 
     def clips(self, window_id: int) -> WindowCurves | None:
         """The curves of its clips, which are there before the rest of the result."""
@@ -99,7 +99,7 @@ class WindowResults(QObject):
             return
         block = self._block.required()
         self._block.settings().check()
-        layer = self._watch.own()
+        layer = self._watch.writable()
         assert layer is not None
         state = self._block.state() or ""
         self._watch.prepare(fids, self._block.inputs.levels)
@@ -118,7 +118,7 @@ class WindowResults(QObject):
         self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
 
     def _note_step(self, rows: Sequence[WindowRecord]) -> None:
-        layer = self._watch.own()
+        layer = self._watch.writable()
         assert layer is not None
         names = window_layer.measured_names(layer)
         held = window_layer.held_values(layer, [row.fid for row in rows], names)

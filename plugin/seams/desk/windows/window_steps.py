@@ -108,7 +108,7 @@ class WindowSteps(QObject):
 
     def change(self, values: Mapping[int, Mapping[str, object]], words: str) -> None:
         """Other values, by feature id and field. Raises WindowLayerError."""
-        layer = self._watch.own()
+        layer = self._watch.writable()
         if layer is None:
             return
         self._watch.prepare(values, 0)
@@ -124,7 +124,7 @@ class WindowSteps(QObject):
             self.do(PresenceStep([row.window_id for row in rows]), words)
 
     def _apply(self, step: Step, is_undone: bool, words: str) -> list[int]:
-        layer = self._watch.own()
+        layer = self._watch.writable()
         return step.apply(self._watch, layer, is_undone, words) if layer is not None else []
 
     def _replay(self, step: Step, is_undone: bool, words: str) -> None:
@@ -150,8 +150,8 @@ class _Command(QUndoCommand):
         self._is_pushed = True
 
 
-def words_of(rows: Sequence[WindowRecord], one: str, several: str) -> str:
+def words_of(rows: Sequence[WindowRecord], single: str, several: str) -> str:
     """What a step is called that does something to windows: ``{number}`` of the one, or ``{count}``."""
     if len(rows) == 1:
-        return filled(one, number=rows[0].window_id)
+        return filled(single, number=rows[0].window_id)
     return filled(several, count=len(rows))

@@ -38,7 +38,7 @@ class WindowWatch(QObject):
         super().__init__(parent)
         self._layer: QgsVectorLayer | None = None
         self._notifier = single_shot(self, self._notify)
-        self._told: set[int] | None = set()  # the selection
+        self._last_selected: set[int] | None = set()  # the selection
         self._is_unmoved = False
         self.state: str | None = None  # the fingerprint of the inputs
         self._forget()
@@ -68,12 +68,12 @@ class WindowWatch(QObject):
                 signal.disconnect(slot)
         self._layer = layer if window_layer.holds_windows(layer) else None
         had_windows = bool(self._rows)
-        if self._told:
-            self._told = None  # of equal ids others are meant now
+        if self._last_selected:
+            self._last_selected = None  # of equal ids others are meant now
         self._forget()
         for signal, slot in self._signals():
             signal.connect(slot)
-        if had_windows or self._told is None or self._by_fid():
+        if had_windows or self._last_selected is None or self._by_fid():
             self._notifier.start()
 
     @contextmanager
@@ -112,7 +112,7 @@ class WindowWatch(QObject):
         self._by_fid()
         return self._last_number + 1
 
-    def own(self) -> QgsVectorLayer | None:
+    def writable(self) -> QgsVectorLayer | None:
         """The layer, to be written to. Raises WindowLayerError for one that is only read."""
         if self._layer is not None and self.path is None:
             raise WindowLayerError(messages.WINDOWS_TO_COPY(name=self._layer.name()))
@@ -123,7 +123,7 @@ class WindowWatch(QObject):
 
         Raises WindowLayerError when it can't be written.
         """
-        layer, rows = self.own(), self._by_fid()
+        layer, rows = self.writable(), self._by_fid()
         assert layer is not None
         window_layer.add_levels(layer, levels)
         lacking = {fid: {"window_id": rows[fid].window_id} for fid in self._unnumbered.intersection(fids)}
@@ -140,7 +140,7 @@ class WindowWatch(QObject):
         """Windows that changed."""
         unread, self._unread = self._unread, set()
         fresh = window_layer.read_layer(layer, unread)
-        if unread is not None and self._took_in_place(unread, fresh):
+        if unread is not None and self._updated_in_place(unread, fresh):
             return
         rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
         fresh.sort(key=lambda row: (row.fid < 0, abs(row.fid)))  # of two with one number the older one keeps it
@@ -155,7 +155,7 @@ class WindowWatch(QObject):
         self._rows = dict(sorted(rows.items(), key=lambda item: item[1].window_id))
         self._fids = {row.window_id: fid for fid, row in self._rows.items()}
 
-    def _took_in_place(self, unread: set[int], fresh: list[WindowRecord]) -> bool:
+    def _updated_in_place(self, unread: set[int], fresh: list[WindowRecord]) -> bool:
         """Whether the same windows have the same numbers: then one that is judged costs no more among thousands."""
         if len(fresh) != len(unread):
             return False
@@ -275,6 +275,6 @@ class WindowWatch(QObject):
 
     def _tell_selection(self) -> None:
         selected = set(self.selected())
-        if selected != self._told:
-            self._told = selected
+        if selected != self._last_selected:
+            self._last_selected = selected
             self.selectionChanged.emit()

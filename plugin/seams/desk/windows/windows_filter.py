@@ -25,17 +25,17 @@ _EXAMPLES = ("id", "verdict", "kept", "ratio", "cause", "observer", "confidence"
 
 
 def window_filter(
-    text: str, levels: int, own: frozenset[str] | None, windows: Sequence[WindowRecord]
+    text: str, levels: int, allowed: frozenset[str] | None, windows: Sequence[WindowRecord]
 ) -> Callable[[WindowRecord], bool] | None:
     """Whether a window matches an expression, or all words of a text; None where the text asks for nothing.
 
-    ``own``: the only fields that a text may ask for, while others are hidden. Raises SettingsError with a sentence for
-    a text that asks for more, and for an expression that is wrong.
+    ``allowed``: the only fields that a text may ask for, while others are hidden. Raises SettingsError with a sentence
+    for a text that asks for more, and for an expression that is wrong.
     """
     if not _EXPRESSION.search(text):
-        words, told = _allowed_words(text, own), cache(_told)
-        return (lambda row: all(_matches(row, word, own, told) for word in words)) if words else None
-    test = window_test(text, levels, own)
+        words, words_of = _allowed_words(text, allowed), cache(_shown_words)
+        return (lambda row: all(_matches(row, word, allowed, words_of) for word in words)) if words else None
+    test = window_test(text, levels, allowed)
     if windows:
         test(windows[0])  # what is wrong with its values shows only there
 
@@ -48,8 +48,8 @@ def window_filter(
     return holds
 
 
-def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Callable[[WindowRecord], bool]:
-    """What an expression says of a window; ``own``: the only fields that it may ask for.
+def window_test(text: str, levels: int, allowed: frozenset[str] | None = None) -> Callable[[WindowRecord], bool]:
+    """What an expression says of a window; ``allowed``: the only fields that it may ask for.
 
     Fields have their names in the layer, and short ones: ``kept`` is ``kept_1``, ``id`` is ``window_id``. Raises
     SettingsError with a sentence for an expression that is wrong.
@@ -59,10 +59,10 @@ def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Ca
     asked = {name.lower() for name in expression.referencedColumns()} - {"#!allattributes!#"}
     for name in sorted(asked):
         if name not in reads:
-            known = ", ".join(one for one in _EXAMPLES if one in reads)
+            known = ", ".join(example for example in _EXAMPLES if example in reads)
             raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=known))
-        if own is not None and (name not in _FIELDS or _FIELDS[name].name not in own):
-            raise SettingsError(_hidden_message(name, own))
+        if allowed is not None and (name not in _FIELDS or _FIELDS[name].name not in allowed):
+            raise SettingsError(_hidden_message(name, allowed))
     fields, used = QgsFields(), [(name, read) for name, read in reads.items() if name in asked]
     for name, _ in used:
         fields.append(field(name, "text" if name in _FIELDS and _FIELDS[name].kind == "text" else "real"))
@@ -74,45 +74,45 @@ def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Ca
         feature = QgsFeature(fields)
         feature.setAttributes([None if (value := read(row)) == "" else value for _, read in used])
         context.setFeature(feature)
-        found = expression.evaluate(context)
+        answer = expression.evaluate(context)
         if expression.hasEvalError():
             raise SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=_first_line(expression.evalErrorString())))
-        return bool(found)
+        return bool(answer)
 
     return holds
 
 
-def _allowed_words(text: str, own: frozenset[str] | None) -> list[str]:
+def _allowed_words(text: str, allowed: frozenset[str] | None) -> list[str]:
     """Raises SettingsError for one that can be found only in what is hidden."""
     words = text.casefold().split()
-    if own is not None:
+    if allowed is not None:
         spoken = " ".join(map(observer_word, (*DECIDED, UNSURE))).casefold().split()
         for word in words:
-            if not word.isdigit() and not any(one.startswith(word) for one in spoken):
-                raise SettingsError(_hidden_message(word, own))
+            if not word.isdigit() and not any(known.startswith(word) for known in spoken):
+                raise SettingsError(_hidden_message(word, allowed))
     return words
 
 
-def _matches(row: WindowRecord, word: str, own: frozenset[str] | None, told: Callable[..., list[str]]) -> bool:
+def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None, words_of: Callable[..., list[str]]) -> bool:
     """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
     anywhere in the reason, which names files. A number is a window's."""
     if word.isdigit():
         return str(row.window_id).startswith(word)
-    if own is not None:
-        said = row.observer if FIRST.observer in own else row.observer_2
-        return any(one.startswith(word) for one in observer_word(said).casefold().split())
-    words = told(row.verdict, row.cause, row.observer)
-    return any(one.startswith(word) for one in words) or word in row.reason.casefold()
+    if allowed is not None:
+        said = row.observer if FIRST.observer in allowed else row.observer_2
+        return any(part.startswith(word) for part in observer_word(said).casefold().split())
+    words = words_of(row.verdict, row.cause, row.observer)
+    return any(part.startswith(word) for part in words) or word in row.reason.casefold()
 
 
-def _told(verdict: str, cause: str, observer: str) -> list[str]:
+def _shown_words(verdict: str, cause: str, observer: str) -> list[str]:
     """The words that the table says for these."""
     return " ".join((verdict_word(verdict), cause_word(cause), observer_word(observer))).casefold().split()
 
 
-def _hidden_message(word: str, own: Iterable[str] | None) -> Message:
+def _hidden_message(word: str, allowed: Iterable[str] | None) -> Message:
     """That the filter asks for what is hidden, and what it may ask for."""
-    return messages.FILTER_HIDDEN(word=word, known=", ".join(sorted(own or (), key=list(_FIELDS).index)))
+    return messages.FILTER_HIDDEN(word=word, known=", ".join(sorted(allowed or (), key=list(_FIELDS).index)))
 
 
 def _parsed(text: str) -> QgsExpression:
@@ -128,11 +128,11 @@ def _parsed(text: str) -> QgsExpression:
 def _reads(levels: int) -> dict[str, _Read]:
     """How each field is read from a record, by all names it has."""
     reads: dict[str, _Read] = {}
-    for called, one in _FIELDS.items():
-        name = one.read_as
-        if one.by_level:
+    for called, column in _FIELDS.items():
+        name = column.read_as
+        if column.by_level:
             reads.update((f"{called}_{level}", _at_level(name, level)) for level in range(1, levels + 1))
-        reads[called] = _at_level(name, 1) if one.by_level else _attribute(name)
+        reads[called] = _at_level(name, 1) if column.by_level else _attribute(name)
     return reads
 
 

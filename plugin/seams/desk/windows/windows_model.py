@@ -87,7 +87,7 @@ class WindowsModel(QAbstractTableModel):
         self._taken, self.has_stale = windows, True in [row.stale for row in windows]
         self.verdicts = frozenset({row.verdict for row in windows})
         self.most_lost = max([row.loss for row in windows if row.loss is not None], default=0.0)
-        if self._took_in_place(taken, windows):
+        if self._updated_in_place(taken, windows):
             return
         known = {row.fid: row for row in taken}
         wanted = [
@@ -155,7 +155,7 @@ class WindowsModel(QAbstractTableModel):
 
     # From one state of the rows to the next
 
-    def _took_in_place(self, taken: Sequence[WindowRecord], windows: Sequence[WindowRecord]) -> bool:
+    def _updated_in_place(self, taken: Sequence[WindowRecord], windows: Sequence[WindowRecord]) -> bool:
         """Whether the same windows are shown in the same places, and only what is said of some of them changed.
 
         So it is while windows are judged: among thousands of others one costs hardly more than among a few.

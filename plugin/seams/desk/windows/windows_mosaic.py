@@ -20,7 +20,7 @@ class WindowsMosaic(QObject):
     doubted = pyqtSignal(object)
     """The Message why nothing goes on with these windows and this mosaic; once for each two of them."""
 
-    told = pyqtSignal(object)  # the Message why the file can't say it
+    notified = pyqtSignal(object)  # the Message why the file can't say it
 
     def __init__(self, block: BlockCache, watch: WindowWatch, parent: QObject) -> None:
         super().__init__(parent)
@@ -44,7 +44,7 @@ class WindowsMosaic(QObject):
             try:
                 window_file.note_mosaic(self._watch.path, now)
             except SeamInspectorError as error:
-                self.told.emit(error.message)
+                self.notified.emit(error.message)
 
     def check(self) -> None:
         """The windows or the mosaic are others than before."""

@@ -54,7 +54,7 @@ class WindowsPanel(QWidget):
         self._session = session
         self._confirm = confirm
         self._is_following = False
-        self._own: frozenset[str] | None = None  # the fields that are seen while others are hidden
+        self._allowed: frozenset[str] | None = None  # the fields that are seen while others are hidden
         self._windows = WindowsModel(self, session.result)
         self._search = QgsFilterLineEdit(self)  # before the table, for Tab
         self._verdicts = KindBox(self)
@@ -93,13 +93,13 @@ class WindowsPanel(QWidget):
         """The order before the operator sorted otherwise."""
         self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
 
-    def set_blind(self, own: frozenset[str] | None) -> None:
+    def set_blind(self, allowed: frozenset[str] | None) -> None:
         """Show these columns and no others, and offer nothing that tells what was found; None: show all."""
-        self.table.set_blind(own)
-        self._own = own
-        if own is not None and self._windows.sorted_by.field not in own:
+        self.table.set_blind(allowed)
+        self._allowed = allowed
+        if allowed is not None and self._windows.sorted_by.field not in allowed:
             self.sort_by_number()  # another order would tell
-        self._verdicts.set_blind(own is not None)
+        self._verdicts.set_blind(allowed is not None)
         self._filter()
 
     def filter(self) -> tuple[str, str]:
@@ -139,12 +139,12 @@ class WindowsPanel(QWidget):
 
     def _filter(self, *_: object) -> None:
         with self._following():
-            problem, found = "", None
+            problem, query = "", None
             try:
-                found = window_filter(self._search.text(), self._windows.levels, self._own, self._session.windows())
+                query = window_filter(self._search.text(), self._windows.levels, self._allowed, self._session.windows())
             except SettingsError as error:  # which leaves no window out
                 problem = sentence(error.message)
-            self._windows.set_filter(test for test in (found, self._verdicts.test()) if test is not None)
+            self._windows.set_filter(test for test in (query, self._verdicts.test()) if test is not None)
         self._problem.setText(problem)
         self._problem.setVisible(bool(problem))
         self._filter_time.start()

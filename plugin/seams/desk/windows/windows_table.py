@@ -90,11 +90,11 @@ class WindowsTable(QTableView):
         around = self.horizontalHeader().sizeHint().height() + 2 * self.frameWidth()
         self.setMinimumHeight(around + rows * self.verticalHeader().defaultSectionSize() if rows else 0)
 
-    def set_blind(self, own: frozenset[str] | None) -> None:
+    def set_blind(self, allowed: frozenset[str] | None) -> None:
         """Show no other columns than these, by their fields, whatever was chosen; None: all that were chosen."""
-        if own != self._blind:
-            self._blind = own
-            self._windows.is_blind = own is not None
+        if allowed != self._blind:
+            self._blind = allowed
+            self._windows.is_blind = allowed is not None
             self.fit()
 
     def fit(self) -> None:
@@ -134,13 +134,13 @@ class WindowsTable(QTableView):
             self.fit()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and _is_own(event):
+        if event.type() == QEvent.Type.ShortcutOverride and _is_table_key(event):
             event.accept()  # else QGIS's own action on this key would compete for it
             return True
         return bool(super().event(event))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not _is_own(event):
+        if not _is_table_key(event):
             super().keyPressEvent(event)
         elif event.matches(QKeySequence.StandardKey.Copy):
             self.copyRequested.emit()
@@ -199,7 +199,7 @@ class WindowsTable(QTableView):
         return menu
 
 
-def _is_own(event: QKeyEvent) -> bool:
+def _is_table_key(event: QKeyEvent) -> bool:
     enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
     keys = (QKeySequence.StandardKey.Delete, QKeySequence.StandardKey.Copy)
     return any(map(event.matches, keys)) or (

@@ -32,11 +32,11 @@ def find_neighbourhoods(extents: Sequence[Extent | None], visible: Sequence[bool
     of a kind would lie in too few neighbourhoods.
     """
     placed = [place for place, extent in enumerate(extents) if extent is not None]
-    found = np.arange(len(extents)) + len(extents)
+    numbers = np.arange(len(extents)) + len(extents)
     if placed:
         centres, kinds = _centres([extents[place] for place in placed]), np.array([visible[place] for place in placed])
-        found[placed] = _cut(centres, kinds, _linked(centres))
-    return np.unique(found, return_inverse=True)[1].tolist()
+        numbers[placed] = _cut(centres, kinds, _linked(centres))
+    return np.unique(numbers, return_inverse=True)[1].tolist()
 
 
 def effective_count(places: Sequence[int] | np.ndarray) -> float:
@@ -83,7 +83,7 @@ class Neighbourhoods:
         seen = np.bincount(self._places[: self._visible], minlength=self.count) > 0
         unseen = np.bincount(self._places[self._visible :], minlength=self.count) > 0
         strata = [np.flatnonzero(kind) for kind in (seen & ~unseen, unseen & ~seen, seen & unseen)]
-        return [np.arange(self.count)] if 1 in map(len, strata) else [one for one in strata if len(one)]
+        return [np.arange(self.count)] if 1 in map(len, strata) else [stratum for stratum in strata if len(stratum)]
 
 
 def _centres(extents: Sequence[Extent | None]) -> np.ndarray:

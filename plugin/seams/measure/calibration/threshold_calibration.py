@@ -141,7 +141,7 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     area, fitted = (statistic(visible, invisible, places) for statistic in (roc_area, best_threshold))
     values = np.unique(np.concatenate([visible, invisible]))
     hits, vain = (np.searchsorted(np.sort(kind), values, side="right").tolist() for kind in (visible, invisible))
-    steps = tuple(_step(*one, len(visible), len(invisible)) for one in zip(values.tolist(), hits, vain))
+    steps = tuple(_step(*counts, len(visible), len(invisible)) for counts in zip(values.tolist(), hits, vain))
     best, name = _best(verdicts, steps, fitted, most), verdicts.measure
     # The range of thresholds that can be set, the given one among them.
     ends = (min(fitted.low, best.threshold), max(min(fitted.high, most), best.threshold)) if best else None

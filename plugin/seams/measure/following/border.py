@@ -15,7 +15,7 @@ BORDER_PX = 5
 _SIGMA_PX, _REACH_PX = 1.2, 5  # differences are smoothed by a Gaussian
 _SMOOTH_PX = 11  # a side of what decides together
 _TILE_PX = 32  # a side of what is looked at together along the border
-_FEWEST_OWN = 200  # pixels that a tone is told by
+_FEWEST_FOLLOWED = 200  # pixels that a tone is told by
 
 
 def to_the_pixel(
@@ -40,7 +40,7 @@ def to_the_pixel(
     differences = []
     for number, plane in planes.items():
         rest = mosaic_around - np.take(plane, around)
-        rest -= _own_mean(rest, before == number)
+        rest -= _followed_mean(rest, before == number)
         rest *= rest
         differences.append(smoothing @ rest @ smoothing.T)
         if number in valid:
@@ -51,12 +51,12 @@ def to_the_pixel(
     return moved
 
 
-def _own_mean(rest: np.ndarray, followed: np.ndarray) -> np.ndarray:
+def _followed_mean(rest: np.ndarray, followed: np.ndarray) -> np.ndarray:
     """What a source's tone is off by in every tile where it is followed so far; 0 where that is too little."""
     followed = followed.reshape(len(followed), -1)
     counts = np.count_nonzero(followed, axis=1)
     sums = np.einsum("tn,tn->t", rest.reshape(followed.shape), followed.astype(np.float32))
-    return np.where(counts >= _FEWEST_OWN, sums / np.maximum(counts, 1), 0).astype(np.float32)[:, None, None]
+    return np.where(counts >= _FEWEST_FOLLOWED, sums / np.maximum(counts, 1), 0).astype(np.float32)[:, None, None]
 
 
 def smooth_border(labels: np.ndarray) -> np.ndarray:

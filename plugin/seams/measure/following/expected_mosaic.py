@@ -245,7 +245,7 @@ class _Cutting:
         made = ground.mosaic[SAMPLE]
         chance = {i for i in few if share_left(fine[0], made, alone.labels, [i]) <= MOST_LEFT_OF_THIRD}
         kept = {*pair, *present(alone.labels)} - chance
-        filters = alone.filters.with_own(dict(zip(pair, ground.taps)), range(len(self.sources.planes)))
+        filters = alone.filters.with_taps(dict(zip(pair, ground.taps)), range(len(self.sources.planes)))
         likely = self.likely(filters, [i for i in first if i not in kept])
         if likely.left_over > MOST_LEFT_BY_MIXED * alone.left_over:
             return None

@@ -20,7 +20,7 @@ LEVELS = 3
 SQUARE_PX = 2**LEVELS
 """Side of the squares that are compared."""
 
-_MIN_OWN = 0.9  # of a square's pixels that follow the source
+_MIN_FOLLOWED = 0.9  # of a square's pixels that follow the source
 _FEWEST_SQUARES = 24
 _FEWEST_FOR_TREND = 150
 _NEAR_SQUARES = 5  # a side: what is wider than that is background
@@ -49,9 +49,9 @@ def levelled(
     ``mosaic_means``: of the mosaic's squares of 8 px. ``followed``: pixels that follow the source, ``clear``: pixels
     that follow one source for sure. ``patch``: see ``gain_field``.
     """
-    where = square_means(followed & clear) > _MIN_OWN
+    where = square_means(followed & clear) > _MIN_FOLLOWED
     if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
-        where = square_means(followed) > _MIN_OWN
+        where = square_means(followed) > _MIN_FOLLOWED
     gains = gain_field(mosaic_means, square_means(source), where, patch)
     return _with_bias(mosaic_means, source, followed, gains, to_pixels(gains, source.shape))
 
@@ -84,7 +84,7 @@ def evened_gains(
 
     What a mosaic of their mean shows of either is less than it has, and nobody knows how much less.
     """
-    squares = square_means(where) > _MIN_OWN
+    squares = square_means(where) > _MIN_FOLLOWED
     if np.count_nonzero(squares) < _FEWEST_SQUARES:
         return list(gains)
     means = [square_means(np.asarray(gain * plane, np.float32)) for plane, gain in zip(planes, gains)]
@@ -171,7 +171,7 @@ def _places(source: np.ndarray, places: np.ndarray) -> list[np.ndarray]:
 
 def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
     """Bias, smoothed where it is known, and carried on from there to where it is not."""
-    weight = np.where(share > _MIN_OWN, share, 1e-4 * share)
+    weight = np.where(share > _MIN_FOLLOWED, share, 1e-4 * share)
     total = float(weight.sum())
     mean = float((weight * bias).sum()) / total
     known, weights = (

@@ -100,7 +100,7 @@ class Filters:
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
 
-    def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
+    def with_taps(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
         separate = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
         return replace(self, taps=separate, came_over_cuts=False)
@@ -281,8 +281,8 @@ def filter_power(taps: Iterable[np.ndarray]) -> float | None:
     powers = []
     for kernel in taps:
         longer, shorter = (_response(kernel, wave) for wave in _WAVES_PX)
-        is_told = bool(((shorter >= _LEAST_RESPONSE) & (shorter < 1)).all())
-        powers.append(float((np.log(np.minimum(longer, 1)) / np.log(shorter)).min()) if is_told else 0.0)
+        is_usable = bool(((shorter >= _LEAST_RESPONSE) & (shorter < 1)).all())
+        powers.append(float((np.log(np.minimum(longer, 1)) / np.log(shorter)).min()) if is_usable else 0.0)
     return min(powers, default=None)
 
 

@@ -42,11 +42,11 @@ def read_grey_clip(
     A source of the mosaic's scale is multiplied by what the mosaic is. Raises RasterError.
     """
     clip = read_clip(source, mosaic, window, partly)
-    own, factor = grey_factor(mosaic), grey_factor(source.raster)
+    mosaic_factor, factor = grey_factor(mosaic), grey_factor(source.raster)
     if clip.bands.dtype.kind != "f":
         return clip, 1.0
-    if own / _ALIKE < factor < own * _ALIKE:
-        factor = own
+    if mosaic_factor / _ALIKE < factor < mosaic_factor * _ALIKE:
+        factor = mosaic_factor
     return (clip if factor == 1 else replace(clip, bands=clip.bands * clip.bands.dtype.type(factor))), factor
 
 
@@ -55,15 +55,15 @@ def _sampled_factor(raster: Raster, changed: float) -> float:
     """``changed``: when the file was, as another one may be there under its name."""
     try:
         opened = open_raster(raster.ref)
-        found = []
+        samples = []
         width, height = min(_SIDE_PX, raster.columns), min(_SIDE_PX, raster.rows)
         for row in np.linspace(0, raster.rows - height, _SAMPLES).astype(int).tolist():
             for column in np.linspace(0, raster.columns - width, _SAMPLES).astype(int).tolist():
                 block = opened.read(PixelWindow(column, row, width, height))
-                found.append(block.bands[:3, block.valid].ravel())
+                samples.append(block.bands[:3, block.valid].ravel())
     except RasterError:
         return 1.0  # the scan says so where it needs it
-    return factor_of(np.concatenate(found))
+    return factor_of(np.concatenate(samples))
 
 
 def factor_of(values: np.ndarray) -> float:

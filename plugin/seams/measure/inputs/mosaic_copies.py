@@ -84,7 +84,7 @@ def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
     Those on a tenth of the mosaic or more are opened and compared with it in up to 72 places; others where one of
     these is like it.
     """
-    found = [Likeness.OTHER] * len(sources)
+    likeness = [Likeness.OTHER] * len(sources)
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     copies = [n for n in on_mosaic if is_made_of(sources[n].ref, mosaic.ref)]
     candidates = [n for n in on_mosaic if n not in copies]
@@ -94,20 +94,20 @@ def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
             for n in filter(comparison.is_alike, candidates):
                 is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
                 if is_whole and is_shown:
-                    found[n] = Likeness.COPY
+                    likeness[n] = Likeness.COPY
                 elif is_whole or is_shown:
-                    found[n] = Likeness.EQUAL if comparison.is_alike(n, ROUNDING) else Likeness.LIKE
-            others = {n for n in range(len(sources)) if n not in copies and found[n] is not Likeness.COPY}
+                    likeness[n] = Likeness.EQUAL if comparison.is_alike(n, ROUNDING) else Likeness.LIKE
+            others = {n for n in range(len(sources)) if n not in copies and likeness[n] is not Likeness.COPY}
             while soft := [
                 (sharpness, n) for n in candidates if n in others
                 and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
             ]:
                 softest = min(soft)[1]
                 others.remove(softest)  # which does not explain what it was made of
-                found[softest] = Likeness.OF_OTHERS
+                likeness[softest] = Likeness.OF_OTHERS
     for n in copies:
-        found[n] = Likeness.COPY
-    return found
+        likeness[n] = Likeness.COPY
+    return likeness
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,9 +147,9 @@ def _explained(patch: _Patch, others: Sequence[_Patch]) -> float:
     ], axis=1)  # fmt: skip
     if not np.isfinite(taps).all():
         return np.nan
-    left = detail - taps @ np.linalg.lstsq(taps, detail, rcond=None)[0]
+    remainder = detail - taps @ np.linalg.lstsq(taps, detail, rcond=None)[0]
     pixels = len(detail) / 2  # which have two differences each
-    return float(1 - (left @ left) / (detail @ detail) * pixels / max(pixels - taps.shape[1], 1))
+    return float(1 - (remainder @ remainder) / (detail @ detail) * pixels / max(pixels - taps.shape[1], 1))
 
 
 def _energy(patch: _Patch) -> float:
@@ -232,7 +232,7 @@ class _Comparison:
             if missed > MOST_ELSEWHERE * len(places):
                 return None
             if not np.isnan(explained):
-                detail.append([_energy(one) for one in (patch, coarse, seen[first], averaged[first])])
+                detail.append(list(map(_energy, (patch, coarse, seen[first], averaged[first]))))
         if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
             return None
         alone = Counter(n for n, patch, other in likest_pairs if _explained(patch, [other]) >= LEAST_EXPLAINED)

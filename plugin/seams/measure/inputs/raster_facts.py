@@ -59,21 +59,21 @@ def suitable_by_header(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> d
     mosaic's, since all of the sources of a mosaic may have been converted; one that covers the mosaic where fewer than
     half of the others do, for it is rather a copy of it, another mosaic or a map.
     """
-    found = {raster.key: reason for raster in rasters if (reason := _unfit(mosaic, raster)) is not None}
-    fit = [raster for raster in rasters if raster.key not in found]
+    unsuitable = {raster.key: reason for raster in rasters if (reason := _unfit(mosaic, raster)) is not None}
+    fit = [raster for raster in rasters if raster.key not in unsuitable]
     for group, reasons in (
-        ([one.has_mosaic_system for one in fit], {one.key: messages.OTHER_SYSTEM() for one in fit}),
-        ([one.pixel_type == mosaic.pixel_type for one in fit], {
-            one.key: messages.OTHER_TYPE(own=one.pixel_type, mosaic=mosaic.pixel_type) for one in fit
+        ([raster.has_mosaic_system for raster in fit], {raster.key: messages.OTHER_SYSTEM() for raster in fit}),
+        ([raster.pixel_type == mosaic.pixel_type for raster in fit], {
+            raster.key: messages.OTHER_TYPE(own=raster.pixel_type, mosaic=mosaic.pixel_type) for raster in fit
         }),
     ):
         if 2 * sum(group) >= len(group):
-            found |= {one.key: reasons[one.key] for one, shares in zip(fit, group) if not shares}
-    left = [raster for raster in rasters if raster.key not in found]
-    covering = [one.key for one in left if covers(mosaic, one)]
-    if 2 * len(covering) < len(left):
-        found |= dict.fromkeys(covering, messages.COVERS_MOSAIC())
-    return {raster.key: Suitability(found.get(raster.key)) for raster in rasters}
+            unsuitable |= {raster.key: reasons[raster.key] for raster, shares in zip(fit, group) if not shares}
+    suitable = [raster for raster in rasters if raster.key not in unsuitable]
+    covering = [raster.key for raster in suitable if covers(mosaic, raster)]
+    if 2 * len(covering) < len(suitable):
+        unsuitable |= dict.fromkeys(covering, messages.COVERS_MOSAIC())
+    return {raster.key: Suitability(unsuitable.get(raster.key)) for raster in rasters}
 
 
 def covers(mosaic: RasterFacts, raster: RasterFacts) -> bool:
@@ -87,10 +87,10 @@ def likely_mosaic(rasters: Sequence[RasterFacts]) -> str | None:
     Sources that overlap much look like sources of each other, but none of them is nearly as large as the mosaic.
     """
     largest = sorted(rasters, key=_area, reverse=True)[:MOST_MOSAICS]
-    found = [one for one in largest if _has_sources(one, rasters)]
-    if not found or (len(found) > 1 and _area(found[1]) > RIVAL_AREA * _area(found[0])):
+    likely = [raster for raster in largest if _has_sources(raster, rasters)]
+    if not likely or (len(likely) > 1 and _area(likely[1]) > RIVAL_AREA * _area(likely[0])):
         return None
-    return found[0].key
+    return likely[0].key
 
 
 def _has_sources(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> bool:
@@ -105,19 +105,19 @@ def _has_sources(mosaic: RasterFacts, rasters: Sequence[RasterFacts]) -> bool:
     return len(sources) >= 2 and _area(mosaic) > max(map(_area, sources))
 
 
-def _unfit(mosaic: RasterFacts, one: RasterFacts) -> Message | None:
-    if one.is_mosaic:
+def _unfit(mosaic: RasterFacts, raster: RasterFacts) -> Message | None:
+    if raster.is_mosaic:
         return messages.IS_THE_MOSAIC()
-    if one.extent is None or mosaic.extent is None or not extents_meet(one.extent, mosaic.extent):
+    if raster.extent is None or mosaic.extent is None or not extents_meet(raster.extent, mosaic.extent):
         return messages.APART_FROM_MOSAIC()
-    if (one.bands >= COLOURS) != (mosaic.bands >= COLOURS):
-        return messages.OTHER_BANDS(bands=one.bands, mosaic=mosaic.bands)
-    factor = one.pixel_size / mosaic.pixel_size
+    if (raster.bands >= COLOURS) != (mosaic.bands >= COLOURS):
+        return messages.OTHER_BANDS(bands=raster.bands, mosaic=mosaic.bands)
+    factor = raster.pixel_size / mosaic.pixel_size
     if factor > MOST_LARGER:
         return messages.LARGER_PIXELS(factor=factor)
     return messages.SMALLER_PIXELS(factor=1 / factor) if factor < 1 / MOST_SMALLER else None
 
 
-def _area(one: RasterFacts) -> float:
-    xmin, ymin, xmax, ymax = one.extent or (0.0, 0.0, 0.0, 0.0)
+def _area(raster: RasterFacts) -> float:
+    xmin, ymin, xmax, ymax = raster.extent or (0.0, 0.0, 0.0, 0.0)
     return (xmax - xmin) * (ymax - ymin)

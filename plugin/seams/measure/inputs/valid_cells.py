@@ -93,7 +93,7 @@ def valid_cells(source: OpenRaster, extent: Extent, mosaic: Raster) -> ValidCell
     if raster.is_north_up and same_coordinates(raster.wkt, mosaic.wkt, mosaic.extent, 0.5 * mosaic.grid.pixel_width):
         at_column, at_row = np.broadcast_arrays(((x - left) / right)[None, :], ((y - top) / down)[:, None])
     else:
-        points = np.column_stack([one.ravel() for one in np.meshgrid(x, y)])
+        points = np.column_stack([axis.ravel() for axis in np.meshgrid(x, y)])
         moved = transform_points(points, mosaic.wkt, raster.wkt).reshape(len(y), len(x), 2)
         east, north = moved[..., 0] - left, moved[..., 1] - top
         determinant = right * down - skew_x * skew_y
@@ -103,11 +103,11 @@ def valid_cells(source: OpenRaster, extent: Extent, mosaic: Raster) -> ValidCell
     mosaic_pixels = mosaic.ground_sample_distance / raster.ground_sample_distance
     if is_whole(source) or not inside.any():
         return ValidCells(columns.start, rows.start, inside)
-    found, at_once = np.zeros_like(inside), max(1, MOST_READ // len(x))
+    is_valid, at_once = np.zeros_like(inside), max(1, MOST_READ // len(x))
     for first in range(0, len(y), at_once):
         some = slice(first, first + at_once)
-        found[some] = _picked(source, at_column[some], at_row[some], inside[some], cell_grid.step * mosaic_pixels)
-    return ValidCells(columns.start, rows.start, found)
+        is_valid[some] = _picked(source, at_column[some], at_row[some], inside[some], cell_grid.step * mosaic_pixels)
+    return ValidCells(columns.start, rows.start, is_valid)
 
 
 def _picked(

@@ -114,14 +114,14 @@ def have_same_grid(first: Raster, second: Raster) -> bool:
 
 def _show_same(first: OpenRaster, second: OpenRaster) -> bool:
     """Whether both show the same, by some places. Raises RasterError where one can't be read."""
-    is_told = False
+    is_any_same = False
     for place, others_place in _shared(first.raster, second.raster):
         block, other = first.read(place), second.read(others_place)
         is_same = _same_content(block.bands, other.bands, block.valid & other.valid)
         if is_same is False:
             return False
-        is_told = is_told or is_same is True
-    return is_told
+        is_any_same = is_any_same or is_same is True
+    return is_any_same
 
 
 def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelWindow]]:
@@ -156,11 +156,12 @@ def _joined(sources: Sequence[Source], same: Iterable[tuple[int, int]]) -> list[
     for source, image in zip(sources, connected_components(links, directed=False)[1].tolist()):
         parts.setdefault(image, []).append(source)
     whole = []
-    for own in parts.values():
-        if len(own) > 1:
-            paths = tuple(path for one in own for path in one.ref.paths)
-            xmin, ymin, xmax, ymax = zip(*(one.extent for one in own))
+    for image_parts in parts.values():
+        if len(image_parts) > 1:
+            paths = tuple(path for part in image_parts for path in part.ref.paths)
+            xmin, ymin, xmax, ymax = zip(*(part.extent for part in image_parts))
             extent = min(xmin), min(ymin), max(xmax), max(ymax)
-            own = [Source(replace(own[0].ref, parts=paths[1:]), extent, any(one.may_be_copy for one in own))]
-        whole += own
+            may_be_copy = any(part.may_be_copy for part in image_parts)
+            image_parts = [Source(replace(image_parts[0].ref, parts=paths[1:]), extent, may_be_copy)]
+        whole += image_parts
     return whole

@@ -20,7 +20,7 @@ FEWEST_SQUARES = 48
 EASED_PX = 96
 """From a cut, over which tones are eased."""
 
-_MIN_OWN = 0.9  # of a square's pixels
+_MIN_UNMIXED = 0.9  # of a square's pixels
 _REACHES = 54.0, 18.0, 6.0, 2.0  # squares: what a tone is carried on by, the nearest that tells it
 _LEAST = 0.05
 _EASED_SQUARES = 1.0, 2.0, EASED_PX / SQUARE_PX / 3  # by scale: the finest are eased nearest to the cut
@@ -33,11 +33,11 @@ _RIM_SQUARES = 2.0  # what is wider are the mosaic's tones at the rim of a patch
 def placed_bands(ground: JudgedGround, source: int, bands: np.ndarray, valid: np.ndarray) -> np.ndarray:
     """Bands (bands, rows, columns) of a source as float32, where they lie in the mosaic; what is not ``valid``, (rows,
     columns) bool, is as the nearest that is, since filters see beyond the image's rim."""
-    found = bands.astype(np.float32)
+    placed = bands.astype(np.float32)
     if not valid.all():
-        found = found[(slice(None), *_nearest(valid))]
+        placed = placed[(slice(None), *_nearest(valid))]
     move = ground.followed.moves.get(_plane(ground, source))
-    return found if move is None else np.stack([shifted(band, move.x, move.y) for band in found])
+    return placed if move is None else np.stack([shifted(band, move.x, move.y) for band in placed])
 
 
 def _nearest(known: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -45,22 +45,22 @@ def _nearest(known: np.ndarray) -> tuple[np.ndarray, ...]:
     return tuple(ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True))
 
 
-def dress(ground: JudgedGround, source: int, bands: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> None:
+def dress(ground: JudgedGround, source: int, bands: np.ndarray, mosaic: np.ndarray, unmixed: np.ndarray) -> None:
     """Bands of a placed source become what the mosaic's show of it where it is followed, and would elsewhere; (bands,
-    rows, columns), float32 of the source. ``own``: pixels, bool, on which the mosaic is of this source alone.
+    rows, columns), float32 of the source. ``unmixed``: pixels, bool, on which the mosaic is of this source alone.
 
     Gain and filter are the estimator's; the bias is that of the nearest ground that tells it, at the scale of squares
     and wider, so that nothing finer is taken over from the mosaic.
     """
-    where, filters = square_means(own) > _MIN_OWN, ground.expected.filters
+    where, filters = square_means(unmixed) > _MIN_UNMIXED, ground.expected.filters
     common = next(iter(filters.taps.values()), UNTOUCHED) if filters.came_over_cuts else UNTOUCHED
     taps = filters.taps.get(_plane(ground, source), common)
     pairs = [(square_means(shown.astype(np.float32)), square_means(band)) for shown, band in zip(mosaic, bands)]
     gains = [gain_field(shown, given, where) for shown, given in pairs]
-    told = np.stack([shown - gain * given for gain, (shown, given) in zip(gains, pairs)])
-    biases = np.broadcast_to(told[:, where].mean(axis=1)[:, np.newaxis, np.newaxis], told.shape)
+    offsets = np.stack([shown - gain * given for gain, (shown, given) in zip(gains, pairs)])
+    biases = np.broadcast_to(offsets[:, where].mean(axis=1)[:, np.newaxis, np.newaxis], offsets.shape)
     for reach in _REACHES:  # the nearest ground that tells it counts most
-        near = _smoothed(np.where(where, told, np.float32(0)), reach)
+        near = _smoothed(np.where(where, offsets, np.float32(0)), reach)
         biases = (near + _LEAST * biases) / (_smoothed(where.astype(np.float32), reach) + np.float32(_LEAST))
     for band, gain, bias in zip(bands, gains, biases):
         band *= to_pixels(gain, band.shape)
@@ -75,12 +75,12 @@ def _plane(ground: JudgedGround, source: int) -> int:
     return max(planes, key=lambda plane: ground.followed.following.shares[plane])
 
 
-def shown_detail(band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> float | None:
+def shown_detail(band: np.ndarray, mosaic: np.ndarray, unmixed: np.ndarray) -> float | None:
     """How much a dressed band shows of the fine detail that it has in common with the mosaic where that is of its
-    source alone, (rows, columns) each, ``own`` bool: 0 to 1; the share of it that is common to both where that is
+    source alone, (rows, columns) each, ``unmixed`` bool: 0 to 1; the share of it that is common to both where that is
     little, as compression leaves more. None where the mosaic has no detail but for rounding."""
-    both = own[:, _APART_PX:] & own[:, :-_APART_PX]
-    shown, made = ((one[:, _APART_PX:] - one[:, :-_APART_PX])[both] for one in (mosaic.astype(np.float32), band))
+    both = unmixed[:, _APART_PX:] & unmixed[:, :-_APART_PX]
+    shown, made = ((plane[:, _APART_PX:] - plane[:, :-_APART_PX])[both] for plane in (mosaic.astype(np.float32), band))
     energy, common, held = float(shown @ shown), float(shown @ made), float(made @ made)
     if energy <= (0.0 if mosaic.dtype.kind == "f" else _ROUNDED * len(shown)):
         return None
@@ -88,9 +88,9 @@ def shown_detail(band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> float
     return min(held / common, 1.0) if alike > _LEAST_ALIKE else max(alike, 0.0) ** 2
 
 
-def tells_tones(own: np.ndarray) -> bool:
+def tells_tones(unmixed: np.ndarray) -> bool:
     """Whether such ground is enough."""
-    return int(np.count_nonzero(square_means(own) > _MIN_OWN)) >= FEWEST_SQUARES
+    return int(np.count_nonzero(square_means(unmixed) > _MIN_UNMIXED)) >= FEWEST_SQUARES
 
 
 def eased(
@@ -147,11 +147,11 @@ def tone_step(plane: np.ndarray, points: np.ndarray, valid: np.ndarray) -> float
     places = np.arange(0.5, along[-1] // _STATION_PX * _STATION_PX)
     offsets = tuple((np.arange(_NEAR_PX, _FAR_PX) + 0.5).tolist())
     rows_columns = points_beside(points, along, places, offsets)[..., ::-1].transpose(3, 0, 1, 2) - 0.5
-    found = ndimage.map_coordinates(np.where(valid, plane, np.nan), rows_columns, order=0, cval=np.nan)
-    sides = found.reshape(2, -1, _STATION_PX * len(offsets))
+    tones = ndimage.map_coordinates(np.where(valid, plane, np.nan), rows_columns, order=0, cval=np.nan)
+    sides = tones.reshape(2, -1, _STATION_PX * len(offsets))
     known = np.isfinite(sides)
-    told = (2 * known.sum(axis=2) >= sides.shape[2]).all(axis=0)
-    if np.count_nonzero(told) < _FEWEST_STATIONS:
+    usable = (2 * known.sum(axis=2) >= sides.shape[2]).all(axis=0)
+    if np.count_nonzero(usable) < _FEWEST_STATIONS:
         return None
-    left, right = np.nanmean(sides[:, told], axis=2)
+    left, right = np.nanmean(sides[:, usable], axis=2)
     return abs(float(np.median(left - right)))

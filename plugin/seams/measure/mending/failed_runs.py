@@ -62,9 +62,9 @@ def given_pieces(
     missing = [name for name in FIELDS if name not in names]
     if missing:
         raise SettingsError(messages.NOT_OF_A_SCAN(fields=", ".join(missing)))
-    every = [one.value for one in Verdict]
+    every = [verdict.value for verdict in Verdict]
     lost = {FAILED: [], REDUCED: [Verdict.SIGNIFICANT.value, Verdict.REDUCED.value], ALL: every}[what]
-    found: list[SeamRun] = []
+    runs: list[SeamRun] = []
     for number, (row, wkb) in enumerate(features, 1):
         parts = [] if wkb is None else [part for part in simple_parts(read_geometry(wkb, number)) if is_line(part)]
         seam_id, station, length, kept, *widths = (
@@ -81,18 +81,18 @@ def given_pieces(
         wide = max(width or 0.0 for width in widths)
         run = SeamRun(piece, possible_kept(kept), wanted and is_near(points), wide)
         is_ring = len(points) > 3 and (points[0] == points[-1]).all()  # which is cut in two halves
-        found += [part_of(run, 0, length / 2), part_of(run, length / 2, length)] if is_ring else [run]
-    if not found:
+        runs += [part_of(run, 0, length / 2), part_of(run, length / 2, length)] if is_ring else [run]
+    if not runs:
         raise SettingsError(messages.NO_PIECES())
-    return found
+    return runs
 
 
 def _number(value: object) -> float | None:
     try:
-        found = float(str(value))
+        number = float(str(value))
     except ValueError:
         return None
-    return found if math.isfinite(found) else None
+    return number if math.isfinite(number) else None
 
 
 def part_of(run: SeamRun, first_m: float, last_m: float, metres: np.ndarray | float = 1.0) -> SeamRun:
@@ -117,12 +117,12 @@ def seam_runs(
     wanted = [number for number, piece in enumerate(pieces) if piece.is_wanted]
     wanted.sort(key=lambda number: (pieces[number].piece.seam_id, pieces[number].piece.station_m))
     for number in wanted:
-        one = pieces[number]
-        left, right = (numbers.get(str(side)) for side in (one.piece.left, one.piece.right))
+        run = pieces[number]
+        left, right = (numbers.get(str(side)) for side in (run.piece.left, run.piece.right))
         if left is None or right is None or left == right:
-            unnamed.append(one)
+            unnamed.append(run)
             continue
-        alone = replace(one, numbers=(number,), sides=(left, right))
+        alone = replace(run, numbers=(number,), sides=(left, right))
         if runs and _goes_on(runs[-1], alone, LONGEST_PX * ground_sample_distance):
             runs[-1] = _joined(runs[-1], alone)
         else:
@@ -132,21 +132,21 @@ def seam_runs(
 
 def _goes_on(first: SeamRun, second: SeamRun, longest_m: float) -> bool:
     """Whether the second one begins where the first ends, and both together are no ring and not too long."""
-    one, other = first.piece, second.piece
+    piece, other = first.piece, second.piece
     meets, is_ring = (
         np.allclose(end, start, rtol=0, atol=1e-6)
-        for end, start in ((one.vertices[-1], other.vertices[0]), (other.vertices[-1], one.vertices[0]))
+        for end, start in ((piece.vertices[-1], other.vertices[0]), (other.vertices[-1], piece.vertices[0]))
     )
-    is_one = one.seam_id == other.seam_id and first.sides == second.sides
-    return is_one and bool(meets) and not is_ring and one.length_m + other.length_m <= longest_m
+    is_one = piece.seam_id == other.seam_id and first.sides == second.sides
+    return is_one and bool(meets) and not is_ring and piece.length_m + other.length_m <= longest_m
 
 
 def _joined(first: SeamRun, second: SeamRun) -> SeamRun:
-    one, other = first.piece, second.piece
+    piece, other = first.piece, second.piece
     measured = [(run.kept, run.piece.length_m) for run in (first, second) if run.kept is not None]
     kept = sum(kept * metres for kept, metres in measured) / sum(metres for _, metres in measured) if measured else None
-    vertices = np.concatenate([one.vertices, other.vertices[1:]])
+    vertices = np.concatenate([piece.vertices, other.vertices[1:]])
     return replace(
-        first, piece=replace(one, vertices=vertices, length_m=one.length_m + other.length_m), kept=kept,
+        first, piece=replace(piece, vertices=vertices, length_m=piece.length_m + other.length_m), kept=kept,
         width_m=max(first.width_m, second.width_m), numbers=first.numbers + second.numbers,
     )

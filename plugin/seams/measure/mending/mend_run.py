@@ -145,20 +145,20 @@ def _mended(request: RunRequest) -> MendedRun:
     read = _Pixels(request, _around(np.concatenate([line, way]), GROUND_PX), len(request.sources))
     part = _part(request, read.window, line, way)
     ground, alone = _ground(read, part), enlarged(part.from_any > reach, CELL_PX)
-    own = [alone & read.valid(side) & (ground.expected.labels == side) for side in _SIDES]
-    if not all(map(tells_tones, own)):
+    unmixed_sides = [alone & read.valid(side) & (ground.expected.labels == side) for side in _SIDES]
+    if not all(map(tells_tones, unmixed_sides)):
         raise RasterError(messages.TONES_NOT_TOLD())
     inside, weight, valid = part.patch(reach), part.weight(request.blend_px), [read.valid(side) for side in _SIDES]
     # Of each image only what is shown has to be there.
     pixels = enlarged(inside, CELL_PX) & (valid[0] | (weight == 0)) & (valid[1] | (weight == 1))
     if not pixels.any():
         raise RasterError(messages.PART_NOT_COVERED())
-    before, both = read.own.bands, valid[0] & valid[1]
+    before, both = read.mosaic_clip.bands, valid[0] & valid[1]
     images = [placed_bands(ground, side, _named(read.clip(side), names), valid[side]) for side in _SIDES]
     for side, image in zip(_SIDES, images):
-        dress(ground, side, image, before, own[side])
+        dress(ground, side, image, before, unmixed_sides[side])
         for name, band, shown in zip(names, image, before):
-            share = shown_detail(band, shown, own[side])
+            share = shown_detail(band, shown, unmixed_sides[side])
             if share is not None and share < _LEAST_DETAIL:
                 source = read.clip(side).raster.ref.name
                 raise RasterError(messages.DETAIL_NOT_SHOWN(name=source, share=share, band=name))
@@ -166,7 +166,7 @@ def _mended(request: RunRequest) -> MendedRun:
     made = eased(images, weight, before, part.fade(inside), both)
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
-    was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
+    was, is_now = (judged_plane(bands.astype(np.float32), names) for bands in (before, after))
     otherwise = _shown_otherwise(before, after, unmixed)
     if otherwise > _MOST_OTHERWISE:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
@@ -175,7 +175,7 @@ def _mended(request: RunRequest) -> MendedRun:
         tone_step(shown - middle, points - corner, both) for shown, points in ((was, line), (is_now, way))
     )
     rows, columns = (np.flatnonzero(pixels.any(axis=axis)) for axis in (1, 0))
-    down, across = (slice(int(one[0]), int(one[-1]) + 1) for one in (rows, columns))
+    down, across = (slice(int(places[0]), int(places[-1]) + 1) for places in (rows, columns))
     window = PixelWindow(across.start, down.start, across.stop - across.start, down.stop - down.start).moved_by(*corner)
     return MendedRun(
         request.key, None, np.array([grid.to_map(*point) for point in way]), window,
@@ -240,7 +240,8 @@ class _Pixels:
         """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
         refs = [source.ref for source in request.sources[:count]]
         block = BlockPixels(request.mosaic, refs, window, 0, request.grey_factor)
-        self.window, self.mosaic, self.own, self._clips = window, request.mosaic, block.held.mosaic, block.held.clips
+        self.window, self.mosaic = window, request.mosaic
+        self.mosaic_clip, self._clips = block.held.mosaic, block.held.clips
         if any(side not in self._clips for side in _SIDES):
             raise RasterError(next(iter(block.notices), messages.PART_NOT_COVERED()))
         self.planes = block.part(window, list(self._clips))
@@ -252,10 +253,10 @@ class _Pixels:
     def valid(self, source: int) -> np.ndarray:
         """(rows, columns) bool: where the mosaic and this source have pixels; without the source's rim, which may be
         mixed with nothing."""
-        found, own = np.ones(self.planes.mosaic.shape, bool), self.clip(source).valid
-        if own is not None:
-            found &= own & ~widened(opened(~own, SQUARE_PX), _RIM_PX)
-        return found if self.own.valid is None else found & self.own.valid
+        is_valid, source_valid = np.ones(self.planes.mosaic.shape, bool), self.clip(source).valid
+        if source_valid is not None:
+            is_valid &= source_valid & ~widened(opened(~source_valid, SQUARE_PX), _RIM_PX)
+        return is_valid if self.mosaic_clip.valid is None else is_valid & self.mosaic_clip.valid
 
 
 def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray) -> float:
@@ -263,7 +264,7 @@ def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray)
     more than that ground varies: there the images show something else than the mosaic."""
     whole, most = in_squares(unmixed, CELL_PX).all(axis=(1, 3)), 0.0
     for shown, made in zip(before, after) if whole.any() else ():
-        was, is_now = (in_squares(one, CELL_PX).mean(axis=(1, 3), dtype=np.float32)[whole] for one in (shown, made))
+        was, is_now = (in_squares(plane, CELL_PX).mean(axis=(1, 3), dtype=np.float32)[whole] for plane in (shown, made))
         grey = 1.0 if shown.dtype == np.uint8 else float(np.percentile(was, 99)) / 255
         most = max(most, float(np.mean(np.abs(is_now - was) > max(was.std(), _LEAST_OBJECT * grey))))
     return most
@@ -271,12 +272,12 @@ def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray)
 
 def _stored(made: np.ndarray, mosaic: Raster, dtype: np.dtype) -> np.ndarray:
     """Pixels as the mosaic holds its own; none of them is what stands there for no data."""
-    found, nodata = as_type(made, dtype), open_raster(mosaic.ref).nodata
+    stored, nodata = as_type(made, dtype), open_raster(mosaic.ref).nodata
     if mosaic.bits and dtype.kind != "f":
-        np.minimum(found, 2**mosaic.bits - 1, out=found)
+        np.minimum(stored, 2**mosaic.bits - 1, out=stored)
     if nodata is not None:
-        found[0, (found == nodata).all(axis=0)] += np.array(1 if nodata <= 0 else -1).astype(dtype)
-    return found
+        stored[0, (stored == nodata).all(axis=0)] += np.array(1 if nodata <= 0 else -1).astype(dtype)
+    return stored
 
 
 def _named(clip: Clip, names: Sequence[str]) -> np.ndarray:
@@ -293,14 +294,14 @@ def _ground(read: _Pixels, part: _Part) -> JudgedGround:
 
     Where compression left too little to tell them by, what a scan says of the sides of the seam is believed.
     """
-    image = ComparedImage(read.planes.mosaic[np.newaxis], JUDGED, {}, {}, read.mosaic, valid=read.own.valid)
+    image = ComparedImage(read.planes.mosaic[np.newaxis], JUDGED, {}, {}, read.mosaic, valid=read.mosaic_clip.valid)
     sources = list(read.planes.sources.values())
-    found = judged_ground(image, sources, None)
-    own = enlarged(part.territory, CELL_PX) & (True if image.valid is None else image.valid)
-    if np.count_nonzero(found.expected.labels[own] == UNKNOWN) <= _MOST_UNKNOWN * np.count_nonzero(own):
-        return found
+    ground = judged_ground(image, sources, None)
+    territory = enlarged(part.territory, CELL_PX) & (True if image.valid is None else image.valid)
+    if np.count_nonzero(ground.expected.labels[territory] == UNKNOWN) <= _MOST_UNKNOWN * np.count_nonzero(territory):
+        return ground
     sides = enlarged(np.where(part.on_left ^ part.flipped, *map(np.uint8, _SIDES)), CELL_PX)
-    return judged_ground(image, sources, np.where(own, sides, np.uint8(UNKNOWN)))
+    return judged_ground(image, sources, np.where(territory, sides, np.uint8(UNKNOWN)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -335,7 +336,7 @@ class _Part:
 
 def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.ndarray) -> _Part:
     any_near = _beside(request.index, window)
-    own = _beside(PieceIndex([request.run.piece], request.mosaic.grid), window)
+    of_run = _beside(PieceIndex([request.run.piece], request.mosaic.grid), window)
     ring = ogr.Geometry(ogr.wkbLinearRing)
     for column, row in np.concatenate([line, way[::-1], line[:1]]).tolist():
         ring.AddPoint_2D(column / CELL_PX, -row / CELL_PX)
@@ -343,9 +344,7 @@ def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.nd
     between.AddGeometry(ring)
     cells = PixelWindow(*(side // CELL_PX for side in (window.column, window.row, window.width, window.height)))
     flipped = burnt([(between, 1)], Grid(0, 0, 1, 1, 1, 1), cells) == 1
-    return _Part(
-        _belongs(any_near, request.run), any_near.distance_px, flipped, own.on_left ^ flipped
-    )
+    return _Part(_belongs(any_near, request.run), any_near.distance_px, flipped, of_run.on_left ^ flipped)
 
 
 def _around(points: np.ndarray, margin: float) -> PixelWindow:
@@ -365,7 +364,7 @@ def _beside(index: PieceIndex, window: PixelWindow) -> NearestPieces:
     near = index.beside(columns, rows[:, np.newaxis], _EXACT_PX)
     off, places = ndimage.distance_transform_edt(near.number < 0, return_indices=True)
     number, distance, on_left, station = (
-        one[tuple(places)] for one in (near.number, near.distance_px, near.on_left, near.station_m)
+        plane[tuple(places)] for plane in (near.number, near.distance_px, near.on_left, near.station_m)
     )
     return NearestPieces(number, distance + CELL_PX * off, on_left, station)
 

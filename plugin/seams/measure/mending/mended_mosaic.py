@@ -49,9 +49,10 @@ def joined_patches(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) ->
     """All of them in one such file, sparse between them. Raises RasterError where it can't be written."""
     windows = [patch.window for patch in patches]
     left, top = min(window.column for window in windows), min(window.row for window in windows)
-    right, bottom = max(one.column + one.width for one in windows), max(one.row + one.height for one in windows)
+    right, bottom = max(part.column + part.width for part in windows), max(part.row + part.height for part in windows)
     whole = _created("VRT", mosaic, window := PixelWindow(left, top, right - left, bottom - top))
-    _lay(whole, range(whole.RasterCount), [PlacedPatch(one.path, one.window.moved_by(-left, -top)) for one in patches])
+    moved = [PlacedPatch(patch.path, patch.window.moved_by(-left, -top)) for patch in patches]
+    _lay(whole, range(whole.RasterCount), moved)
     _write(path, whole)
     return PlacedPatch(path, window)
 
@@ -93,12 +94,13 @@ def _write(path: str, dataset: gdal.Dataset) -> None:
 def _lay(whole: gdal.Dataset, bands: Sequence[int], patches: Sequence[PlacedPatch]) -> None:
     """Patches above these bands of a VRT, where their alpha is set."""
     for number, index in enumerate(bands, 1):
-        for place, one in enumerate(patches):
-            size = f'xSize="{one.window.width}" ySize="{one.window.height}"'
+        for place, patch in enumerate(patches):
+            path, window = escape(os.path.abspath(patch.path)), patch.window
+            size = f'xSize="{window.width}" ySize="{window.height}"'
             source = (
-                f'<ComplexSource><SourceFilename relativeToVRT="0">{escape(os.path.abspath(one.path))}</SourceFilename>'
+                f'<ComplexSource><SourceFilename relativeToVRT="0">{path}</SourceFilename>'
                 f"<SourceBand>{number}</SourceBand><UseMaskBand>true</UseMaskBand>"
                 f'<SrcRect xOff="0" yOff="0" {size}/>'
-                f'<DstRect xOff="{one.window.column}" yOff="{one.window.row}" {size}/></ComplexSource>'
+                f'<DstRect xOff="{window.column}" yOff="{window.row}" {size}/></ComplexSource>'
             )
             whole.GetRasterBand(index + 1).SetMetadataItem(f"source_{place}", source, "new_vrt_sources")

@@ -129,19 +129,19 @@ class MendedSeam:
 
 
 CUT_COLUMNS: tuple[Column[MendedSeam], ...] = (
-    Column("seam_id", "integer", lambda one: one.run.piece.seam_id),
-    Column("station", "real", lambda one: one.run.piece.station_m),
-    Column("left_source", "text", lambda one: one.run.piece.left),
-    Column("right_source", "text", lambda one: one.run.piece.right),
-    Column("length", "real", lambda one: one.run.piece.length_m),
-    Column("kept_before", "real", lambda one: one.run.kept),
-    Column("kept_after", "real", lambda one: one.kept),
-    Column("step_before", "real", lambda one: one.cut.steps[0]),
-    Column("step_after", "real", lambda one: one.cut.steps[1]),
-    Column("misfit", "real", lambda one: one.cut.misfit),
-    Column("outcome", "text", lambda one: one.outcome),
-    Column("reason", "text", lambda one: one.reason),
-    Column("patch", "text", lambda one: one.patch),
+    Column("seam_id", "integer", lambda seam: seam.run.piece.seam_id),
+    Column("station", "real", lambda seam: seam.run.piece.station_m),
+    Column("left_source", "text", lambda seam: seam.run.piece.left),
+    Column("right_source", "text", lambda seam: seam.run.piece.right),
+    Column("length", "real", lambda seam: seam.run.piece.length_m),
+    Column("kept_before", "real", lambda seam: seam.run.kept),
+    Column("kept_after", "real", lambda seam: seam.kept),
+    Column("step_before", "real", lambda seam: seam.cut.steps[0]),
+    Column("step_after", "real", lambda seam: seam.cut.steps[1]),
+    Column("misfit", "real", lambda seam: seam.cut.misfit),
+    Column("outcome", "text", lambda seam: seam.outcome),
+    Column("reason", "text", lambda seam: seam.reason),
+    Column("patch", "text", lambda seam: seam.patch),
 )
 """CUTS: one line per run."""
 
@@ -212,7 +212,7 @@ class Mending:
             if self._single:
                 better = [joined_patches(self._single, mosaic, better)] if better else []
             else:
-                better = [self._moved(one) for one in better]
+                better = [self._moved(seam) for seam in better]
             write_mended(self._mended, mosaic, better)
         reason = messages.SIDES_UNKNOWN()
         named, unnamed = self.request.runs
@@ -262,14 +262,14 @@ class Mending:
         with whole_scan(ScanRequest(mended, request.sources, settings, GivenSeams(seams, (), ())), Path(path)) as scan:
             for step in scan.steps(executor, ahead, lambda: not goes_on(PATCHED)):
                 goes_on(PATCHED + (1 - PATCHED) * step.share)
-            found = scan.result("", goes_on, executor, ahead) if goes_on(1.0) else None
-        if found is None:
+            result = scan.result("", goes_on, executor, ahead) if goes_on(1.0) else None
+        if result is None:
             raise CancelledError(messages.MENDING_STOPPED())
         kept: dict[int, float] = {}
         numbers = list(cuts)
-        for one in found.pieces:
-            if one.piece.seam_id <= len(numbers) and one.least_kept is not None:
-                kept.setdefault(numbers[one.piece.seam_id - 1], one.least_kept)
+        for judged in result.pieces:
+            if judged.piece.seam_id <= len(numbers) and judged.least_kept is not None:
+                kept.setdefault(numbers[judged.piece.seam_id - 1], judged.least_kept)
         return kept
 
     def _judged(self, number: int, cut: MendedRun, kept: float | None) -> MendedSeam:

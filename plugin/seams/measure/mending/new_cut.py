@@ -41,7 +41,7 @@ def cutting_cost(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> np
     rest = first - to_pixels(gain, first.shape) * second
     known, mean = in_squares(valid, CELL_PX).all(axis=(1, 3)), _by_cell(rest)
     weight, near = (
-        ndimage.gaussian_filter(np.asarray(one, np.float32), _FAR) for one in (known, np.where(known, mean, 0))
+        ndimage.gaussian_filter(np.asarray(plane, np.float32), _FAR) for plane in (known, np.where(known, mean, 0))
     )
     tones = mean - near / np.maximum(weight, 1e-6)
     fine = np.maximum(_by_cell(np.square(rest)) - np.square(mean), 0)
@@ -70,7 +70,7 @@ def cheapest_way(
         there = np.s_[down:, max(across, 0) : columns - max(-across, 0)]
         both = free[here] & free[there]
         lengths = np.hypot(down, across) * (near[here] + near[there]) / 2
-        steps.append([one[both] for one in (lengths, numbers[here], numbers[there])])
+        steps.append([column[both] for column in (lengths, numbers[here], numbers[there])])
     lengths, heads, tails = map(np.concatenate, zip(*steps))
     graph = sparse.coo_matrix((lengths, (heads, tails)), (free.size, free.size)).tocsr()
     before = csgraph.dijkstra(graph, directed=False, indices=numbers[start], return_predecessors=True)[1]
@@ -93,14 +93,14 @@ def fit_along(
     beside, crossed = from_way <= _STRIP_PX, enlarged(from_way <= _CROSSED_PX, CELL_PX) & valid
     shift = find_shift(first, second, enlarged(beside, CELL_PX) & valid)
     stretches = np.array_split(way, max(1, round(len(way) / _STRETCH)))
-    found = []
-    for one in stretches:
-        middle = one[len(one) // 2] * CELL_PX + CELL_PX // 2
+    shifts = []
+    for cells in stretches:
+        middle = cells[len(cells) // 2] * CELL_PX + CELL_PX // 2
         tile = tuple(map(slice, np.maximum(middle - _TILE_PX // 2, 0), middle + _TILE_PX // 2))
-        found.append(_apart(first[tile], second[tile], valid[tile], crossed[tile]))
-    lengths = [0.0 if one is None else one.length for one in found]
+        shifts.append(_apart(first[tile], second[tile], valid[tile], crossed[tile]))
+    lengths = [0.0 if offset is None else offset.length for offset in shifts]
     far = np.repeat(np.array(lengths) > MOST_MISFIT_PX, [len(stretch) for stretch in stretches])
-    misfit = max((one.length for one in (shift, *found) if one is not None), default=None)
+    misfit = max((offset.length for offset in (shift, *shifts) if offset is not None), default=None)
     if misfit is not None:
         return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None, far
     beside &= in_squares(valid, CELL_PX).all(axis=(1, 3))
@@ -116,8 +116,8 @@ def _apart(first: np.ndarray, second: np.ndarray, valid: np.ndarray, crossed: np
     if shift is None or shift.length <= MOST_MISFIT_PX:
         return shift
     a, b, moved = (
-        (one - ndimage.uniform_filter(one, _WIDE * CELL_PX))[crossed]
-        for one in (first, second, shifted(second, shift.x, shift.y))
+        (plane - ndimage.uniform_filter(plane, _WIDE * CELL_PX))[crossed]
+        for plane in (first, second, shifted(second, shift.x, shift.y))
     )
     return shift if np.square(a - moved).sum() < np.square(a - b).sum() else None
 

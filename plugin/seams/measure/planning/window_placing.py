@@ -344,6 +344,6 @@ class SeamIndex:
         counts = np.ceil(abs(step) / spacing).astype(np.int64) + 1
         which = np.repeat(np.arange(len(start)), counts)
         place = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-        found = start[which] + place / np.maximum(counts - 1, 1)[which] * step[which]
-        inside = (abs(found.real - x) <= reach) & (abs(found.imag - y) <= reach)
-        return np.column_stack([found.real, found.imag])[inside]
+        points = start[which] + place / np.maximum(counts - 1, 1)[which] * step[which]
+        inside = (abs(points.real - x) <= reach) & (abs(points.imag - y) <= reach)
+        return np.column_stack([points.real, points.imag])[inside]

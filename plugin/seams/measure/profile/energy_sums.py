@@ -50,7 +50,7 @@ class EnergySums:
     def __init__(self, count: int, levels: int) -> None:
         self._count = count
         shape = levels, len(EDGES_PX), count
-        self.area, self.plain, self.own, self.shared = np.zeros((4, *shape))
+        self.area, self.plain, self.mosaic_energy, self.shared = np.zeros((4, *shape))
         """Pixels, ss, mm and mc, by level, bin and piece: the first two with ground or without."""
         self.expected_shared, self.left_by_ground = np.zeros((2, *shape))
         """mc that the ground makes one expect, and energy that sources leave over as they do there, DN squared."""
@@ -71,8 +71,9 @@ class EnergySums:
             if level_ground is not None:
                 energy = table.whole.energy(level)[cells]
                 amplitude, gain = level_ground.amplitude(energy), level_ground.gain(energy)
-                sums += [(self.own, near.mm[level]), (self.shared, near.mc[level]), (self.expected_shared, ss * gain)]
-                sums += [(self.left_by_ground, ss * np.maximum(amplitude - gain**2, 0))]
+                sums += [(self.mosaic_energy, near.mm[level]), (self.shared, near.mc[level])]
+                left_over = np.maximum(amplitude - gain**2, 0)
+                sums += [(self.expected_shared, ss * gain), (self.left_by_ground, ss * left_over)]
                 sums += [(total, kept * ss * level_ground.amplitude(kept * energy))
                          for total, kept in zip(self._by_kept, TRIED)]
                 if not level:
@@ -88,12 +89,12 @@ class EnergySums:
     def kept(self) -> tuple[Kept, np.ndarray]:
         """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told."""
         expected = np.stack([in_strip(energies) for energies in self._by_kept])
-        mm = in_strip(self.own)
+        mm = in_strip(self.mosaic_energy)
         return self._with_interval(mm[0], in_strip(self.area)[0], expected[:, 0]), _kept(mm, expected)
 
     def by_bins(self, level: int) -> Kept:
         """kept of one level, 0 the finest, at every distance, (bins, count)."""
-        return self._with_interval(self.own[level], self.area[level], self._by_kept[:, level])
+        return self._with_interval(self.mosaic_energy[level], self.area[level], self._by_kept[:, level])
 
     def take_out(
         self, edge: np.ndarray, left_over: np.ndarray, soft_left_over: np.ndarray, rounded: np.ndarray
@@ -103,14 +104,14 @@ class EnergySums:
         ground does.
 
         Returns (levels, count): what any mixture leaves over in the strip beyond what the ground does."""
-        all_left, mosaic = in_strip(left_over), np.maximum(in_strip(self.own)[0], 1e-12)
+        all_left, mosaic = in_strip(left_over), np.maximum(in_strip(self.mosaic_energy)[0], 1e-12)
         more = np.maximum(all_left - in_strip(self.left_by_ground), 0)
         of_strip = (more / np.maximum(all_left, 1e-12))[:, np.newaxis]
         unsure = SURE_LEFT * np.maximum(soft_left_over * of_strip - rounded, 0)
         # (1 + ALONG r)^2 - 1, to first order, with r^2 the share of the energy that was rounded.
         by_codec = 2 * ALONG * np.sqrt(in_strip(rounded)[0] / mosaic)
         self._unsure = np.hypot(in_strip(unsure)[0] / mosaic, by_codec)
-        self.own = self.own - edge - rounded - unsure
+        self.mosaic_energy = self.mosaic_energy - edge - rounded - unsure
         return np.asarray(more)
 
     def _with_interval(self, mosaic_energy: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:

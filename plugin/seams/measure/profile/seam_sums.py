@@ -63,7 +63,7 @@ class SeamSums:
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
         """Profiles of all pieces, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = copy(self._energy), self._mixture.result()
-        mm = in_strip(energy.own)[0]  # with all that was added
+        mm = in_strip(energy.mosaic_energy)[0]  # with all that was added
         more_left = energy.take_out(mixed.edge, mixed.left_over, mixed.soft_left_over, mixed.rounded)
         by_energy, energy_levels = energy.kept()
         # Where a mixture is told and does not end, the ground around is mixed as well.

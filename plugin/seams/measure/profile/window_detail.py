@@ -149,10 +149,10 @@ def loss_picture(
     is_ground = known & enlarged(is_ground, CELL_PX // LOSS_CELL_PX, known.shape)
     for smooth_cells in (_SMOOTH_CELLS, _SMOOTH_ROUGH_CELLS):
         smooth, smooth_expected = (ndimage.gaussian_filter(cell, smooth_cells) for cell in (mosaic, expected))
-        is_told = known & (smooth_expected > 0)
+        is_measurable = known & (smooth_expected > 0)
         kept = np.full(known.shape, np.nan, np.float32)
-        np.divide(smooth, smooth_expected, out=kept, where=is_told, casting="same_kind")
-        around = kept[is_ground & is_told & (kept > 0)]
+        np.divide(smooth, smooth_expected, out=kept, where=is_measurable, casting="same_kind")
+        around = kept[is_ground & is_measurable & (kept > 0)]
         scatter = float(np.log(around).std()) if around.size else 0.0
         if scatter <= _ROUGH:
             break

@@ -112,10 +112,10 @@ class JournaledBlocks:
             self._started = time.monotonic()
         else:
             self._timed, self._missing = self._timed + 1, self._missing - 1
-        left = None
+        seconds_left = None
         if self._timed >= _FEWEST_TIMED:
-            left = (time.monotonic() - self._started) / self._timed * self._missing
-        return replace(block, record=None, share=self._done / self._total, seconds_left=left)
+            seconds_left = (time.monotonic() - self._started) / self._timed * self._missing
+        return replace(block, record=None, share=self._done / self._total, seconds_left=seconds_left)
 
 
 def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanStep:
@@ -186,7 +186,7 @@ def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
     return f"{INCOMPLETE} {name}" if lacks else name
 
 
-_OWN = {
+_ARRAYS = {
     "squares": SQUARES, "dense": UNITS, "ground": UNITS, "labels": LABELS, "mixture": CELLS, "grey": CELLS,
     "grain": CELLS,
 }
@@ -197,7 +197,7 @@ _TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
 
 def record_of(scan: BlockScan) -> bytes:
     """All but the notices, which are told once."""
-    arrays = {name: getattr(scan, name) for name in _OWN}
+    arrays = {name: getattr(scan, name) for name in _ARRAYS}
     for table, names in _TABLES.items():
         arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
@@ -206,7 +206,7 @@ def record_of(scan: BlockScan) -> bytes:
     filters, of = learned.filters, sorted(learned.of)
     taps = np.array([filters.taps[number] for number in of if filters.taps], np.float32)
     held = taps.reshape(-1, *UNTOUCHED.shape), np.array(filters.came_over_cuts), np.array(of, np.uint8)
-    return packed({**arrays, **dict(zip(_LEARNED, held))}, compressed=_OWN)
+    return packed({**arrays, **dict(zip(_LEARNED, held))}, compressed=_ARRAYS)
 
 
 def scan_of(record: bytes) -> BlockScan:
@@ -216,14 +216,12 @@ def scan_of(record: bytes) -> BlockScan:
         row, column = held["key"].tolist()
         cells = CellTable(*(held[f"cells {name}"] for name in _TABLES["cells"]))
         beside = MixtureTable(*(held[f"beside {name}"] for name in _TABLES["beside"]))
-        if any(held[name].shape != (side, side) for name, side in _OWN.items()):
+        if any(held[name].shape != (side, side) for name, side in _ARRAYS.items()):
             raise NotUnderstoodError("of another size")
         if any(column.shape[-1] != len(table.row) for table in (cells, beside) for column in vars(table).values()):
             raise NotUnderstoodError("a table with holes")
-        own = {name: held[name] for name in _OWN}
-        return BlockScan(
-            (row, column), _names(held), **own, cells=cells, beside=beside, learned=_learned(held)
-        )
+        arrays = {name: held[name] for name in _ARRAYS}
+        return BlockScan((row, column), _names(held), **arrays, cells=cells, beside=beside, learned=_learned(held))
 
 
 def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
@@ -272,18 +270,18 @@ class BlockRun:
             wanted = called_for(self._squares[first - above : first + SQUARES + 1], NOTHING)
             wanted = wanted[above * UNITS // SQUARES :][:UNITS]
             for column in range(self._request.blocks.columns):
-                key, own = (row, column), wanted[place_of((0, column), UNITS)]
-                if own.any():
+                key, units = (row, column), wanted[place_of((0, column), UNITS)]
+                if units.any():
                     dense = np.unpackbits(np.frombuffer(self._dense[key], np.uint8)).reshape(UNITS, UNITS)
-                    own = own & (dense == 0)
-                if own.any():
-                    yield key, own
+                    units = units & (dense == 0)
+                if units.any():
+                    yield key, units
 
     def _looked_at_again(self, key: BlockKey, wanted: np.ndarray) -> BlockRequest:
         request, (rows, columns) = self._request.block(key), place_of(key, SQUARES)
         around = self._squares[max(rows.start - 1, 0) : rows.stop + 1, max(columns.start - 1, 0) : columns.stop + 1]
-        found = set(np.unique(around).tolist())
-        followed = frozenset(i for i, one in enumerate(request.sources) if self._request.numbers[one.ref.path] in found)
+        seen, numbers = set(np.unique(around).tolist()), self._request.numbers
+        followed = frozenset(i for i, source in enumerate(request.sources) if numbers[source.ref.path] in seen)
         learned = held(FIRST_LOOK, self._journal.files, key, lambda record: _learned(unpacked(record, _LEARNED)))
         return replace(request, wanted=wanted, learned=learned, followed=followed)
 
@@ -313,21 +311,21 @@ def block_labels(
 ) -> np.ndarray | None:
     """(rows, columns) int32 of the labels of one block by both looks, ``numbers`` of the sources by their paths,
     ``NOTHING`` where none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
-    found = None
+    labels = None
     for look in (FIRST_LOOK, SECOND_LOOK):
         parts = held(look, files, key, partial(unpacked, names=("sources", "labels", "dense")))
         if parts is not None:
-            own = global_numbers(_names(parts), numbers)[parts["labels"][place]]
+            look_labels = global_numbers(_names(parts), numbers)[parts["labels"][place]]
             dense = enlarged(parts["dense"], LABELS // UNITS)[place]
-            found = own if found is None else np.where(dense, own, found)
-    return found
+            labels = look_labels if labels is None else np.where(dense, look_labels, labels)
+    return labels
 
 
 def global_numbers(sources: Sequence[str], numbers: Mapping[str, int]) -> np.ndarray:
     """(256,) int32: the number in the whole scan of each source of a block; ``NOTHING`` for ``UNKNOWN``."""
-    found = np.full(UNKNOWN + 1, NOTHING, np.int32)
-    found[: len(sources)] = [numbers[path] for path in sources]
-    return found
+    by_label = np.full(UNKNOWN + 1, NOTHING, np.int32)
+    by_label[: len(sources)] = [numbers[path] for path in sources]
+    return by_label
 
 
 def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
@@ -340,7 +338,7 @@ def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
     per_unit = CELLS // UNITS
     cells, beside = first.cells, first.beside
     was_cell, was_beside = (
-        second.dense[one.row % CELLS // per_unit, one.column % CELLS // per_unit] for one in (cells, beside)
+        second.dense[table.row % CELLS // per_unit, table.column % CELLS // per_unit] for table in (cells, beside)
     )
     return replace(
         first, **{name: merged(name) for name in ("labels", "mixture", "grey", "grain", "ground")},

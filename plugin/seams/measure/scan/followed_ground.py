@@ -72,7 +72,7 @@ class FollowedGround:
         # What is too short to be measured tells nothing of a border, be there a piece of it every few metres.
         least_m = LEAST_SEAM_PX * self._grid.ground_sample_distance
         long = [piece for piece in pieces if piece.length_m >= least_m]
-        paths = [self._grid.to_pixels(one.vertices) for one in long]
+        paths = [self._grid.to_pixels(piece.vertices) for piece in long]
         self._on_seam = self._marked(paths)
         # Beside a seam, not beyond its end: there it may have been cut off.
         along = self._on_seam & ~self._marked(_open_ends(paths))
@@ -80,7 +80,7 @@ class FollowedGround:
 
     def _marked(self, paths: Sequence[np.ndarray]) -> np.ndarray:
         """Units that lines run through, bool; columns and rows of their vertices in pixels."""
-        found = np.zeros((self._rows, self._columns), bool)
+        marked = np.zeros((self._rows, self._columns), bool)
         if paths:
             places = np.concatenate(paths)
             steps = np.diff(places, axis=0)
@@ -91,30 +91,30 @@ class FollowedGround:
             points = places[number] + share[:, np.newaxis] * steps[number]
             for aside in (0, -_ON_SEAM_PX, _ON_SEAM_PX):
                 column, row = ((points + aside) // UNIT_PX).astype(int).T
-                found[row.clip(0, self._rows - 1), column.clip(0, self._columns - 1)] = True
-        return found
+                marked[row.clip(0, self._rows - 1), column.clip(0, self._columns - 1)] = True
+        return marked
 
     @property
     def told(self) -> Mapping[str, str]:
         """What layers and pictures say of it; metres, shares of 1, and places as ``GroundPlace`` writes them."""
-        told = {"unexplained": f"{self.unexplained:.4f}"}
+        notes = {"unexplained": f"{self.unexplained:.4f}"}
         if self.looked < 1:
-            told["looked_at"] = f"{self.looked:.4f}"
+            notes["looked_at"] = f"{self.looked:.4f}"
         if self.unexplained >= LEAST_UNEXPLAINED:
-            told["unexplained_border"] = f"{self._around_lacking_m:.1f}"
+            notes["unexplained_border"] = f"{self._around_lacking_m:.1f}"
         if self.empty:
-            told["nodata_inside"] = f"{self.empty:.6f}"
+            notes["nodata_inside"] = f"{self.empty:.6f}"
         for name, borders in (("unseen", self.unseen), ("hidden", self.hidden)):
             if borders:
-                told[f"{name}_metres"] = f"{sum(border.metres for border in borders):.1f}"
-                told[f"{name}_longest"] = f"{borders[0].metres:.1f}"
+                notes[f"{name}_metres"] = f"{sum(border.metres for border in borders):.1f}"
+                notes[f"{name}_longest"] = f"{borders[0].metres:.1f}"
         for name, places in (
             ("unexplained", self.unexplained_places), ("nodata", self._places(self._inside)),
             ("unseen", self.unseen), ("hidden", self.hidden),
         ):
             if places:
-                told[f"{name}_at"] = "; ".join(map(str, places[:_PLACES]))
-        return told
+                notes[f"{name}_at"] = "; ".join(map(str, places[:_PLACES]))
+        return notes
 
     @property
     def looked(self) -> float:
@@ -167,7 +167,7 @@ class FollowedGround:
         staircases are 4 / pi times as long as lines of any direction (Cauchy)."""
         lacks, followed = self._lacking, self._units >= 0
         sides = sum(
-            np.count_nonzero(one[:-1] & other[1:]) for one, other in
+            np.count_nonzero(first[:-1] & other[1:]) for first, other in
             ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
         )
         return np.pi / 4 * float(sides) * self._unit_m
@@ -203,9 +203,9 @@ class FollowedGround:
         """The unit in the middle of a part, and how far it reaches."""
         inside = ndimage.distance_transform_edt(np.pad(parts[box] == number, 1))
         deepest = np.argwhere(inside == inside.max())
-        row, column = (deepest[len(deepest) // 2] + [one.start - 0.5 for one in box]) * UNIT_PX
+        row, column = (deepest[len(deepest) // 2] + [side.start - 0.5 for side in box]) * UNIT_PX
         x, y = self._grid.to_map(float(column), float(row))
-        down, across = (one.stop - one.start for one in box)
+        down, across = (side.stop - side.start for side in box)
         return GroundPlace(x, y, across * self._unit_m, down * self._unit_m, metres)
 
     @cached_property
@@ -217,23 +217,23 @@ class FollowedGround:
             return np.empty((0, 2), int), np.empty(0, bool), np.empty(0, bool)
         away, nearest = ndimage.distance_transform_edt(~known, return_indices=True)
         label = units[tuple(nearest)]
-        found = []
+        borders = []
         for axis in (0, 1):
             first = np.argwhere(np.diff(label, axis=axis) != 0)
             other = first + (1 - axis, axis)
-            one, two = tuple(first.T), tuple(other.T)
-            way = away[one] + away[two] + 1
-            from_, to = (np.column_stack([part[place] for part in nearest]) for place in (one, two))
-            kinds = np.stack([units[one], units[two]])
+            above, below = tuple(first.T), tuple(other.T)
+            way = away[above] + away[below] + 1
+            from_, to = (np.column_stack([part[place] for part in nearest]) for place in (above, below))
+            kinds = np.stack([units[above], units[below]])
             gap, lacks = ((kinds == kind).any(axis=0) for kind in (EMPTY, LACKING))
             straight = np.hypot(*(from_ - to).T) + 1 >= _OPPOSITE * way  # to a unit
             is_real = ~np.isin(kinds, (PLAIN, NOT_LOOKED)).any(axis=0)
             is_real &= ~gap | straight & (lacks | (way <= WIDEST_GAP_PX / UNIT_PX + 1))
-            is_real &= ~((way <= 1) & (self._at_seam[one] | self._at_seam[two]))
+            is_real &= ~((way <= 1) & (self._at_seam[above] | self._at_seam[below]))
             hides = lacks & ~gap
             is_real[is_real] = ~self._crossed(from_[is_real], to[is_real])
-            found.append((first[is_real], np.full(np.count_nonzero(is_real), axis == 0), hides[is_real]))
-        first, is_below, hidden = (np.concatenate(one) for one in zip(*found))
+            borders.append((first[is_real], np.full(np.count_nonzero(is_real), axis == 0), hides[is_real]))
+        first, is_below, hidden = (np.concatenate(parts) for parts in zip(*borders))
         return first, is_below, hidden
 
     def _crossed(self, start: np.ndarray, stop: np.ndarray) -> np.ndarray:

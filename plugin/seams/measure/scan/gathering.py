@@ -105,21 +105,21 @@ class Gathering:
         )
         too_many = () if request.seams else tuple(_more_than_outlines(request, pieces))
         pieces = [] if too_many else pieces
-        for one in self._reading.unread:
-            first, last = (one.row, one.column), (one.row + one.height, one.column + one.width)
+        for unread in self._reading.unread:
+            first, last = (unread.row, unread.column), (unread.row + unread.height, unread.column + unread.width)
             self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
         crew.tell(_CUT)
-        judged, told, notices = self._judged(pieces, crew)
-        ground = FollowedGround(self._units, self._blocks, [one.piece for one in judged], request.settings.piece_m)
-        told.update(self._reading.told)
+        judged, notes, notices = self._judged(pieces, crew)
+        ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], request.settings.piece_m)
+        notes.update(self._reading.told)
         if names := request.not_given:
-            told["not_given"] = ", ".join(names)
+            notes["not_given"] = ", ".join(names)
         if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
-            told["may_be_copies"] = ", ".join(doubtful)
-        told.update(ground.told)
+            notes["may_be_copies"] = ", ".join(doubtful)
+        notes.update(ground.told)
         if raster is not None:
             sources = _listed(source.ref for source in request.sources)
-            settings = {**told, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
+            settings = {**notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
             raster.close([request.source_names[number] for number in self._shown], settings)
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         notices = [*self._reading.notices, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
@@ -127,7 +127,7 @@ class Gathering:
             followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
         crew.tell(1.0)
-        return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), told)
+        return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), notes)
 
     def _judged(
         self, pieces: Sequence[SeamPiece], crew: _Crew
@@ -145,10 +145,10 @@ class Gathering:
         # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
         alike = {number for number in unchanged if judged[number].state is PieceState.NOT_MEASURED}
         named = {number for number in alike if pieces[number].left or pieces[number].right}
-        told = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in named]):.1f}"}
+        notes = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in named]):.1f}"}
         within = metres([judged[number] for number in alike - named])
-        seams = tuple(one for number, one in enumerate(judged) if number not in alike - named)
-        return seams, told, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []
+        seams = tuple(piece for number, piece in enumerate(judged) if number not in alike - named)
+        return seams, notes, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []
 
     def _name(self, side: Side) -> str | None:
         """Name of a source as its file has it, else as the seams do."""
@@ -166,28 +166,28 @@ class Gathering:
         cell_px = self._request.settings.cell_px if raster is not None else 0
         requests = (self._outputs(key, rows, columns, cell_px, traces) for key in self._blocks)
         total = self._blocks.rows * self._blocks.columns
-        found: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
-        for one in found:
-            edges.append(one.edges)
-            self._units[place_of(one.key, UNITS)] = one.ground
-            cells = self._numbered(one)
+        outputs: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
+        for block in outputs:
+            edges.append(block.edges)
+            self._units[place_of(block.key, UNITS)] = block.ground
+            cells = self._numbered(block)
             if raster is not None and cells is not None:
-                raster.write(*one.key, cells)
+                raster.write(*block.key, cells)
         return trace_borders(np.concatenate(edges, axis=1), mosaic.grid, columns, LABEL_PX)
 
     def _numbered(self, block: BlockOutputs) -> np.ndarray | None:
         """Cells of the picture of losses, their sources numbered in the order in which it meets them."""
-        found = block.cells
-        cells = None if found is None else found.copy()
+        losses = block.cells
+        cells = None if losses is None else losses.copy()
         for source in block.sources:
             number = self._shown.setdefault(source, len(self._shown) + 1)
-            if found is not None and cells is not None:
-                cells[SOURCE_BAND - 1][found[SOURCE_BAND - 1] == source + 1] = number
+            if losses is not None and cells is not None:
+                cells[SOURCE_BAND - 1][losses[SOURCE_BAND - 1] == source + 1] = number
         return cells
 
     def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
         """``rows``, ``columns`` of labels of the whole mosaic."""
-        row, column = (one * LABELS for one in key)
+        row, column = (place * LABELS for place in key)
         tile = LabelTile(row, column, min(LABELS, rows - row), min(LABELS, columns - column), rows, columns)
         window = self._blocks.window(key).with_margin(BLOCK_PX)
         return OutputsRequest(
@@ -210,24 +210,24 @@ class Gathering:
         grey, grain = np.full((2, len(pieces)), np.nan)
         requests = (self._pieces(pieces, index, numbers) for numbers in groups)
         measured: Iterator[MeasuredPieces] = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
-        for one in measured:
-            grey[one.numbers], grain[one.numbers] = one.grey, one.grain
-            brightest = max(brightest, one.brightest)
-            for place, number in enumerate(one.numbers.tolist()):
-                strips[number], profiles[number] = one.found[place], one.profiles[place]
-                if one.beside is not None:
-                    whole[number] = sided(pieces[number], one.beside[place].tolist(), self._request.named[0])
-            unchanged += one.numbers[one.unchanged].tolist()
+        for group in measured:
+            grey[group.numbers], grain[group.numbers] = group.grey, group.grain
+            brightest = max(brightest, group.brightest)
+            for place, number in enumerate(group.numbers.tolist()):
+                strips[number], profiles[number] = group.strips[place], group.profiles[place]
+                if group.beside is not None:
+                    whole[number] = sided(pieces[number], group.beside[place].tolist(), self._request.named[0])
+            unchanged += group.numbers[group.unchanged].tolist()
         white = white_grey(self._request.mosaic, brightest)
-        grains = [None if np.isnan(one) else one / white for one in grain.tolist()]
+        grains = [None if np.isnan(grain_dn) else grain_dn / white for grain_dn in grain.tolist()]
         return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains, profiles)), unchanged
 
     def _pieces(self, pieces: Sequence[SeamPiece], index: PieceIndex, numbers: np.ndarray) -> PiecesRequest:
-        own = [pieces[number] for number in numbers.tolist()]
+        own_pieces = [pieces[number] for number in numbers.tolist()]
         # What lies nearer to a cell than any of them does.
-        around = around_pieces(own, self._blocks.grid, 2 * REACH_PX)
+        around = around_pieces(own_pieces, self._blocks.grid, 2 * REACH_PX)
         return PiecesRequest(
-            self._journal.files, own, numbers, index.near(around, 0.0), self._blocks,
+            self._journal.files, own_pieces, numbers, index.near(around, 0.0), self._blocks,
             self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, bool(self._request.seams),
         )
 
@@ -237,9 +237,9 @@ def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> It
     grid = request.mosaic.grid
     shared = [shared_extent(source.extent, grid.extent) for source in request.sources]
     around = sum(2 * ((e[2] - e[0]) * grid.metres_x + (e[3] - e[1]) * grid.metres_y) for e in shared if e is not None)
-    found = sum(piece.length_m for piece in pieces)
-    if found > _MOST_AROUND * around:
-        yield messages.MORE_SEAMS_THAN_OUTLINES(metres=found, around=around)
+    length = sum(piece.length_m for piece in pieces)
+    if length > _MOST_AROUND * around:
+        yield messages.MORE_SEAMS_THAN_OUTLINES(metres=length, around=around)
 
 
 def _notices(ground: FollowedGround) -> Iterator[Message]:
@@ -250,7 +250,7 @@ def _notices(ground: FollowedGround) -> Iterator[Message]:
     if ground.unseen:
         place = ground.unseen[0]
         yield messages.BORDERS_WITHOUT_SEAM(
-            metres=sum(one.metres for one in ground.unseen), longest=place.metres, x=place.x, y=place.y
+            metres=sum(border.metres for border in ground.unseen), longest=place.metres, x=place.x, y=place.y
         )
 
 
@@ -277,10 +277,10 @@ class _Crew:
         """What is found of each request, in their order; the share grows from ``first`` to ``last``. Raises what it
         raises."""
         done, crew = 0, Workers(self._executor, self._ahead, lambda: not self._goes_on(self._share))
-        for found in in_order(requests, partial(_result_of, work), _raised, crew, crew.together):
-            if isinstance(found, Message):
-                raise SeamInspectorError(found)
-            yield found
+        for result in in_order(requests, partial(_result_of, work), _raised, crew, crew.together):
+            if isinstance(result, Message):
+                raise SeamInspectorError(result)
+            yield result
             done += 1
             self.tell(first + (last - first) * done / count)
         if done < count:

@@ -70,10 +70,10 @@ class LoneTable:
     def joined(cls, tables: Sequence[LoneTable]) -> LoneTable:
         """Cells of several windows that share no cell; at least one table, all of one mosaic."""
         some = [table for table in tables if len(table)] or list(tables[:1])
-        firsts = np.cumsum([0, *(len(one) for one in some[:-1])])
-        cells = [one.cell + np.int32(first) for one, first in zip(some, firsts)]
+        firsts = np.cumsum([0, *(len(table) for table in some[:-1])])
+        cells = [table.cell + np.int32(first) for table, first in zip(some, firsts)]
         parts = {
-            name: np.concatenate([getattr(one, name) for one in some])
+            name: np.concatenate([getattr(table, name) for table in some])
             for name in ("row", "column", "colour", "zone", "area", "energy")
         }
         return cls(cell=np.concatenate(cells), **parts)

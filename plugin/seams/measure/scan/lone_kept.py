@@ -166,7 +166,7 @@ class LoneSeams:
         ``plain``: as the detail is; ``beyond``: not of the strip but of the nearer ground, over that farther off.
         """
         s = self._stretches
-        area, values = (one[:, chosen] for one in (s.area, s.plain if plain else s.matched))
+        area, values = (by_stretch[:, chosen] for by_stretch in (s.area, s.plain if plain else s.matched))
         influence, log_kept = np.zeros(len(chosen)), 0.0
         for sign, parts in (
             (1, ground_of(0) if beyond else STRIP), (-1, ground_of(1 if beyond else self.range)),

@@ -89,8 +89,8 @@ class LoneScanning:
                 raster.close([])
         worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
         notices += (*self._reading.notices, *without_verdict(pieces))
-        told = {"orthoimages": "none", **self._reading.told}
-        result = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), told)
+        notes = {"orthoimages": "none", **self._reading.told}
+        result = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), notes)
         return result if goes_on(1.0) else None
 
     def _draw(self, raster: LossRaster, judged: Sequence[JudgedPiece], cell_px: int) -> None:

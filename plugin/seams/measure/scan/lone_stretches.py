@@ -182,7 +182,7 @@ def expected_energies(
     ``energies`` and ``weights``: (n,). Returns (m,), all positive.
     """
     low, high = np.quantile(properties.astype(np.float64), _OUTERMOST, axis=0)
-    known, asked = (np.clip(one, low, high) for one in (properties, wanted))
+    known, asked = np.clip(properties, low, high), np.clip(wanted, low, high)
     middle, spread = known.mean(axis=0), np.maximum(known.std(axis=0), 1e-9)
     level = max(float(np.average(energies, weights=weights)), 1e-12)
     coefficients = log_link_fit(_terms((known - middle) / spread), energies / level, weights, CAP - 1, _ROUNDS)

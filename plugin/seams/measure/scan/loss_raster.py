@@ -83,7 +83,7 @@ class LossRaster:
         if not known.any():
             return
         values = np.where(known, cells, 0).astype(np.float64)
-        self._sums += [one.sum(axis=(1, 2)) for one in (known, values, np.square(values))]
+        self._sums += [plane.sum(axis=(1, 2)) for plane in (known, values, np.square(values))]
         self._least = np.minimum(self._least, np.where(known, cells, np.inf).min(axis=(1, 2)))
         self._most = np.maximum(self._most, cells.max(axis=(1, 2)))
         self._tiles.add((top // (2 * TILE), left // (2 * TILE)))

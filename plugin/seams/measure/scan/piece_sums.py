@@ -114,32 +114,32 @@ def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, 
     return () if record is None else value_of(_BlockGround, record, {}).levels
 
 
-def _labels_around(request: OutputsRequest, own: np.ndarray | None) -> np.ndarray:
-    """Labels of the block, ``own``, and of as much of its neighbours as cleaning has to know."""
+def _labels_around(request: OutputsRequest, block: np.ndarray | None) -> np.ndarray:
+    """Labels of a block, ``block``, and of as much of its neighbours as cleaning has to know."""
     place = request.tile.around(MARGIN)
-    found = np.full([one.stop - one.start for one in place], NOTHING, np.int32)
-    first, last = ([edge // LABELS for edge in edges] for edges in zip(*((one.start, one.stop - 1) for one in place)))
+    labels_around = np.full([side.stop - side.start for side in place], NOTHING, np.int32)
+    first, last = [side.start // LABELS for side in place], [(side.stop - 1) // LABELS for side in place]
     for row in range(first[0], last[0] + 1):
         for column in range(first[1], last[1] + 1):
             ours, theirs = zip(*(
-                (slice(max(start, one.start) - one.start, min(start + LABELS, one.stop) - one.start),
-                 slice(max(start, one.start) - start, min(start + LABELS, one.stop) - start))
-                for start, one in zip((row * LABELS, column * LABELS), place)
+                (slice(max(start, side.start) - side.start, min(start + LABELS, side.stop) - side.start),
+                 slice(max(start, side.start) - start, min(start + LABELS, side.stop) - start))
+                for start, side in zip((row * LABELS, column * LABELS), place)
             ))
             if (row, column) == request.key:
-                labels = None if own is None else own[theirs]
+                labels = None if block is None else block[theirs]
             else:
                 labels = block_labels(request.files, (row, column), request.numbers, theirs)
             if labels is not None:
-                found[ours] = labels
-    return found
+                labels_around[ours] = labels
+    return labels_around
 
 
 def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
     """Cells of the neighbours that were measured."""
     row, column = key
     near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
-    scans = [whole_block(files, one) for one in near]
+    scans = [whole_block(files, beside) for beside in near]
     return [scan.cells for scan in scans if scan is not None]
 
 
@@ -170,7 +170,7 @@ class MeasuredPieces:
     """What comes back, an entry for each piece."""
 
     numbers: np.ndarray
-    found: Sequence[StripProfile]
+    strips: Sequence[StripProfile]
     """Without the bins of their profiles."""
     profiles: Sequence[str]
     """What is kept of the finest detail by distance from each, as ``profile_text`` writes it; empty for nothing."""
@@ -208,43 +208,41 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
-    found = without_even(sums.profiles(), grain, grey)
-    profiles = [_profile_text(one.profile, grid.ground_sample_distance) for one in found]
-    found = [one if one.profile is None else replace(one, profile=replace(one.profile, bins=())) for one in found]
+    strips = without_even(sums.profiles(), grain, grey)
+    profiles = [_profile_text(strip.profile, grid.ground_sample_distance) for strip in strips]
+    strips = [replace(strip, profile=strip.profile and replace(strip.profile, bins=())) for strip in strips]
     labels = partial(_labels_at, request) if request.looks_beside else None
     beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
     unchanged = np.zeros(len(request.pieces), bool)
     if labels is not None and beside is not None:
         aside = sources_beside(request.pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
         unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
-    return MeasuredPieces(request.numbers, found, profiles, grey, brightest, grain, beside, unchanged)
+    return MeasuredPieces(request.numbers, strips, profiles, grey, brightest, grain, beside, unchanged)
 
 
 def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
     if profile is None or profile.kept[0] is None:
         return ""
-    bins = [one for one in profile.bins if one.level == 1 and one.far_px <= EDGES_PX[MIXED_BINS]]
+    bins = [bin_ for bin_ in profile.bins if bin_.level == 1 and bin_.far_px <= EDGES_PX[MIXED_BINS]]
     return profile_text((
         KeptBeside(0, STRIP_PX * pixel_m, profile.kept[0]),
-        *(KeptBeside(one.near_px * pixel_m, one.far_px * pixel_m, one.kept) for one in bins),
+        *(KeptBeside(bin_.near_px * pixel_m, bin_.far_px * pixel_m, bin_.kept) for bin_ in bins),
     ))
 
 
-def without_even(found: Sequence[StripProfile], grain: np.ndarray, grey: np.ndarray) -> list[StripProfile]:
+def without_even(strips: Sequence[StripProfile], grain: np.ndarray, grey: np.ndarray) -> list[StripProfile]:
     """Pieces along even ground without a profile: what little detail is there reaches in from beside, and its ratios
     are those of rounding. ``grain``, ``grey``: as ``MeasuredPieces`` has them."""
     is_even = grain <= ROUNDING * np.abs(grey)  # never where that is not known
-    return [replace(one, profile=None) if even else one for one, even in zip(found, is_even.tolist())]
+    return [replace(strip, profile=None) if even else strip for strip, even in zip(strips, is_even.tolist())]
 
 
-def visibilities(
-    found: Sequence[StripProfile], grey: np.ndarray, white: float
-) -> list[float | None]:
+def visibilities(strips: Sequence[StripProfile], grey: np.ndarray, white: float) -> list[float | None]:
     """Visibility of the losses of pieces, in just noticeable differences at 2x. ``grey``: as ``MeasuredPieces`` has it;
     ``white``: what is white on a screen."""
     return [
-        visibility(one.profile.kept, one.profile.energy, mean, white) if one.profile else None
-        for one, mean in zip(found, grey.tolist())
+        visibility(strip.profile.kept, strip.profile.energy, mean, white) if strip.profile else None
+        for strip, mean in zip(strips, grey.tolist())
     ]
 
 
@@ -279,15 +277,15 @@ def by_blocks(pieces: Sequence[SeamPiece], blocks: BlockGrid, together: int = 1)
 
 def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """Labels at places, as ``LabelsAt`` gives them."""
-    found = np.full(columns.shape, NONE, np.int32)
+    labels_at = np.full(columns.shape, NONE, np.int32)
     blocks = request.blocks
     inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
     number = np.where(inside, rows // LABELS * blocks.columns + columns // LABELS, -1)
-    for one in np.unique(number[inside]).tolist():
-        labels, own = block_labels(request.files, divmod(one, blocks.columns), request.sources), number == one
+    for block in np.unique(number[inside]).tolist():
+        labels, in_block = block_labels(request.files, divmod(block, blocks.columns), request.sources), number == block
         if labels is not None:
-            found[own] = labels[rows[own] % LABELS, columns[own] % LABELS]
-    return found
+            labels_at[in_block] = labels[rows[in_block] % LABELS, columns[in_block] % LABELS]
+    return labels_at
 
 
 class PieceSums:
@@ -325,7 +323,7 @@ class PieceSums:
         if grey is not None:
             strip = (table.bin < strip_bins(0).stop) & (piece >= 0)
             values, area = grey[table.row[strip] % CELLS, table.column[strip] % CELLS], table.area[0, strip]
-            self._grey += [np.bincount(piece[strip], one, len(self._numbers)) for one in (area * values, area)]
+            self._grey += [np.bincount(piece[strip], weights, len(self._numbers)) for weights in (area * values, area)]
             self._brightest = float(np.fmax.reduce(values, initial=self._brightest))
         self._sums.add(table, mixture, ground, piece)
 
@@ -342,11 +340,11 @@ class PieceSums:
 
 def _cells_along(pieces: Sequence[SeamPiece], grid: Grid) -> np.ndarray:
     """The cells that pieces run through, (3, n) int: place of the piece, row and column."""
-    found = [np.zeros((3, 0), np.int64)]
+    cells = [np.zeros((3, 0), np.int64)]
     for place, piece in enumerate(pieces):
         path = grid.to_pixels(piece.vertices)
         along = vertex_stations(path)
         count = max(int(along[-1] // CELL_PX), 1)
         column, row = np.floor(points_at(path, along, (np.arange(count) + 0.5) / count * along[-1]) / CELL_PX).T
-        found.append(np.stack([np.full(count, place), row, column]).astype(np.int64))
-    return np.concatenate(found, axis=1)
+        cells.append(np.stack([np.full(count, place), row, column]).astype(np.int64))
+    return np.concatenate(cells, axis=1)

@@ -105,8 +105,8 @@ def _states(path: str, ask: bool) -> Iterator[str]:
         return
     for file, state in local_states([path]).items():
         yield f"{file} {state}"
-    for one in with_parts(path):
-        if local_file(one) == one and (said := _said_beside(one + _SAID)):
+    for part in with_parts(path):
+        if local_file(part) == part and (said := _said_beside(part + _SAID)):
             yield said
 
 
@@ -115,17 +115,17 @@ def _said_of_place(path: str, listed: dict[str, set[str]]) -> Iterator[str]:
     in folders that were looked into."""
     if is_remote(path):
         return
-    for one in with_parts(path):
-        folder, name = os.path.split(one)
-        stem, own = os.path.splitext(name)
+    for part in with_parts(path):
+        folder, name = os.path.split(part)
+        stem, suffix = os.path.splitext(name)
         if folder not in listed:
             listed[folder] = set()
             with suppress(OSError, ValueError):
                 listed[folder].update(os.listdir(folder or "."))
-        endings = (*_PLACES, f"{own}w", f"{own[:2]}{own[-1:]}w")
+        endings = (*_PLACES, f"{suffix}w", f"{suffix[:2]}{suffix[-1:]}w")
         beside = {stem + case for ending in endings for case in (ending.lower(), ending.upper())}
-        for found in sorted(beside & listed[folder] - {name}):
-            yield f"{found} {_content(os.path.join(folder, found))}"
+        for file in sorted(beside & listed[folder] - {name}):
+            yield f"{file} {_content(os.path.join(folder, file))}"
 
 
 def _content(path: str) -> str:
@@ -145,10 +145,10 @@ def _said_beside(path: str) -> str:
     except ParseError:
         return _content(path)
     for parent in list(root.iter()):
-        for child in [one for one in parent if one.tag in OF_NO_CONSEQUENCE]:
+        for child in [element for element in parent if element.tag in OF_NO_CONSEQUENCE]:
             parent.remove(child)
     kept = [band for band in root if len(band) or (band.text or "").strip()]
-    return "".join(re.sub(r"\s+", " ", tostring(one, "unicode")) for one in kept)
+    return "".join(re.sub(r"\s+", " ", tostring(element, "unicode")) for element in kept)
 
 
 _KIND = "Seam Inspector: journal of a scan"

@@ -164,7 +164,7 @@ class ScanRequest:
             return None if place is None else number_of.get(self.sources[place].ref.path)
 
         beside = ((number, self.pieces[number]) for number in near.numbers.tolist())
-        return SeamSides(near, {number: (source(one.left), source(one.right)) for number, one in beside})
+        return SeamSides(near, {number: (source(piece.left), source(piece.right)) for number, piece in beside})
 
     @cached_property
     def _index(self) -> PieceIndex:
@@ -210,12 +210,12 @@ def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRas
     """The given seams that part two orthoimages, ``numbers`` by their names, as far as the mosaic has pixels on both
     sides or on none: what runs along the border of its pixels is an outline. Raises SeamlineError where none is left.
     """
-    found = tuple(
+    parting = tuple(
         part for seam in given.seams if not _is_in_one(seam, given, numbers) for part in _off_border(seam, mosaic)
     )
-    if not found:
+    if not parting:
         raise SeamlineError(messages.SEAMS_PART_NOTHING())
-    return found
+    return parting
 
 
 def _is_in_one(seam: SidedSeam, given: GivenSeams, numbers: Mapping[str, int]) -> bool:
@@ -248,20 +248,20 @@ def _off_border(seam: SidedSeam, mosaic: OpenRaster) -> Iterator[SidedSeam]:
 def _has_pixels(mosaic: OpenRaster, places: np.ndarray) -> np.ndarray:
     """Whether the mosaic has pixels at columns and rows, (n, 2); what can't be read counts as some."""
     size = np.array([mosaic.columns, mosaic.rows])
-    found = ((places >= 0) & (places < size)).all(axis=1)
+    has_pixels = ((places >= 0) & (places < size)).all(axis=1)
     if is_whole(mosaic):
-        return np.asarray(found)
+        return np.asarray(has_pixels)
     cell = np.floor(places / _STEP_PX).astype(np.int64)
-    block = np.where(found[:, np.newaxis], cell // _BLOCK_CELLS, -1)
-    for key in np.unique(block[found], axis=0):
+    block = np.where(has_pixels[:, np.newaxis], cell // _BLOCK_CELLS, -1)
+    for key in np.unique(block[has_pixels], axis=0):
         here = (block == key).all(axis=1)
         left, top = (key * _BLOCK_CELLS * _STEP_PX).tolist()
         wide, high = (min(_BLOCK_CELLS * _STEP_PX, end) for end in (mosaic.columns - left, mosaic.rows - top))
         with suppress(RasterError):
             valid = mosaic.thinned(PixelWindow(left, top, wide, high), _STEP_PX).valid
             column, row = (cell[here] - key * _BLOCK_CELLS).T
-            found[here] = valid[row.clip(max=len(valid) - 1), column.clip(max=valid.shape[1] - 1)]
-    return np.asarray(found)
+            has_pixels[here] = valid[row.clip(max=len(valid) - 1), column.clip(max=valid.shape[1] - 1)]
+    return np.asarray(has_pixels)
 
 
 def scan_request(
@@ -304,5 +304,5 @@ def scan_request(
     if given is not None:
         outside = cut_off(given.seams, request.pieces, mosaic.grid)
         unnamed = request.named[1] if request.sources else None
-        notices = [*notices, *given.notices, *(one for one in (outside, unnamed) if one is not None)]
+        notices = [*notices, *given.notices, *(notice for notice in (outside, unnamed) if notice is not None)]
     return request, notices

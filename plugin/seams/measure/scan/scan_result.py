@@ -126,9 +126,9 @@ def state_by(kept: float | None, low: float | None, high: float | None, verdict:
     return piece_state(kept, low, high, STANDARD_LEAST_KEPT, verdict is not Verdict.NOT_COMPARABLE)
 
 
-def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
+def dated(judged: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
     """A piece with the dates of its sources; ``dates``: by their names."""
-    return replace(one, left_date=dates.get(one.left or ""), right_date=dates.get(one.right or ""))
+    return replace(judged, left_date=dates.get(judged.left or ""), right_date=dates.get(judged.right or ""))
 
 
 def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:
@@ -165,11 +165,11 @@ def worst_windows(
     grid, is_valid = mosaic.grid, is_valid or valid_in(mosaic)
     side = window_side_px(grid, levels)
     taken = WindowIndex(max(side, 1))
-    found: list[PlacedWindow] = []
+    worst: list[PlacedWindow] = []
     measured = [(piece.least_kept, number) for number, piece in enumerate(pieces) if piece.least_kept is not None]
     for _, number in sorted(measured):
         judged = pieces[number]
-        if len(found) >= count:
+        if len(worst) >= count:
             break
         along = vertex_stations(judged.piece.vertices)
         x, y = points_at(judged.piece.vertices, along, along[-1:] / 2)[0].tolist()
@@ -178,8 +178,8 @@ def worst_windows(
             continue
         taken.add(window)
         station = judged.piece.station_m + judged.piece.length_m / 2
-        found.append(PlacedWindow(len(found) + 1, judged.piece.seam_id, station, window))
-    return found
+        worst.append(PlacedWindow(len(worst) + 1, judged.piece.seam_id, station, window))
+    return worst
 
 
 def window_side_px(grid: Grid, levels: int) -> int:
@@ -273,24 +273,24 @@ class ScanResult:
 
 
 SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
-    Column("seam_id", "integer", lambda one: one.piece.seam_id),
-    Column("station", "real", lambda one: one.piece.station_m),
-    Column("left_source", "text", lambda one: one.left),
-    Column("right_source", "text", lambda one: one.right),
-    Column("left_date", "text", lambda one: one.left_date),
-    Column("right_date", "text", lambda one: one.right_date),
-    Column("length", "real", lambda one: one.piece.length_m),
-    Column("level", "text", lambda one: STRETCH if one.is_stretch else PIECE),
-    Column("state", "text", lambda one: one.state.value),
-    Column("kept", "real", lambda one: one.kept, by_level=True),
-    Column("kept_low", "real", lambda one: one.low),
-    Column("kept_high", "real", lambda one: one.high),
-    Column("band_width", "real", lambda one: one.band_width_m),
-    Column("feather_width", "real", lambda one: one.feather_width_m),
-    Column("visibility", "real", lambda one: one.visibility),
-    Column("profile", "text", lambda one: one.profile or None),
-    Column("verdict", "text", lambda one: one.verdict.value),
-    Column("reason", "text", lambda one: one.reason),
+    Column("seam_id", "integer", lambda judged: judged.piece.seam_id),
+    Column("station", "real", lambda judged: judged.piece.station_m),
+    Column("left_source", "text", lambda judged: judged.left),
+    Column("right_source", "text", lambda judged: judged.right),
+    Column("left_date", "text", lambda judged: judged.left_date),
+    Column("right_date", "text", lambda judged: judged.right_date),
+    Column("length", "real", lambda judged: judged.piece.length_m),
+    Column("level", "text", lambda judged: STRETCH if judged.is_stretch else PIECE),
+    Column("state", "text", lambda judged: judged.state.value),
+    Column("kept", "real", lambda judged: judged.kept, by_level=True),
+    Column("kept_low", "real", lambda judged: judged.low),
+    Column("kept_high", "real", lambda judged: judged.high),
+    Column("band_width", "real", lambda judged: judged.band_width_m),
+    Column("feather_width", "real", lambda judged: judged.feather_width_m),
+    Column("visibility", "real", lambda judged: judged.visibility),
+    Column("profile", "text", lambda judged: judged.profile or None),
+    Column("verdict", "text", lambda judged: judged.verdict.value),
+    Column("reason", "text", lambda judged: judged.reason),
 )
 """SEAMS: one line per piece of seam."""
 

@@ -77,8 +77,8 @@ def given_seams(
     elif not named and not ambiguous:
         notices.append(messages.SEAMS_UNNAMED())
     if ambiguous:
-        told_names = ", ".join(sorted(ambiguous)[:_NAMED])
-        notices.append(messages.SEAM_SOURCES_AMBIGUOUS(count=len(ambiguous), names=told_names))
+        ambiguous_names = ", ".join(sorted(ambiguous)[:_NAMED])
+        notices.append(messages.SEAM_SOURCES_AMBIGUOUS(count=len(ambiguous), names=ambiguous_names))
     dates = {name: next(iter(days)) for name, days in pieces.dates.items() if len(days) == 1}
     return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices), dates)
 
@@ -148,11 +148,12 @@ class _Network:
                 continue  # a loop of a pixel
             walk = np.searchsorted(places, seamlines.directed(path))
             low, high = np.minimum(walk[:-1], walk[1:]), np.maximum(walk[:-1], walk[1:])
-            found = sides[np.searchsorted(key, low * len(used) + high)]
-            found = np.where((walk[:-1] < walk[1:])[:, np.newaxis], found, found[:, ::-1])
-            one, other = int(found[0].min()), int(found[0].max())
+            edge_sides = sides[np.searchsorted(key, low * len(used) + high)]
+            edge_sides = np.where((walk[:-1] < walk[1:])[:, np.newaxis], edge_sides, edge_sides[:, ::-1])
+            first, other = int(edge_sides[0].min()), int(edge_sides[0].max())
             weight = abs(np.diff(places[walk]))
-            left, right = (one, other) if weight[found[:, 0] == one].sum() * 2 >= weight.sum() else (other, one)
+            is_left = weight[edge_sides[:, 0] == first].sum() * 2 >= weight.sum()
+            left, right = (first, other) if is_left else (other, first)
             named = (owner_name(names[side]) or None for side in (left, right))
             yield SidedSeam(seamlines.as_xy(seam * self._size + self._origin), *named)
 
@@ -194,14 +195,14 @@ def polygon_faults(polygons: Sequence[tuple[str, ogr.Geometry]], grid: Grid) -> 
                     overlaps.append((area * square_metres, name, polygons[other][0]))
         if overlaps:
             overlaps.sort(key=lambda overlap: -overlap[0])
-            named = [f"{one} / {other}" for _, one, other in overlaps if one and other][:_NAMED]
+            named = [f"{first} / {other}" for _, first, other in overlaps if first and other][:_NAMED]
             total = sum(area for area, _, _ in overlaps)
             notices.append(
                 messages.SEAM_POLYGONS_OVERLAP_NAMED(count=len(overlaps), area=total, names=", ".join(named))
                 if named
                 else messages.SEAM_POLYGONS_OVERLAP(count=len(overlaps), area=total)
             )
-        gaps = [gap.GetArea() * square_metres for gap in _gaps([one for _, one in polygons], grid, narrow)]
+        gaps = [gap.GetArea() * square_metres for gap in _gaps([polygon for _, polygon in polygons], grid, narrow)]
     if gaps:
         notices.append(messages.SEAM_POLYGONS_GAPE(count=len(gaps), area=sum(gaps)))
     return notices

@@ -43,7 +43,7 @@ def cleaned(labels: np.ndarray, label_px: int) -> np.ndarray:
 _DISK = sorted(
     ((down, across) for down in range(-_GAP, _GAP + 1) for across in range(-_GAP, _GAP + 1)
      if down**2 + across**2 <= _GAP**2),
-    key=lambda one: (one[0] ** 2 + one[1] ** 2, one),
+    key=lambda offset: (offset[0] ** 2 + offset[1] ** 2, offset),
 )
 
 
@@ -57,19 +57,19 @@ def _gaps_closed(labels: np.ndarray) -> np.ndarray:
     out, around = labels.copy(), np.pad(labels, _GAP, constant_values=NONE)
     for down, across in _DISK:
         row, column = narrow.T
-        found = around[row + down + _GAP, column + across + _GAP]
-        out[row, column] = found
-        narrow = narrow[found == NONE]
+        around_label = around[row + down + _GAP, column + across + _GAP]
+        out[row, column] = around_label
+        narrow = narrow[around_label == NONE]
     return out
 
 
 def _spread(mask: np.ndarray) -> np.ndarray:
     """What lies within ``_GAP`` of a mask, bool."""
     rows, columns = mask.shape
-    around, found = np.pad(mask, _GAP), np.zeros(mask.shape, bool)
+    around, spread = np.pad(mask, _GAP), np.zeros(mask.shape, bool)
     for down, across in _DISK:
-        found |= around[down + _GAP : down + _GAP + rows, across + _GAP : across + _GAP + columns]
-    return found
+        spread |= around[down + _GAP : down + _GAP + rows, across + _GAP : across + _GAP + columns]
+    return spread
 
 
 def _outvoted(labels: np.ndarray) -> np.ndarray:
@@ -86,8 +86,8 @@ def _outvoted(labels: np.ndarray) -> np.ndarray:
         for left in range(0, labels.shape[1], _SQUARE):
             columns, beside = _around(left, labels.shape[1])
             if differs[rows, columns].any():
-                own = labels[rows, columns]
-                winner = np.where(own == NONE, NONE, _majority(own))
+                square = labels[rows, columns]
+                winner = np.where(square == NONE, NONE, _majority(square))
                 out[top : top + _SQUARE, left : left + _SQUARE] = winner[above, beside]
     return out
 
@@ -133,11 +133,11 @@ def _islands_filled(labels: np.ndarray, island: int) -> np.ndarray:
         # What fills an island is no farther off than an island may be large; else it stays empty.
         top, left = max(rows.start - island, 0), max(columns.start - island, 0)
         around = np.s_[top : rows.stop + island, left : columns.stop + island]
-        own = np.s_[rows.start - top : rows.stop - top, columns.start - left : columns.stop - left]
+        inner = np.s_[rows.start - top : rows.stop - top, columns.start - left : columns.stop - left]
         away, nearest = ndimage.distance_transform_edt(small[around], return_indices=True)
-        near = labels[around][tuple(nearest)][own]
+        near = labels[around][tuple(nearest)][inner]
         gone = small[rows, columns]
-        known = (away[own] <= island) & ~small[around].all()
+        known = (away[inner] <= island) & ~small[around].all()
         out[rows, columns] = np.where(gone, np.where(known, near, NONE), labels[rows, columns])
     return out
 

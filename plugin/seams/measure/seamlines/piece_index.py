@@ -139,9 +139,9 @@ class PieceIndex:
         if not len(points):
             return np.empty(0, dtype=int), stretches[:0]
         tree = cKDTree(as_xy(points), balanced_tree=False, compact_nodes=False)
-        _, found = tree.query(as_xy(places), distance_upper_bound=reach_px + STEP_PX)
-        hit = np.flatnonzero(found < len(points))
-        return hit, stretches[of_point[found[hit]]]
+        _, nearest = tree.query(as_xy(places), distance_upper_bound=reach_px + STEP_PX)
+        hit = np.flatnonzero(nearest < len(points))
+        return hit, stretches[of_point[nearest[hit]]]
 
 
 def _along(stretches: np.ndarray, places: complex | np.ndarray) -> np.ndarray:

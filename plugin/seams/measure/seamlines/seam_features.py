@@ -130,7 +130,7 @@ def _bare(name: str) -> str:
     return re.sub(r"[\W_]", "", name.lower())
 
 
-_TOLD = 3  # names that a notice tells
+_MOST_NAMED = 3  # names that a notice tells
 
 
 def source_numbers(
@@ -143,11 +143,11 @@ def source_numbers(
     ``images``: what is found instead of places, where several files may be one image.
     """
     meant = meant_sources(names, paths, images)
-    found = {name: next(iter(places)) for name, places in meant.items() if len(places) == 1}
+    numbers = {name: next(iter(places)) for name, places in meant.items() if len(places) == 1}
     missing = sorted(name for name, places in meant.items() if not places)
     if not missing or not paths:
-        return found, None
-    return found, messages.SEAM_SOURCES_MISSING(count=len(missing), names=", ".join(missing[:_TOLD]))
+        return numbers, None
+    return numbers, messages.SEAM_SOURCES_MISSING(count=len(missing), names=", ".join(missing[:_MOST_NAMED]))
 
 
 SeamFeature = tuple[Attributes, "bytes | None"]
@@ -304,10 +304,8 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
             except RasterError:
                 lost += 1
                 continue
-            definitions = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
-            attributes = {
-                one.GetName(): _value(feature, number, one.GetType()) for number, one in enumerate(definitions)
-            }
+            kinds = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
+            attributes = {kind.GetName(): _value(feature, number, kind.GetType()) for number, kind in enumerate(kinds)}
             features.append((attributes, None if placed is None else bytes(placed.ExportToWkb(ogr.wkbNDR))))
     return features, lost_features(lost, features)
 

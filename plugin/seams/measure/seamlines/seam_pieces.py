@@ -73,8 +73,8 @@ def cut_in_pieces(seams: Iterable[SidedSeam], piece_m: float, grid: Grid) -> lis
             count = max(1, round(along[-1] / piece_m))
             cuts = np.linspace(0, along[-1], count + 1)
             length = float(along[-1] / count)
-            for start, own in zip(cuts.tolist(), cut_at(part, along, cuts)):
-                pieces.append(SeamPiece(seam_id, station + start, length, own / scale, seam.left, seam.right))
+            for start, vertices in zip(cuts.tolist(), cut_at(part, along, cuts)):
+                pieces.append(SeamPiece(seam_id, station + start, length, vertices / scale, seam.left, seam.right))
     return pieces
 
 
@@ -164,8 +164,8 @@ def sided(piece: SeamPiece, shown: Sequence[int], numbers: Mapping[str, int]) ->
         numbers.get(side) if isinstance(side, str) else side for side in (piece.left, piece.right)
     )
 
-    def agreeing(one: int | None, other: int | None) -> int:
-        return (one is not None and one == left) + (other is not None and other == right)
+    def agreeing(first: int | None, other: int | None) -> int:
+        return (first is not None and first == left) + (other is not None and other == right)
 
     if left != right and agreeing(right_named, left_named) > agreeing(left_named, right_named):
         return replace(piece, left=piece.right, right=piece.left)

@@ -50,11 +50,11 @@ def trace_borders(edges: np.ndarray, grid: Grid, columns: int, label_px: int = 4
     """
     corner = np.array([grid.left, grid.top])
     pixel = np.array([grid.pixel_width, -grid.pixel_height])
-    found = []
+    borders = []
     for border in joined_borders(edges, columns):
         places = np.minimum(_regularised(border) * label_px, (grid.columns, grid.rows))
-        found.append(SourceBorder(corner + places * pixel, border.left, border.right, border.keys))
-    return found
+        borders.append(SourceBorder(corner + places * pixel, border.left, border.right, border.keys))
+    return borders
 
 
 def _regularised(border: LabelBorder) -> np.ndarray:

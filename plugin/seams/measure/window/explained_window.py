@@ -55,24 +55,25 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
         )
     judged = measured.judged
     settings, labels = request.settings, known_labels(request, judged)
-    found = explain(mosaic, judged, settings.wavelet, settings.levels, labels)
+    explanation = explain(mosaic, judged, settings.wavelet, settings.levels, labels)
     notices += [
-        messages.SOURCE_IN_PART(name=one.clip.raster.ref.name, share=100 * (1 - one.clip.invalid_share))
-        for one in judged
-        if one.clip.valid is not None
+        messages.SOURCE_IN_PART(name=source.clip.raster.ref.name, share=100 * (1 - source.clip.invalid_share))
+        for source in judged
+        if source.clip.valid is not None
     ]
-    found = _in_file_values(found, mosaic.grey_factor, [one.grey_factor for one in judged])
-    pairs = [pair for one, changes in zip(judged, found.changes) for pair in _pairs(mosaic, one, changes)]
-    pairs += [pair for one in measured.only_shown for pair in _pairs(mosaic, one, {})]
-    judgement = _judged(paper, mosaic.curves[band], found, band, request)
-    if Cause.MISSING_SOURCE in found.causes and judgement.reason is None:
-        judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - found.explained)))
-    if judgement.reason is not None and (found.explained < MIN_EXPLAINED or Cause.MISSING_SOURCE in found.causes):
+    explanation = _in_file_values(explanation, mosaic.grey_factor, [source.grey_factor for source in judged])
+    pairs = [pair for source, changes in zip(judged, explanation.changes) for pair in _pairs(mosaic, source, changes)]
+    pairs += [pair for source in measured.only_shown for pair in _pairs(mosaic, source, {})]
+    judgement = _judged(paper, mosaic.curves[band], explanation, band, request)
+    if Cause.MISSING_SOURCE in explanation.causes and judgement.reason is None:
+        judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - explanation.explained)))
+    is_partly = explanation.explained < MIN_EXPLAINED or Cause.MISSING_SOURCE in explanation.causes
+    if judgement.reason is not None and is_partly:
         judgement = replace(judgement, reason=_with_other_pixels(judgement.reason, measured))
-    if all(one.clip.resampled for one in judged) and judgement.reason is None:
+    if all(source.clip.resampled for source in judged) and judgement.reason is None:
         judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
     return WindowResult(
-        request.window_id, request.window, judgement, paper.verdict, clips, tuple(pairs), found,
+        request.window_id, request.window, judgement, paper.verdict, clips, tuple(pairs), explanation,
         tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
     )
 
@@ -89,36 +90,36 @@ def window_lost(measured: MeasuredWindow) -> LossPicture | None:
 
 def _with_other_pixels(reason: Message, measured: MeasuredWindow) -> Message:
     """Why the mosaic is not explained, the pixel size of the coarsest or finest source first where that is another."""
-    own = measured.request.mosaic.ground_sample_distance
-    others = [one.clip.raster for one in measured.only_shown or measured.sources]
+    mosaic_pixel = measured.request.mosaic.ground_sample_distance
+    others = [source.clip.raster for source in measured.only_shown or measured.sources]
     name, pixel = max(
-        ((one.ref.name, one.ground_sample_distance) for one in others), key=lambda one: abs(math.log(one[1] / own)),
-        default=("", own),
+        ((raster.ref.name, raster.ground_sample_distance) for raster in others),
+        key=lambda named: abs(math.log(named[1] / mosaic_pixel)), default=("", mosaic_pixel),
     )  # fmt: skip
-    if abs(pixel / own - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE:
+    if abs(pixel / mosaic_pixel - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE:
         return reason
-    return messages.OTHER_PIXEL_SIZE(name=name, pixel=round(pixel, 3), own=round(own, 3), more=reason)
+    return messages.OTHER_PIXEL_SIZE(name=name, pixel=round(pixel, 3), own=round(mosaic_pixel, 3), more=reason)
 
 
-def _in_file_values(found: Explanation, own: float, factors: Sequence[float]) -> Explanation:
-    """What stands in grey values, for the files' own instead of those that were multiplied by ``own`` and ``factors``.
+def _in_file_values(explanation: Explanation, mosaic_factor: float, factors: Sequence[float]) -> Explanation:
+    """What stands in grey values, for the files' own instead of those multiplied by ``mosaic_factor`` and ``factors``.
 
     The composite is in the mosaic's values.
     """
-    if own == 1 and all(factor == 1 for factor in factors):
-        return found
+    if mosaic_factor == 1 and all(factor == 1 for factor in factors):
+        return explanation
 
     def changed(change: Change, gain: float) -> Change:
-        tone = change.tone and replace(change.tone, gain=change.tone.gain * gain, bias=change.tone.bias / own)
+        tone = change.tone and replace(change.tone, gain=change.tone.gain * gain, bias=change.tone.bias / mosaic_factor)
         return replace(
-            change, tone=tone, contrast=tuple(None if one is None else one * gain for one in change.contrast)
+            change, tone=tone, contrast=tuple(None if ratio is None else ratio * gain for ratio in change.contrast)
         )
 
     changes = tuple(
-        {name: changed(change, factor / own) for name, change in of_source.items()}
-        for of_source, factor in zip(found.changes, (*factors, own))
+        {name: changed(change, factor / mosaic_factor) for name, change in of_source.items()}
+        for of_source, factor in zip(explanation.changes, (*factors, mosaic_factor))
     )
-    return replace(found, curves=in_file_values(found.curves, own), changes=changes)
+    return replace(explanation, curves=in_file_values(explanation.curves, mosaic_factor), changes=changes)
 
 
 def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.ndarray | None:
@@ -132,32 +133,30 @@ def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.
     return known if (known != UNKNOWN).any() else None
 
 
-def judge_by_seam(found: Explanation, min_kept: float = MAX_SIGNIFICANT_KEPT) -> tuple[Verdict, Message | None]:
+def judge_by_seam(explanation: Explanation, min_kept: float = MAX_SIGNIFICANT_KEPT) -> tuple[Verdict, Message | None]:
     """The verdict on a window by its seams and the sharpness of the whole, and why there is none: ``significant`` too
     where the square of the sharpness is at most its limit. Without a seam the sharpness alone judges."""
-    if found.sharpness is None:
+    if explanation.sharpness is None:
         return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
-    if found.sharpness**2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED:
+    if explanation.sharpness**2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED:
         return Verdict.SIGNIFICANT, None
-    is_blurred = found.sharpness < 1 - SHARPNESS_TOLERANCE
-    if found.profile is None:
-        return judge_without_profile(found.has_seam, is_blurred, found.explained, found.mixed_share)
-    return judge_profile(found.profile, min_kept, is_blurred, found.explained)
+    is_blurred = explanation.sharpness < 1 - SHARPNESS_TOLERANCE
+    if explanation.profile is None:
+        return judge_without_profile(explanation.has_seam, is_blurred, explanation.explained, explanation.mixed_share)
+    return judge_profile(explanation.profile, min_kept, is_blurred, explanation.explained)
 
 
-def _judged(
-    paper: Judgement, mosaic: Curve, found: Explanation, band: str, request: WindowRequest
-) -> Judgement:
+def _judged(paper: Judgement, mosaic: Curve, explanation: Explanation, band: str, request: WindowRequest) -> Judgement:
     """The verdict by what the settings say; the ratios stay those against the sources."""
     settings = request.settings
     if settings.reference == SEAM:
-        verdict, reason = judge_by_seam(found, settings.min_kept)
+        verdict, reason = judge_by_seam(explanation, settings.min_kept)
         return replace(paper, verdict=verdict, reason=reason)
     if settings.reference == COMPOSITE:
         # What the mosaic does not follow is cut at random, unless the cells say how.
-        if found.is_unclear and not request.cells:
+        if explanation.is_unclear and not request.cells:
             return replace(paper, verdict=Verdict.NOT_COMPARABLE, reason=messages.COMPOSITE_UNCLEAR())
-        against = judge(mosaic, [found.curves[band]], settings.max_ratio)
+        against = judge(mosaic, [explanation.curves[band]], settings.max_ratio)
         return replace(paper, verdict=against.verdict, reason=against.reason)
     return paper
 

@@ -48,10 +48,10 @@ class MeasuredWindow:
         settings = self.request.settings
         named = ((self.mosaic, "mosaic"), *((source, "source") for source in self.sources if source.curves))
         clips = []
-        for one, role in named:
-            directions = measure_directions(one.clip, settings.wavelet, settings.levels) if settings.directions else {}
-            curves = in_file_values(one.curves, one.grey_factor)
-            clips.append(ClipResult(one.clip.raster.ref.name, role, curves, directions))
+        for measured, role in named:
+            clip, curves = measured.clip, in_file_values(measured.curves, measured.grey_factor)
+            directions = measure_directions(clip, settings.wavelet, settings.levels) if settings.directions else {}
+            clips.append(ClipResult(clip.raster.ref.name, role, curves, directions))
         return WindowClips(self.request.window_id, self.request.window, tuple(clips), self.paper, self.is_explicable)
 
     @property
@@ -62,7 +62,7 @@ class MeasuredWindow:
     @property
     def is_explicable(self) -> bool:
         """Whether there is anything that sources could explain."""
-        all_whole = all(one.clip.valid is None for one in self.judged)
+        all_whole = all(source.clip.valid is None for source in self.judged)
         has_no_detail = all_whole and self.paper.verdict is Verdict.NOT_COMPARABLE
         return bool(self.judged) and self.mosaic.curves[self.band].variance > 0 and not has_no_detail
 
@@ -102,9 +102,9 @@ def measure_window(
         if abs(source.clip.raster.ground_sample_distance / pixel_m - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE
     ] or sources
     shown = [source for source in sources if source not in judged]
-    notices += [messages.SOURCE_RESAMPLED(name=one.clip.raster.ref.name) for one in shown]
-    as_they_are = [one for one in judged if not one.clip.resampled] or judged
-    whole = [one.curves[band] for one in as_they_are if one.clip.valid is None]
+    notices += [messages.SOURCE_RESAMPLED(name=source.clip.raster.ref.name) for source in shown]
+    as_they_are = [source for source in judged if not source.clip.resampled] or judged
+    whole = [source.curves[band] for source in as_they_are if source.clip.valid is None]
     paper = judge(mosaic.curves[band], whole, request.settings.max_ratio)
     refused = (*notices, *not_covering)
     notices += images_in_parts(request.sources)
@@ -136,25 +136,25 @@ def in_file_values(curves: Mapping[str, Curve], factor: float) -> dict[str, Curv
 
 
 def _comparable(
-    found: Iterable[MeasuredClip | RasterError], band: str
+    measured: Iterable[MeasuredClip | RasterError], band: str
 ) -> tuple[list[MeasuredClip], list[Message], list[Message]]:
     """Sources that can be compared, why others can't, and which do not cover the window at all."""
     sources: list[MeasuredClip] = []
     notices: list[Message] = []
     not_covering: list[Message] = []
-    for one in found:
-        if isinstance(one, NotCoveredError):
-            not_covering.append(one.message.as_warning())
-        elif isinstance(one, RasterError):
-            notices.append(one.message.as_warning())
+    for source in measured:
+        if isinstance(source, NotCoveredError):
+            not_covering.append(source.message.as_warning())
+        elif isinstance(source, RasterError):
+            notices.append(source.message.as_warning())
         else:
-            name, bands = one.clip.raster.ref.name, one.clip.raster.band_names
+            name, bands = source.clip.raster.ref.name, source.clip.raster.band_names
             if band not in measured_bands(bands):
                 notices.append(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)).as_warning())
-            elif one.curves and one.curves[band].variance == 0:
+            elif source.curves and source.curves[band].variance == 0:
                 notices.append(messages.SOURCE_CONSTANT(name=name).as_warning())
             else:
-                sources.append(one)
+                sources.append(source)
     return sources, notices, not_covering
 
 
@@ -166,29 +166,29 @@ class MeasuredAhead:
 
     def __init__(self, read_each: ReadEach) -> None:
         self._read_each = read_each
-        self._found: OrderedDict[WindowRequest, Future[Measured]] = OrderedDict()
+        self._windows: OrderedDict[WindowRequest, Future[Measured]] = OrderedDict()
         self._lock = Lock()
 
     def __call__(self, request: WindowRequest) -> Measured:
         key = replace(request, window_id=0)
         with self._lock:
-            future = self._found.get(key)
+            future = self._windows.get(key)
             if is_new := future is None:
-                future = self._found[key] = Future()
-                while len(self._found) > KEPT:
-                    self._found.popitem(last=False)
+                future = self._windows[key] = Future()
+                while len(self._windows) > KEPT:
+                    self._windows.popitem(last=False)
         assert future is not None
         if is_new:
             try:
                 future.set_result(measure_window(key, self._read_each))
             except Exception as error:
                 with self._lock:
-                    self._found.pop(key, None)
+                    self._windows.pop(key, None)
                 future.set_exception(error)
-        found = future.result()
-        return replace(found, request=request) if isinstance(found, MeasuredWindow) else found
+        measured = future.result()
+        return replace(measured, request=request) if isinstance(measured, MeasuredWindow) else measured
 
     def forget(self) -> None:
         """Let go of the pixels."""
         with self._lock:
-            self._found.clear()
+            self._windows.clear()

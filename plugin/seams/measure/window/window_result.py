@@ -108,8 +108,8 @@ class WindowResult:
     def profile(self) -> SeamProfile | None:
         """What is kept along the seam; None without one, or where it can't be told, as where it is more than any seam
         leaves."""
-        found = self.explanation.profile if self.explanation else None
-        return None if found is not None and found.low > MAX_KEPT_LOW else found
+        profile = self.explanation.profile if self.explanation else None
+        return None if profile is not None and profile.low > MAX_KEPT_LOW else profile
 
     @property
     def loss(self) -> LossPicture | None:
@@ -136,14 +136,14 @@ class WindowResult:
     @property
     def _lost_share(self) -> float:
         """Lost share of the window's finest detail energy: along its seam, or in all of it where that is more."""
-        found = self.explanation
-        if self.reference != SEAM or found is None:
+        explanation = self.explanation
+        if self.reference != SEAM or explanation is None:
             ratios = self.judgement.ratios
-            if found is not None and self.reference == COMPOSITE:
-                ratios = next(iter(found.ratios.values()))
+            if explanation is not None and self.reference == COMPOSITE:
+                ratios = next(iter(explanation.ratios.values()))
             return 1 - (ratios.detail[0] or 0.0)
-        along = found.evidence.lost if self.profile is not None and self.profile.high < 1 else 0.0
-        sharpness = 1.0 if found.sharpness is None else found.sharpness
+        along = explanation.evidence.lost if self.profile is not None and self.profile.high < 1 else 0.0
+        sharpness = 1.0 if explanation.sharpness is None else explanation.sharpness
         return max(along, 1 - sharpness**2 if sharpness < 1 - SHARPNESS_TOLERANCE else 0.0)
 
     @property
@@ -185,19 +185,21 @@ class WindowResult:
     @property
     def with_composite(self) -> tuple[ClipResult, ...]:
         """The clips, last the sources' composite where there is one."""
-        found = self.explanation
-        return self.clips if found is None else (*self.clips, ClipResult(COMPOSITE, COMPOSITE, found.curves))
+        if self.explanation is None:
+            return self.clips
+        return (*self.clips, ClipResult(COMPOSITE, COMPOSITE, self.explanation.curves))
 
     @property
     def composite_pairs(self) -> tuple[PairResult, ...]:
         """The mosaic against the composite, band by band."""
-        found = self.explanation
-        if found is None:
+        explanation = self.explanation
+        if explanation is None:
             return ()
         resampled = any(pair.resampled for pair in self.pairs)
+        similarity, changes = explanation.similarity, explanation.changes[-1]
         return tuple(
-            PairResult(COMPOSITE, name, ratios, found.similarity[name], 0.0, 0.0, resampled, found.changes[-1][name])
-            for name, ratios in found.ratios.items()
+            PairResult(COMPOSITE, name, ratios, similarity[name], 0.0, 0.0, resampled, changes[name])
+            for name, ratios in explanation.ratios.items()
         )
 
     @property

@@ -299,7 +299,7 @@ PLACED = (
 """Origin of a window: of one that was placed, where; ``drawn``, ``placed`` or ``scan``."""
 
 WINDOW_FIELDS: tuple[WindowField, ...] = (*MEASURED, *SAID, *PLACED)
-_ROW_COLUMNS = tuple(one for one in MEASURED if one.name != "observer")
+_ROW_COLUMNS = tuple(column for column in MEASURED if column.name != "observer")
 
 
 def in_filter(fields: Sequence[WindowField] = WINDOW_FIELDS) -> dict[str, WindowField]:
@@ -339,9 +339,9 @@ def pair_rows(results: Iterable[WindowResult]) -> TableRows:
 
     The fields are those of the table PAIRS; the sources' composite comes last.
     """
-    found = list(results)
-    most = _most_levels(found)
-    return _table(PAIR_COLUMNS, chain.from_iterable(map(pairs_of, found)), most)
+    listed = list(results)
+    most = _most_levels(listed)
+    return _table(PAIR_COLUMNS, chain.from_iterable(map(pairs_of, listed)), most)
 
 
 def _table(columns: Sequence[Column[Any]], results: Iterable[object], levels: int = 0) -> TableRows:
@@ -351,7 +351,7 @@ def _table(columns: Sequence[Column[Any]], results: Iterable[object], levels: in
 def bins_of(result: WindowResult) -> Iterator[ProfileRow]:
     """The rows of PROFILES for a result; none without a seam."""
     bins = result.profile.bins if result.profile else ()
-    return (ProfileRow(result.window_id, one, result.ground_sample_distance) for one in bins)
+    return (ProfileRow(result.window_id, bin_, result.ground_sample_distance) for bin_ in bins)
 
 
 def pairs_of(result: WindowResult) -> Iterator[PairRow]:
@@ -385,7 +385,7 @@ def result_record(result: WindowResult) -> bytes:
 def result_of(record: bytes) -> WindowResult | None:
     """None for what can't be read, or is of another version."""
     try:
-        found: Any = value_of(WindowResult, record, sentences_of(imagery_messages, messages))
+        result: Any = value_of(WindowResult, record, sentences_of(imagery_messages, messages))
     except NotUnderstoodError:
         return None
-    return found if isinstance(found, WindowResult) else None
+    return result if isinstance(result, WindowResult) else None

@@ -66,8 +66,8 @@ class ScanDesk:
         self.messages: list[str] = []
         self.found: list[Any] = []
         self.session.messageRaised.connect(self._heard)
-        self.scans.told.connect(self._heard)
-        self.scans.found.connect(self.found.append)
+        self.scans.notified.connect(self._heard)
+        self.scans.scanned.connect(self.found.append)
 
     def _heard(self, text: str, _level: int) -> None:
         self.messages.append(text)

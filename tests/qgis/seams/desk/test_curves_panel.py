@@ -308,7 +308,7 @@ def test_it_takes_its_colours_from_the_palette(session: CurvesSession, panel: Cu
 def save(panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, path: Path) -> list[str]:
     """What is said."""
     said: list[str] = []
-    panel._save.told.connect(lambda text, _level: said.append(text))
+    panel._save.notified.connect(lambda text, _level: said.append(text))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", staticmethod(lambda *_: (str(path), "")))
     panel._save.click()
     return said

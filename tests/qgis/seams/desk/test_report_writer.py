@@ -18,7 +18,7 @@ class Writer:
         self.window = QWidget()
         self.writer = ReportWriter(desk.session, self.window)
         self.told: list[str] = []
-        self.writer.told.connect(self._hear)
+        self.writer.notified.connect(self._hear)
 
     def _hear(self, text: str, _level: int) -> None:
         self.told.append(text)
