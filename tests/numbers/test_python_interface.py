@@ -164,7 +164,7 @@ LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
 
 @pytest.mark.parametrize("crs", ["EPSG:5773", "EPSG:4978", LOCAL, 3.5])
 def test_a_system_of_no_map_is_refused(folder: Path, crs: object) -> None:
-    with pytest.raises(SettingsError, match="no coordinate reference system of a map"):
+    with pytest.raises(SettingsError, match="not a projected or geographic coordinate reference system"):
         open_block(folder / "mosaic.tif", crs=crs)
 
 
@@ -204,7 +204,7 @@ def test_a_decision_is_the_same_after_a_journey(block: Block, folder: Path) -> N
 
 @pytest.mark.parametrize("extent", [(1, 2, 3), "corner", None, (0, 0, "a", 1)])
 def test_what_is_no_rectangle_is_refused(block: Block, extent: object) -> None:
-    with pytest.raises(SettingsError, match=r"Window 7 is no rectangle; give \(xmin"):
+    with pytest.raises(SettingsError, match=r"Window 7 is not a rectangle; give \(xmin"):
         block.window(extent, window_id=7)
 
 
@@ -321,7 +321,7 @@ def test_seams_that_cannot_be_mended_are_left_with_a_reason(
         layer.SetFeature(feature)
     del feature, layer, elsewhere
     for sources, seams, words in (
-        ([], scanned, "no two of the given"), ([block.sources[0].ref.path], scanned, "no two of the given"),
+        ([], scanned, "not name two of the given"), ([block.sources[0].ref.path], scanned, "not name two of the given"),
         ([source.ref.path for source in block.sources], moved, "not lie on this mosaic"),
     ):  # fmt: skip
         caplog.clear()
@@ -380,7 +380,7 @@ def piece(kept: object, number: int, **others: object) -> dict[str, object]:
 
 def test_rows_in_memory_need_no_seal_but_say_nothing_of_other_seams() -> None:
     rows = [piece(0.9, place) for place in range(9)]
-    words = "nothing is known of seams that are in no row: one."
+    words = "seams that are in no row are unknown: one."
     for told, is_said in ((None, True), ({"one": {}}, True), ({"one": {"unexplained": "0.0"}}, False)):
         found = decide(make_delivery({"one": rows}, METRES, told), limit_rules())
         assert found.accepted

@@ -76,7 +76,7 @@ def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
             assert len(names) < 5, complaint
             continue
         assumed = made.evidence is OrientationEvidence.ASSUMED
-        assert assumed == any("How the photo lay" in str(notice) for notice in made.notices), names
+        assert assumed == any("The photo's orientation" in str(notice) for notice in made.notices), names
         assert assumed or farthest(made, bare) < 1, names
 
 

@@ -326,7 +326,7 @@ def test_the_reading_of_a_reconstruction_is_told(tmp_path: Path) -> None:
     assert "Photos are placed by reconstruction.topocentric.json" in str(exterior_of(path).notices[0])
     alone = tmp_path / "reconstruction.json"
     alone.write_text(path.read_text())
-    assert "in the plane that touches the Earth at its reference" in str(exterior_of(alone).notices[0])
+    assert "in the plane tangent to the Earth at its reference" in str(exterior_of(alone).notices[0])
 
 
 @pytest.mark.parametrize("cameras", [False, True])

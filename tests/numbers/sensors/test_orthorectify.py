@@ -263,8 +263,8 @@ def test_meshes_beyond_10_to_30_m_are_told(
 
 
 @pytest.mark.parametrize(("given", "words"), [
-    ({"height": float("nan")}, "which no place on earth has"),
-    ({"height": float("inf")}, "which no place on earth has"),
+    ({"height": float("nan")}, "which is impossible on Earth"),
+    ({"height": float("inf")}, "which is impossible on Earth"),
     ({"height": 600.0, "pixel_size": float("nan")}, "give a positive number"),
     ({"height": 600.0, "pixel_size": float("inf")}, "give a positive number"),
 ])  # fmt: skip

@@ -99,7 +99,7 @@ def test_a_parameter_that_contradicts_the_rules_is_refused(tmp_path: Path) -> No
     ("rules", "words"),
     [
         ([{"check": "failed_share", "most": 0.02, "source": "x"}], "what a piece must keep"),
-        ([{"check": "kept", "least": 0.7, "source": "x"}], "nothing to decide by"),
+        ([{"check": "kept", "least": 0.7, "source": "x"}], "no rule to decide by"),
         ([{"check": "kept", "least": 0.7, "source": "x"}, {"check": "failed_share", "most": 2, "source": "x"}], "0.02"),
         ([{"check": "kept", "least": 0.7, "source": "x"}, {"check": "sampling", "aql": 3, "source": "x"}], "AQL '3'"),
         ([{"check": "kept", "least": 0.7, "source": "x"}] * 2, "two rules for 'kept'"),

@@ -188,7 +188,7 @@ def test_what_another_date_shows_is_not_brought_into_the_mosaic(dtype: type, sca
     later = None
     ended = mend(files, scanned, tmp_path)
     assert [row["outcome"] for row in ended.rows("CUTS")] == ["left"] * len(ended.rows("CUTS"))
-    assert_sentence(ended.rows("CUTS")[0]["reason"], "% of the ground near the seam otherwise than the mosaic")
+    assert_sentence(ended.rows("CUTS")[0]["reason"], "The orthoimages differ from the mosaic on")
     assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
 
 

@@ -188,7 +188,7 @@ def test_a_full_disk_keeps_the_blocks_that_are_done(
     with monkeypatch.context() as patched:
         patched.setattr(RecordFiles, "save", full)
         failed = scan(files, tmp_path)
-    assert_sentence(failed.complaint, r"\(No space left on device\). What was measured is kept \(blocks done: [1-9]")
+    assert_sentence(failed.complaint, r"\(No space left on device\). What was measured is saved \(blocks done: [1-9]")
     assert sorted(path.name for path in tmp_path.iterdir()) == JOURNAL
     again = scan(files, tmp_path)
     assert any("goes on where it stopped" in said for said in again.log.infos)

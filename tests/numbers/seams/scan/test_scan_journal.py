@@ -124,7 +124,7 @@ def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> N
             journal.save("block 1", b"y" * 200_000)
         journal.save("block 2", b"z" * 1000)  # a small one still finds room
     assert str(caught.value) == (
-        f"{path} can't be written (File too large). What was measured is kept (blocks done: 1); make room on "
+        f"{path} can't be written (File too large). What was measured is saved (blocks done: 1); make room on "
         "the disk and start the scan again with the same output to go on."
     )
     journal.save("block 1", b"y" * 200_000)
