@@ -155,7 +155,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/placewindows.py" line="37"/>
-        <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
@@ -1455,7 +1455,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="68"/>
-        <source>The limit drawn into the charts: the one the windows were inspected with.</source>
+        <source>The limit drawn in the charts: the one the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
@@ -2250,7 +2250,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
-        <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
@@ -2480,7 +2480,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="85"/>
-        <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
+        <source>{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
@@ -3190,7 +3190,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="97"/>
-        <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
+        <source>The fit did not converge within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
@@ -3280,7 +3280,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="234"/>
-        <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
+        <source>The terrain model {name} has {count} million pixels under the image, but at most {most} million can be used; resample it, 10 to 30 m work best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
@@ -4869,12 +4869,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="212"/>
-        <source>A scan has no density &apos;{density}&apos;; give one of: {known}.</source>
+        <source>&apos;{density}&apos; is not a density of a scan; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="213"/>
-        <source>The picture of losses has no cells of {cell} pixels; give one of: {known}.</source>
+        <source>The picture of losses can&apos;t have cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
@@ -4884,12 +4884,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="326"/>
-        <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
+        <source>The scan continues where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="327"/>
-        <source>The scan starts anew, since {what} changed since it stopped.</source>
+        <source>The scan starts from the beginning, as {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
@@ -4954,7 +4954,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="352"/>
-        <source>The scan was stopped; started again with the same output it goes on from here.</source>
+        <source>The scan was stopped; started again with the same output it continues from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
@@ -4994,17 +4994,17 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="298"/>
-        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
+        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on top, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="302"/>
-        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one lies on top can&apos;t be told, so no seam is measured there.</source>
+        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); it is unknown which lies on top, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="306"/>
-        <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
+        <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
@@ -5079,7 +5079,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
-        <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
@@ -6151,7 +6151,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="198"/>
-        <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
+        <source>The camera of {name} looks at the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
@@ -6201,12 +6201,12 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="240"/>
-        <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
+        <source>The terrain model {name} has a grid spacing of {mesh:.0f} m: relief between its points is lost, and the orthoimage is displaced there; 10 to 30 m work best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="243"/>
-        <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
+        <source>The terrain model {name} has a grid spacing of {mesh:.1f} m: on a satellite image so fine a grid may bend straight lines such as roads; 10 to 30 m work best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
@@ -7046,7 +7046,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="64"/>
-        <source>The limit drawn into the seam profiles: the one the windows were inspected with.</source>
+        <source>The limit drawn in the seam profiles: the one the windows were inspected with.</source>
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
@@ -8579,7 +8579,7 @@
         <translation>Kontrolowana ortofotomapa.</translation>
     </message>
     <message>
-        <source>Lines, or polygons of which each is filled from one orthoimage.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem.</translation>
     </message>
     <message>
@@ -9306,7 +9306,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="329"/>
-        <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
+        <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
@@ -9967,7 +9967,7 @@
         <translation>Okna, w których zachowano najmniej, od najgorszego.</translation>
     </message>
     <message>
-        <source>Lines, or polygons of which each is filled from one orthoimage. Needed where there are no orthoimages.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy wypełniono z jednego ortoobrazu. Konieczne, gdy nie ma ortoobrazów.</translation>
     </message>
     <message>
@@ -10120,7 +10120,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/mendseams.py" line="41"/>
-        <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as in a scan, and only those that keep more detail than before are used. Where the orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason.</source>
+        <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are blended more widely. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as in a scan, and only those that keep more detail than before are used. Where the orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason.</source>
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
@@ -10280,7 +10280,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="49"/>
-        <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
+        <source>Mending continues where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
@@ -11116,7 +11116,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="180"/>
-        <source>{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
+        <source>{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
     <message>
@@ -11635,7 +11635,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="220"/>
-        <source>The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
+        <source>The format of SEAMS can&apos;t hold the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
         <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
@@ -11827,7 +11827,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging_layout.py" line="36"/>
-        <source>Judge window after window: QGIS&apos;s panels make room, and what lies over the mosaic goes (J); again: all is as before</source>
+        <source>Judge window after window: hides QGIS&apos;s panels and what lies over the mosaic (J); again: shows them as before</source>
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
@@ -12187,7 +12187,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="158"/>
-        <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save what is edited in it, then try again.</source>
+        <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save its edits, then try again.</source>
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
     <message>
@@ -12222,7 +12222,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="120"/>
-        <source>{name} has another pixel size than the mosaic and was resampled; it is shown but not used, as others have the mosaic&apos;s pixel size.</source>
+        <source>{name} has a different pixel size from the mosaic&apos;s and was resampled; it is shown but not used, as others have the mosaic&apos;s pixel size.</source>
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
@@ -12623,7 +12623,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="31"/>
-        <source>&apos;{parameter}&apos; is &apos;{value}&apos;; known are {known}.</source>
+        <source>&apos;{parameter}&apos; is &apos;{value}&apos;; give one of {known}.</source>
         <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
     </message>
     <message>

@@ -80,8 +80,8 @@ class CheckRadiometry(RasterListAlgorithm):
             "without them it is not measurable, since a cast looks the same as the colour of the ground."
         ))
         self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
-            "Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured "
-            "on the rasters they cross, 2 to 10 px on either side."
+            "Lines, or polygons that are each filled from one orthoimage: the step of tone at the seams is measured on "
+            "the rasters they cross, 2 to 10 px on either side."
         ))
         self.addDescribed(common.result(OUTPUT, tr("Radiometry"), common.TABLE), tr(
             "One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."

@@ -28,7 +28,7 @@ NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
 NO_NUMBER = Message("'{parameter}' is '{value}', which is not a number; write it with a point, such as 0.7.")
 NUMBER_TOO_SMALL = Message("'{parameter}' is {value:g}; give {least:g} or more.")
 NUMBER_BEYOND = Message("'{parameter}' is {value:g}; give a number from {least:g} to {most:g}.")
-WORD_UNKNOWN = Message("'{parameter}' is '{value}'; known are {known}.")
+WORD_UNKNOWN = Message("'{parameter}' is '{value}'; give one of {known}.")
 NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
 NO_RASTERS = Message("No rasters are given; choose at least one.")
@@ -82,4 +82,4 @@ LAYER_NOT_REPLACED = Message(
 LAYER_IN_USE = Message(
     "{path} is open in another program and can't be replaced; the new layer is {part}.", WARNING)
 FILE_FORMAT_OTHER = Message("{name} has the wrong ending; the file is written as {filters}, so give it that ending.")
-CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")
+CHART_FORMAT_UNKNOWN = Message("{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.")

@@ -300,7 +300,7 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
         scan(block, loss=tmp_path / "loss.tif", progress=end)
     assert list(tmp_path.glob("*.scan"))
     found = scan(block, loss=tmp_path / "loss.tif")
-    assert "goes on where it stopped" in str(found.notices[0])
+    assert "continues where it stopped" in str(found.notices[0])
     assert any(piece.kept for piece in found.pieces)
     assert not list(tmp_path.glob("*.scan"))
 

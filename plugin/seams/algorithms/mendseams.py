@@ -40,9 +40,9 @@ class MendSeams(SeamInspectorAlgorithm):
     HELP = QT_TR_NOOP(
         "Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that "
         "they show in different places. Its pixels come from the orthoimages in the mosaic's own tones and sharpness, "
-        "and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then "
-        "the new cuts are measured as in a scan, and only those that keep more detail than before are used. Where the "
-        "orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason."
+        "and only tones are blended more widely. Patches and a virtual mosaic are written; the mosaic itself is never "
+        "touched. Then the new cuts are measured as in a scan, and only those that keep more detail than before are "
+        "used. Where the orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason."
     )
     NAMED_BY_FORMAT = (MENDED,)
 

@@ -34,8 +34,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON), tr(
-            "Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. "
-            "Fragments and pixel staircases are joined and straightened first."
+            "Lines, or polygons that are each filled from one orthoimage: where two touch there is a seam. Fragments "
+            "and pixel staircases are joined and straightened first."
         ))
         self.addDescribed(*common.mosaic())
         self.addDescribed(common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01), tr(

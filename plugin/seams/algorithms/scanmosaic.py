@@ -51,7 +51,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
         self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
-            "Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the "
+            "Lines, or polygons that are each filled from one orthoimage. Without them seams are found from the "
             "pixels. Needed where there are no orthoimages."
         ))
         self.addDescribed(common.field(SOURCE_FIELD, tr("Field with the orthoimage's name"), SEAMLINES), tr(

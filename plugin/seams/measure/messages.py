@@ -117,8 +117,8 @@ INTERVAL_TOO_WIDE = Message(
 )
 SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and is used there.", INFO)
 SOURCE_RESAMPLED = Message(
-    "{name} has another pixel size than the mosaic and was resampled; it is shown but not used, as others have the "
-    "mosaic's pixel size.", INFO
+    "{name} has a different pixel size from the mosaic's and was resampled; it is shown but not used, as others have "
+    "the mosaic's pixel size.", INFO
 )
 NO_CELLS = Message(
     "{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources' "
@@ -155,7 +155,7 @@ FILTER_GEOMETRY = Message(
 FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
 FILTER_HIDDEN = Message("'{word}' is hidden while judging blind, so it filters nothing; filter by {known}.", INFO)
 FIELD_NOT_HELD = Message(
-    "The layer {name} has no field '{field}', which can't be added now: save what is edited in it, then try again."
+    "The layer {name} has no field '{field}', which can't be added now: save its edits, then try again."
 )
 # the threshold that an observer's verdicts support
 VERDICTS_UNKNOWN = Message(
@@ -209,15 +209,15 @@ DETAILS_LIMITED = Message(
 
 # settings of a scan
 SCAN_LEVELS = Message("The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.")
-DENSITY_UNKNOWN = Message("A scan has no density '{density}'; give one of: {known}.")
-SCAN_CELL = Message("The picture of losses has no cells of {cell} pixels; give one of: {known}.")
+DENSITY_UNKNOWN = Message("'{density}' is not a density of a scan; give one of: {known}.")
+SCAN_CELL = Message("The picture of losses can't have cells of {cell} pixels; give one of: {known}.")
 PIECE_LENGTH = Message("Length of a piece of seam (metres)", INFO)
 CORRIDOR = Message("Corridor (metres)", INFO)
 WORST_WINDOWS = Message("Windows of the worst places", INFO)
 SCAN_LENGTHS = Message("{name} is {value:g}; give {least} or more.")
 LOSS_NOT_TIFF = Message("The picture of losses is a GeoTIFF; give {path} the ending .tif.")
 SEAMS_WITHOUT_SEAL = Message(
-    "The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as "
+    "The format of SEAMS can't hold the seal of the scan, without which no delivery is accepted; write SEAMS as "
     "GeoPackage.", WARNING
 )
 CORRIDOR_WITHOUT_SEAMS = Message(
@@ -295,15 +295,15 @@ SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING
 )
 SEAM_POLYGONS_OVERLAP = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can't be "
-    "told, so no seam is measured there.", WARNING
+    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on "
+    "top, so no seam is measured there.", WARNING
 )
 SEAM_POLYGONS_OVERLAP_NAMED = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one "
-    "lies on top can't be told, so no seam is measured there.", WARNING
+    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); it is unknown "
+    "which lies on top, so no seam is measured there.", WARNING
 )
 SEAM_POLYGONS_GAPE = Message(
-    "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no "
+    "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not "
     "seams.", WARNING
 )
 SEAM_SOURCES_MISSING = Message(
@@ -323,11 +323,11 @@ SEAM_FEATURES_NOT_TRANSFORMED = Message(
     WARNING
 )
 # the journal of a scan that can go on where it stopped
-SCAN_GOES_ON = Message("The scan goes on where it stopped; blocks that are done already: {done}.", INFO)
-SCAN_ANEW = Message("The scan starts anew, since {what} changed since it stopped.", WARNING)
+SCAN_GOES_ON = Message("The scan continues where it stopped; blocks that are done already: {done}.", INFO)
+SCAN_ANEW = Message("The scan starts from the beginning, as {what} changed since it stopped.", WARNING)
 SCAN_INPUT_CHANGED = Message(
     "While the mosaic was scanned {name} changed, so what was read of it before can't be used; start the scan again "
-    "with the same output, and it is measured anew."
+    "with the same output, and it is measured again."
 )
 SCAN_JOURNAL_FOREIGN = Message("{path} was not left by a scan; move it away, or choose another output.")
 SCAN_JOURNAL_IN_USE = Message(
@@ -349,7 +349,7 @@ SCAN_OF_OTHER_PLACES = Message("where the mosaic or one of the sources lies", IN
 SCAN_WITH_OTHER_SETTINGS = Message("a setting", INFO)
 SCAN_OF_OTHER_SEAMS = Message("the seam lines", INFO)
 SCAN_OF_ANOTHER_KIND = Message("an input or a setting", INFO)
-SCAN_STOPPED = Message("The scan was stopped; started again with the same output it goes on from here.", INFO)
+SCAN_STOPPED = Message("The scan was stopped; started again with the same output it continues from here.", INFO)
 SCAN_LAYER_NOT_WRITTEN = Message(
     "The layer {name} can't be written. What was measured is saved; make room on the disk, or choose another file for "
     "the layer, and start the scan again with the same picture of losses to go on."

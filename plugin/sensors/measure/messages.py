@@ -94,8 +94,8 @@ CHECK_POINTS_MISSING = Message(
     "check points.", WARNING)
 # the fit
 NOT_CONVERGED = Message(
-    "The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points "
-    "or choose a model with fewer unknowns.", WARNING)
+    "The fit did not converge within {iterations} iterations, so the points are too few or too noisy for it; add "
+    "points or choose a model with fewer unknowns.", WARNING)
 ILL_CONDITIONED = Message(
     "The points hardly determine the model (condition {condition:.0e}): between them it may oscillate, so trust the "
     "check points only or choose a lower order.", WARNING)
@@ -177,8 +177,8 @@ ORIENTATION_INCOMPLETE = Message("An interior orientation needs an exterior one;
 NO_BLOCK = Message(
     "Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos' orientations (EXTERIOR).")
 NO_PROJECT = Message(
-    "{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos' "
-    "orientations (EXTERIOR).")
+    "{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the "
+    "photos' orientations (EXTERIOR).")
 PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
@@ -195,7 +195,7 @@ CAMERA_BELOW_TERRAIN = Message(
 ORTHO_APPROXIMATE = Message(
     "The orthoimage is up to {most:.1f} px off the exact model, since an RPC approximates it.", WARNING)
 CAMERA_LOOKS_UP = Message(
-    "The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; "
+    "The camera of {name} looks at the horizon or above it, so that a part of the image has no place on the ground; "
     "check omega, phi and kappa.")
 LENS_FOLDS = Message(
     "The distortion of the camera is not valid at a part of the photo's edge; check its coefficients and the size of "
@@ -231,17 +231,17 @@ DEM_PARTLY_COVERING = Message(
     "The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage "
     "is empty there, so fill or extend the terrain model.", WARNING)
 DEM_TOO_LARGE = Message(
-    "The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, "
-    "meshes of 10 to 30 m serve best.")
+    "The terrain model {name} has {count} million pixels under the image, but at most {most} million can be used; "
+    "resample it, 10 to 30 m work best.")
 DEM_WITHOUT_OVERVIEWS = Message(
     "The terrain model {name} has {count} million pixels and no overviews to find its lowest and highest place by; "
     "build some (gdaladdo), or clip it to the photos.")
 MESH_COARSE = Message(
-    "The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced "
-    "there; meshes of 10 to 30 m serve best.", WARNING)
+    "The terrain model {name} has a grid spacing of {mesh:.0f} m: relief between its points is lost, and the "
+    "orthoimage is displaced there; 10 to 30 m work best.", WARNING)
 MESH_FINE = Message(
-    "The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines "
-    "such as roads; meshes of 10 to 30 m serve best.", WARNING)
+    "The terrain model {name} has a grid spacing of {mesh:.1f} m: on a satellite image so fine a grid may bend "
+    "straight lines such as roads; 10 to 30 m work best.", WARNING)
 VIEW_TOLD = Message(
     "The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth "
     "{azimuth:.0f}; an error of {error:g} m in the terrain's heights moves its middle by {shift:.2f} m.", INFO)

@@ -46,5 +46,5 @@ NO_PIECES = Message("The layer of seams holds no piece of seam; give the layer S
 MENDING_STOPPED = Message(
     "Mending was stopped; start it again with the same outputs to continue.", INFO
 )
-MENDING_GOES_ON = Message("Mending goes on where it stopped; seams that are cut already: {done}.", INFO)
+MENDING_GOES_ON = Message("Mending continues where it stopped; seams that are cut already: {done}.", INFO)
 NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)
