@@ -4667,7 +4667,7 @@
         <translation>główna przyczyna w</translation>
     </message>
     <message>
-        <source>used in</source>
+        <source>contributed in</source>
         <translation>udział w</translation>
     </message>
     <message>
