@@ -321,7 +321,7 @@ def test_the_reading_of_a_reconstruction_is_told(tmp_path: Path) -> None:
     """Alone it is in the plane at its reference, in a project in UTM, and exact beside its topocentric form."""
     path = odm(tmp_path) / "opensfm" / "reconstruction.json"
     (notice,) = exterior_of(path).notices
-    assert "is taken as in EPSG:32633 with the offset of coords.txt, where OpenDroneMap puts it" in str(notice)
+    assert "is read in EPSG:32633 with the offset of coords.txt, where OpenDroneMap puts it" in str(notice)
     path.with_name("reconstruction.topocentric.json").write_text(path.read_text())
     assert "Photos are placed by reconstruction.topocentric.json" in str(exterior_of(path).notices[0])
     alone = tmp_path / "reconstruction.json"
