@@ -184,67 +184,67 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="69"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="75"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="77"/>
+        <location filename="../plugin/imagery/messages.py" line="76"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="84"/>
+        <location filename="../plugin/imagery/messages.py" line="82"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="96"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="100"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="103"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="103"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -314,17 +314,17 @@
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="91"/>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="93"/>
+        <location filename="../plugin/imagery/messages.py" line="91"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; wybierz inne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="59"/>
+        <location filename="../plugin/imagery/messages.py" line="58"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -344,7 +344,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="56"/>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -379,8 +379,8 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="80"/>
-        <source>The window covers {width} x {height} px of the mosaic, but at most {most} million px can be measured; draw it smaller.</source>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <source>The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
@@ -2049,7 +2049,7 @@
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="67"/>
+        <location filename="../plugin/sensors/planpoints.py" line="66"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
@@ -2084,7 +2084,7 @@
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="71"/>
+        <location filename="../plugin/sensors/planpoints.py" line="70"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
@@ -2484,7 +2484,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="130"/>
+        <location filename="../plugin/imagery/messages.py" line="128"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2539,7 +2539,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="93"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2549,12 +2549,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="131"/>
+        <location filename="../plugin/imagery/messages.py" line="129"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="133"/>
+        <location filename="../plugin/imagery/messages.py" line="131"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2579,17 +2579,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="89"/>
+        <location filename="../plugin/imagery/messages.py" line="87"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="87"/>
+        <location filename="../plugin/imagery/messages.py" line="85"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2614,22 +2614,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="150"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="153"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="155"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="158"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2639,17 +2639,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="161"/>
+        <location filename="../plugin/imagery/messages.py" line="159"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="162"/>
+        <location filename="../plugin/imagery/messages.py" line="160"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="163"/>
+        <location filename="../plugin/imagery/messages.py" line="161"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -3089,7 +3089,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <location filename="../plugin/imagery/messages.py" line="127"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3254,7 +3254,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="65"/>
+        <location filename="../plugin/imagery/messages.py" line="64"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3324,12 +3324,12 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="128"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="277"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3523,7 +3523,7 @@
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="262"/>
+        <location filename="../plugin/seams/words.py" line="260"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
@@ -3548,12 +3548,12 @@
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="256"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="263"/>
+        <location filename="../plugin/seams/words.py" line="261"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -4328,7 +4328,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="96"/>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4583,32 +4583,32 @@
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="240"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="249"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="250"/>
+        <location filename="../plugin/seams/words.py" line="248"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="251"/>
+        <location filename="../plugin/seams/words.py" line="249"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="257"/>
+        <location filename="../plugin/seams/words.py" line="255"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -4703,22 +4703,22 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="135"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="136"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>{name} arrived only in part over the network, also at the second try; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
@@ -5198,32 +5198,32 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="147"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="314"/>
+        <location filename="../plugin/seams/words.py" line="312"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="315"/>
+        <location filename="../plugin/seams/words.py" line="313"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="316"/>
+        <location filename="../plugin/seams/words.py" line="314"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="317"/>
+        <location filename="../plugin/seams/words.py" line="315"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="318"/>
+        <location filename="../plugin/seams/words.py" line="316"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
@@ -6275,52 +6275,52 @@
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="56"/>
-        <source>Share of the image&apos;s area, for the spread corner.</source>
+        <location filename="../plugin/sensors/planpoints.py" line="55"/>
+        <source>Share of the image, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="57"/>
+        <location filename="../plugin/sensors/planpoints.py" line="56"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="59"/>
+        <location filename="../plugin/sensors/planpoints.py" line="58"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="60"/>
+        <location filename="../plugin/sensors/planpoints.py" line="59"/>
         <source>For a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="64"/>
+        <location filename="../plugin/sensors/planpoints.py" line="63"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="65"/>
+        <location filename="../plugin/sensors/planpoints.py" line="64"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="68"/>
+        <location filename="../plugin/sensors/planpoints.py" line="67"/>
         <source>An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="72"/>
+        <location filename="../plugin/sensors/planpoints.py" line="71"/>
         <source>For the nominal scanner and the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="73"/>
+        <location filename="../plugin/sensors/planpoints.py" line="72"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="73"/>
+        <location filename="../plugin/sensors/planpoints.py" line="72"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
@@ -6330,17 +6330,17 @@
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="74"/>
+        <location filename="../plugin/sensors/planpoints.py" line="73"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="75"/>
+        <location filename="../plugin/sensors/planpoints.py" line="74"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="75"/>
+        <location filename="../plugin/sensors/planpoints.py" line="74"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
@@ -6350,17 +6350,17 @@
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="79"/>
+        <location filename="../plugin/sensors/planpoints.py" line="78"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="80"/>
+        <location filename="../plugin/sensors/planpoints.py" line="79"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="81"/>
+        <location filename="../plugin/sensors/planpoints.py" line="80"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
@@ -6485,27 +6485,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="154"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="156"/>
+        <location filename="../plugin/imagery/messages.py" line="154"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="157"/>
+        <location filename="../plugin/imagery/messages.py" line="155"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="159"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="160"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -8653,7 +8653,7 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="135"/>
+        <location filename="../plugin/imagery/messages.py" line="133"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
@@ -8693,12 +8693,12 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>The rules in {name} are not text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>The rules in {name} are not valid JSON (see line {line}); correct the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -9027,73 +9027,73 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="166"/>
+        <location filename="../plugin/imagery/messages.py" line="164"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="177"/>
+        <location filename="../plugin/imagery/messages.py" line="175"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="174"/>
+        <location filename="../plugin/imagery/messages.py" line="172"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="171"/>
+        <location filename="../plugin/imagery/messages.py" line="169"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="176"/>
+        <location filename="../plugin/imagery/messages.py" line="174"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="168"/>
+        <location filename="../plugin/imagery/messages.py" line="166"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="172"/>
+        <location filename="../plugin/imagery/messages.py" line="170"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="173"/>
+        <location filename="../plugin/imagery/messages.py" line="171"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="175"/>
+        <location filename="../plugin/imagery/messages.py" line="173"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="167"/>
+        <location filename="../plugin/imagery/messages.py" line="165"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="178"/>
+        <location filename="../plugin/imagery/messages.py" line="176"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="170"/>
+        <location filename="../plugin/imagery/messages.py" line="168"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="169"/>
+        <location filename="../plugin/imagery/messages.py" line="167"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="53"/>
-        <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to the mosaic&apos;s first.</source>
+        <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to them first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
     <message>
@@ -9181,7 +9181,7 @@
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="264"/>
+        <location filename="../plugin/seams/words.py" line="262"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -10259,32 +10259,32 @@
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="38"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="45"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
         <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="47"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
         <source>Mending was stopped; start it again with the same outputs to continue.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="49"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="48"/>
         <source>Mending continues where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="50"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="49"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -10699,7 +10699,7 @@
         <translation>Maska rastra {name}, w nim samym lub w pliku .msk obok, jest uszkodzona; skopiuj oba pliki jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>Some points can&apos;t be transformed to another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
@@ -10754,7 +10754,7 @@
         <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="33"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -10964,12 +10964,12 @@
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="58"/>
+        <location filename="../plugin/sensors/planpoints.py" line="57"/>
         <source>For each ground coordinate of a point, as it will be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="63"/>
+        <location filename="../plugin/sensors/planpoints.py" line="62"/>
         <source>Height above the ellipsoid. Points lie anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
@@ -11385,42 +11385,42 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="270"/>
-        <source>Among the models without a parametric basis quotients are the soundest, but they need many, well spread points.</source>
+        <source>Without a parametric basis, quotients are the soundest models, but they need many, well spread points.</source>
         <translation>Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="273"/>
         <source>Polynomials suit small areas only and oscillate between the points, so watch the check points.</source>
         <translation>Wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
         <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="243"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="244"/>
+        <location filename="../plugin/seams/words.py" line="242"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="245"/>
+        <location filename="../plugin/seams/words.py" line="243"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
-        <source>Brightness was evened out from place to place; if done from a coarse overview, this removes detail.</source>
+        <location filename="../plugin/seams/words.py" line="239"/>
+        <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
     <message>
@@ -11625,11 +11625,11 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
-        <source>{name} is identical to the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so remove it from the sources.</source>
+        <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="26"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
         <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -11746,7 +11746,7 @@
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="258"/>
+        <location filename="../plugin/seams/words.py" line="256"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
@@ -11756,12 +11756,12 @@
         <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
         <source>{name} can&apos;t be read over the network ({why}); check the network and GDAL&apos;s settings, or copy it to a local disk.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź połączenie z siecią i ustawienia biblioteki GDAL albo skopiuj plik na dysk lokalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
@@ -12256,7 +12256,7 @@
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="124"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -12406,7 +12406,7 @@
         <translation>Istotna strata na {failed} z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
@@ -12472,17 +12472,17 @@
         <translation>na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
-        <source>The seam does not name two of the given orthoimages; give those that the mosaic was made from.</source>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="34"/>
+        <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="38"/>
         <source>The corridor is {value:g} m wide; give more than 0.</source>
         <translation>Korytarz ma szerokość {value:g} m; podaj więcej niż 0.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="40"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
         <source>A blend of {value:g} pixels can&apos;t be made; give a whole number of 0 to {most}.</source>
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
@@ -12537,12 +12537,12 @@
         <translation>„{text}” nie jest układem współrzędnych mapy (płaskim ani geograficznym); należy go zapisać jako WKT albo tak jak EPSG:2180.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="69"/>
         <source>{name} is {value}; give {expected}.</source>
         <translation>{name}: podano {value}; należy podać {expected}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax as numbers, the smaller ones first.</source>
         <translation>Okno biegnie od {xmin:.8g} do {xmax:.8g} i od {ymin:.8g} do {ymax:.8g}; podaj xmin, ymin, xmax i ymax jako liczby, najpierw mniejsze.</translation>
     </message>

@@ -50,8 +50,7 @@ NOT_ON_GROUND = Message(
     "{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates."
 )
 MUCH_FINER = Message(
-    "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to the mosaic's "
-    "first."
+    "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to them first."
 )
 SOURCE_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 # reference systems
@@ -77,8 +76,7 @@ WINDOW_TOO_SMALL = Message(
     "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger."
 )
 WINDOW_TOO_LARGE = Message(
-    "The window covers {width} x {height} px of the mosaic, but at most {most} million px can be measured; draw it "
-    "smaller."
+    "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller."
 )
 TOO_MANY_LEVELS = Message(
     "{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer "

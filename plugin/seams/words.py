@@ -236,9 +236,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.DODGING.value: ShownCause(
         QT_TR_NOOP("dodging"),
-        QT_TR_NOOP(
-            "Brightness was evened out from place to place; if done from a coarse overview, this removes detail."
-        ),
+        QT_TR_NOOP("Brightness was evened out from place to place; from a coarse overview, this removes detail."),
         QT_TR_NOOP("brightness was evened out from place to place"),
         took=QT_TR_NOOP("dodging took {value} %"),
         brief=QT_TR_NOOP("dodged"),

@@ -52,8 +52,7 @@ class PlanPoints(SensorAlgorithm):
             "grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."
         ))
         for name, label, default, least, most, text in (
-            (CORNER_SHARE, tr("Share of the corner"), 0.25, 0.01, 1,
-             tr("Share of the image's area, for the spread corner.")),
+            (CORNER_SHARE, tr("Share of the corner"), 0.25, 0.01, 1, tr("Share of the image, for the spread corner.")),
             (SIGMA, tr("Standard deviation on the ground (metres)"), 0.5, 0, 1000,
              tr("For each ground coordinate of a point, as it will be surveyed.")),
             (SIGMA_PX, tr("Standard deviation in the image (pixels)"), 0.5, 0, 1000,

@@ -267,8 +267,7 @@ RECOMMENDED = Message(
 RECOMMEND_PUSHBROOM = Message("A parametric model needs few points and does not oscillate between them.", INFO)
 RECOMMEND_RPC_BIAS = Message("The vendor's RPC holds the image's geometry and a few points remove its offset.", INFO)
 RECOMMEND_RATIONAL = Message(
-    "Among the models without a parametric basis quotients are the soundest, but they need many, well spread "
-    "points.", INFO)
+    "Without a parametric basis, quotients are the soundest models, but they need many, well spread points.", INFO)
 RECOMMEND_DLT = Message("It is the quotient of lowest order with one denominator and needs the fewest points.", INFO)
 RECOMMEND_POLYNOMIAL_3D = Message(
     "Polynomials suit small areas only and oscillate between the points, so watch the check points.", INFO)

@@ -18,9 +18,8 @@ COPY_AMONG_SOURCES = Message(
     "this one was cut from. It would hide every loss and is left out of the sources.", WARNING
 )
 MAY_BE_COPY = Message(
-    "{name} is identical to the mosaic wherever they were compared. It is used, as it may be one of the "
-    "orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so remove it "
-    "from the sources.", WARNING
+    "{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; "
+    "if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.", WARNING
 )
 MAY_BE_ALTERED_COPY = Message(
     "{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from "

@@ -31,8 +31,7 @@ NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its
 
 CUT_NOT_MEASURED = Message("What the new cut keeps can't be measured, so its patch is left out.")
 NOT_ON_MOSAIC = Message("The seam does not lie on this mosaic; give the seams that a scan of it found.")
-SIDES_UNKNOWN = Message(
-    "The seam does not name two of the given orthoimages; give those that the mosaic was made from.")
+SIDES_UNKNOWN = Message("The seam does not name two of the given orthoimages; give those the mosaic was made from.")
 
 # settings
 WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
