@@ -15,7 +15,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="52"/>
-        <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
+        <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. The rectangle around each is measured, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/placewindows.py" line="29"/>
-        <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
+        <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the given length, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
@@ -155,7 +155,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/placewindows.py" line="37"/>
-        <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
@@ -270,7 +270,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="47"/>
-        <source>Seams that lie within windows of longer ones and got none of their own: {count}.</source>
+        <source>Seams that lie within windows of longer ones and have none of their own: {count}.</source>
         <translation>Linie mozaikowania leżące w oknach dłuższych linii, bez własnych okien: {count}.</translation>
     </message>
     <message>
@@ -290,7 +290,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="12"/>
-        <source>The pixels of {name} can&apos;t be read; the file may be truncated or damaged, so copy it anew.</source>
+        <source>The pixels of {name} can&apos;t be read; the file may be truncated or damaged, so copy it again.</source>
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="79"/>
-        <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
+        <source>The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
@@ -400,7 +400,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="16"/>
-        <source>The window has no outline; draw it anew.</source>
+        <source>The window has no outline; draw it again.</source>
         <translation>Okno nie ma obrysu; narysuj je od nowa.</translation>
     </message>
     <message>
@@ -415,7 +415,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="19"/>
-        <source>The outline of the window crosses itself; draw it anew as a rectangle.</source>
+        <source>The outline of the window crosses itself; draw it again as a rectangle.</source>
         <translation>Obrys okna przecina sam siebie; narysuj okno od nowa jako prostokąt.</translation>
     </message>
     <message>
@@ -625,7 +625,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="252"/>
-        <source>Metres that a clicked or placed window spans at least</source>
+        <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
@@ -695,7 +695,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/charts/curves_panel.py" line="248"/>
-        <source>The curves are not kept with the project. Inspect again to see them.</source>
+        <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
@@ -800,7 +800,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
-        <source>Measures the selected windows anew.</source>
+        <source>Measures the selected windows again.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
@@ -1025,7 +1025,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="67"/>
-        <source>No window layer can be written to {folder}; save the project in a folder that you may write to.</source>
+        <source>No window layer can be written to {folder}; save the project in a folder that you can write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
-        <source>{count} of them have no curves in it, as these are not kept with the project; inspect them again to have them.</source>
+        <source>{count} of them have no curves in it, as these are not saved with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
     <message>
@@ -1290,7 +1290,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/simulatebayer.py" line="25"/>
-        <source>Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its filter is kept, and the other two are interpolated from the neighbours. Fine lines get wider and coloured (Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene.</source>
+        <source>Shows what a camera with a single chip would have seen of an image: each pixel records only the colour of its filter, and the other two are interpolated from the neighbours. Fine lines get wider and coloured (Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene.</source>
         <translation>Pokazuje, co z danego obrazu zarejestrowałaby kamera z jedną matrycą: z każdego piksela zostaje tylko barwa jego filtra, a dwie pozostałe są interpolowane z sąsiednich pikseli. Cienkie linie stają się szersze i barwne (Walczykowski i in. 2009, rozdział 5). Obraz jednokanałowy jest traktowany jako scena w odcieniach szarości.</translation>
     </message>
     <message>
@@ -1385,7 +1385,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/predictloss.py" line="46"/>
-        <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
+        <source>Rectangles where seams are to run, in any reference system. The rectangle around each is measured, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
@@ -1420,7 +1420,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/predictloss.py" line="72"/>
-        <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
+        <source>Each pair of sources of a window: agreement of their detail, expected ratio, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
     <message>
@@ -1455,7 +1455,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="68"/>
-        <source>The limit drawn into the charts: the one the windows were inspected with.</source>
+        <source>The limit drawn in the charts: the one the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
@@ -1475,7 +1475,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="67"/>
-        <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
+        <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are given they determine the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
@@ -1524,42 +1524,42 @@
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="92"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="91"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="93"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="92"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="95"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="96"/>
-        <source>Share of the full amplitude that the bars of a resolved group keep.</source>
+        <location filename="../plugin/resolution/measureresolution.py" line="95"/>
+        <source>Share of the full amplitude that the bars need for a group to be resolved.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="102"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="103"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="102"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="106"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
@@ -1569,12 +1569,12 @@
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="108"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="107"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="110"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="109"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
@@ -1665,7 +1665,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/enhancephoto.py" line="27"/>
-        <source>Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy.</source>
+        <source>Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against grain, Laplace or Sobel for edges. Photos of any size are processed in strips; georeference and invalid pixels are not changed. Marks are measured on the photo itself, not on this copy.</source>
         <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, filtr uśredniający lub Gaussa przeciw ziarnu, Laplace’a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
     <message>
@@ -2070,7 +2070,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/sensor_parameters.py" line="108"/>
-        <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
+        <source>Where no point has a role, this share of them, evenly spread, checks the fit and is not used in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
@@ -2100,7 +2100,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/fitsensormodel.py" line="53"/>
-        <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
+        <source>Fits the geometry of a satellite image to ground control points and judges it on check points that the fit does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
@@ -2120,7 +2120,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/fitsensormodel.py" line="64"/>
-        <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
+        <source>For polynomials and quotients. Higher orders need many points and oscillate between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
@@ -2240,7 +2240,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
-        <source>The images to be checked, each for itself.</source>
+        <source>The images to be checked, each on its own.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
@@ -2250,7 +2250,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
-        <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
@@ -2315,7 +2315,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectify.py" line="132"/>
-        <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
+        <source>System of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
@@ -2410,7 +2410,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/comparemarks.py" line="74"/>
-        <source>Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
+        <source>Pixel size of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
@@ -2425,7 +2425,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/comparemarks.py" line="84"/>
-        <source>The difference of each mark, the second measurement less the first, in pixels.</source>
+        <source>The difference of each mark, the second measurement minus the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
@@ -2480,7 +2480,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="85"/>
-        <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
+        <source>{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
@@ -2505,7 +2505,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="179"/>
-        <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
+        <source>{measure} does not reliably separate visible losses from others: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
@@ -2515,7 +2515,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="199"/>
-        <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
+        <source>{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set; the best below that is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
@@ -2575,7 +2575,7 @@
     </message>
     <message>
         <location filename="../plugin/noise/measure/messages.py" line="31"/>
-        <source>The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) or a texture of that size; look at the window.</source>
+        <source>The detail falls only after level 2, not from level 1 to 2: noise coarser than a pixel (grain, resampling, compression) or a texture of that size; look at the window.</source>
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
@@ -2705,7 +2705,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="13"/>
-        <source>The line has no geometry; draw it anew across the bars of the group.</source>
+        <source>The line has no geometry; draw it again across the bars of the group.</source>
         <translation>Linia nie ma geometrii; narysuj ją na nowo w poprzek pasków grupy.</translation>
     </message>
     <message>
@@ -2790,7 +2790,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="44"/>
-        <source>The bars seem {spacing:.1f} px apart and the group&apos;s are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
+        <source>The bars seem {spacing:.1f} px apart, but those of the group are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
     <message>
@@ -2805,7 +2805,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="52"/>
-        <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster&apos;s pixel size.</source>
+        <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the measured bars are used, so check the reference group, its distance and the raster&apos;s pixel size.</source>
         <translation>Odstęp pasków jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej GRD i wielkość piksela rastra.</translation>
     </message>
     <message>
@@ -2845,7 +2845,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="10"/>
-        <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
+        <source>No layer of bar groups can be written to {folder}; save the project in a folder that you can write to.</source>
         <translation>Nie można zapisać warstwy grup pasków w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
@@ -2880,7 +2880,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="72"/>
-        <source>the template is larger than the piece of the photo around the mark</source>
+        <source>the template is larger than the part of the photo around the mark</source>
         <translation>wzorzec jest większy niż fragment zdjęcia wokół znaczka</translation>
     </message>
     <message>
@@ -2944,18 +2944,18 @@
         <translation>Kalibracja ma za mało znaczków: {count}, a model {model} wymaga {least}; uzupełnij ją albo użyj innego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="95"/>
+        <location filename="../plugin/photos/measure/messages.py" line="94"/>
         <source>Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them as positions with their measurement off.</source>
         <translation>Znaczki zmierzone lub podane: {count}, a model {model} wymaga {least}; zmierz pozostałe ręcznie i podaj je jako położenia z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="98"/>
-        <source>The marks are at one place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="97"/>
+        <source>The marks are at the same place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
         <translation>Znaczki są w jednym miejscu albo na jednej prostej, więc nie można wyznaczyć modelu {model}; podaj dalsze znaczki.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="53"/>
-        <source>All pixels of {name} are alike, so it shows no marks; scan the photo anew.</source>
+        <source>All pixels of {name} are alike, so it shows no marks; scan the photo again.</source>
         <translation>Wszystkie piksele rastra {name} są jednakowe, więc nie widać na nim znaczków; zeskanuj zdjęcie ponownie.</translation>
     </message>
     <message>
@@ -2990,7 +2990,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="60"/>
-        <source>How the photo lay in the scanner is not known, so it is taken as upright and not mirrored; give the positions of three marks if that is wrong.</source>
+        <source>The photo&apos;s orientation in the scanner is unknown, so it is taken as upright and not mirrored; give the positions of three marks if that is wrong.</source>
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
     <message>
@@ -3000,7 +3000,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="81"/>
-        <source>no places in the photo that look like marks lie as the calibration says</source>
+        <source>no possible marks in the photo are arranged as in the calibration</source>
         <translation>żadne miejsca na zdjęciu podobne do znaczków nie leżą zgodnie z kalibracją</translation>
     </message>
     <message>
@@ -3009,23 +3009,23 @@
         <translation>leżałby poza zdjęciem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="85"/>
+        <location filename="../plugin/photos/measure/messages.py" line="84"/>
         <source>it was found at the same place as &apos;{other}&apos;</source>
         <translation>znaleziono go w tym samym miejscu co „{other}”</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="86"/>
-        <source>it lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most</source>
+        <location filename="../plugin/photos/measure/messages.py" line="85"/>
+        <source>it lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is allowed</source>
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="91"/>
-        <source>the marks lie up to {worst:.2f} mm from where the calibration places them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
+        <location filename="../plugin/photos/measure/messages.py" line="90"/>
+        <source>the marks lie up to {worst:.2f} mm from where the calibration places them, {limit:.2f} mm is allowed, and it is unknown which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="100"/>
-        <source>The {model} model takes all of its {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="99"/>
+        <source>The {model} model needs all of the {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
         <translation>Model {model} wykorzystuje wszystkie swoje znaczki ({count}), więc odchyłki są zerowe i nic nie mówią o jego dokładności; zmierz więcej znaczków albo użyj prostszego modelu.</translation>
     </message>
     <message>
@@ -3035,16 +3035,16 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="83"/>
-        <source>only {count} places that look like marks lie as the calibration says, and without positions {least} are needed</source>
+        <source>only {count} possible marks are arranged as in the calibration, and without positions {least} are needed</source>
         <translation>liczba miejsc podobnych do znaczków i zgodnych z kalibracją wynosi tylko {count}, a bez położeń potrzeba {least}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="102"/>
+        <location filename="../plugin/photos/measure/messages.py" line="101"/>
         <source>There is no transformation to write; give the positions of more marks.</source>
         <translation>Nie ma transformacji do zapisania; podaj położenia większej liczby znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="104"/>
+        <location filename="../plugin/photos/measure/messages.py" line="103"/>
         <source>{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were written.</source>
         <translation>Raster {name} nie ma transformacji ({why}); jego znaczki są w wyniku, ale nie zapisano parametrów ani pliku world.</translation>
     </message>
@@ -3064,12 +3064,12 @@
         <translation>Warstwa położeń nie zawiera punktu z nazwą w polu „mark”; zdigitalizuj takie punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="115"/>
+        <location filename="../plugin/photos/measure/messages.py" line="114"/>
         <source>The layer {layer} has no field &apos;mark&apos;; choose layers of measured marks.</source>
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="124"/>
+        <location filename="../plugin/photos/measure/messages.py" line="123"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
@@ -3155,7 +3155,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="69"/>
-        <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
+        <source>Only {count} of {total} points are left as control points, but the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
@@ -3190,12 +3190,12 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="97"/>
-        <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
+        <source>The fit did not converge within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="100"/>
-        <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
+        <source>The points hardly determine the model (condition {condition:.0e}): between them it may oscillate, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
@@ -3210,7 +3210,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="121"/>
-        <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
+        <source>The model polynomial_2d ignores heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
@@ -3220,7 +3220,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="116"/>
-        <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
+        <source>{name} holds no complete RPC; get the file again from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
@@ -3250,7 +3250,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="136"/>
-        <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
+        <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model again.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
@@ -3259,37 +3259,37 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="208"/>
-        <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 for these.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="211"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="229"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
-        <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
+        <source>The terrain model {name} has {count} million pixels under the image, but at most {most} million can be used; resample it, 10 to 30 m work best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
@@ -3299,27 +3299,27 @@
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3329,7 +3329,7 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="277"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3534,7 +3534,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="147"/>
-        <source>Grey values were pressed together by a linear function.</source>
+        <source>The range of grey values was narrowed by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
@@ -3544,7 +3544,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="163"/>
-        <source>Highlights or shadows were driven into the limits.</source>
+        <source>Highlights or shadows were cut off at the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
@@ -3614,7 +3614,7 @@
         <translation>Model {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
     </message>
     <message>
-        <source>The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}.</source>
+        <source>The photo is rotated by {turned} degrees clockwise{mirrored}, according to: {evidence}.</source>
         <translation>Zdjęcie jest obrócone o {turned}° zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie {evidence}.</translation>
     </message>
     <message>
@@ -3860,7 +3860,7 @@
         <translation>co najmniej {least}</translation>
     </message>
     <message>
-        <source>Signal to noise: areas of {side} x {side} px, spread over the image, whose mean lies in the middle half of the range and whose four quadrants have the same mean as far as their noise lets one tell; the quarter with the least noise, mean over standard deviation.</source>
+        <source>Signal to noise: areas of {side} x {side} px, spread over the image, whose mean lies in the middle half of the range and whose four quadrants have the same mean within their noise; mean over standard deviation of the quarter with the least noise.</source>
         <translation>Stosunek sygnału do szumu: obszary {side} × {side} px, rozłożone na obrazie, których średnia leży w środkowej połowie zakresu, a cztery ćwiartki mają tę samą średnią, o ile pozwala to stwierdzić ich szum; z ćwierci obszarów o najmniejszym szumie, średnia podzielona przez odchylenie standardowe.</translation>
     </message>
     <message>
@@ -3964,11 +3964,11 @@
         <translation>Średni wiersza (px)</translation>
     </message>
     <message>
-        <source>Mean errors are root mean squares. Only check points, which took no part in the fit, say how accurate the image becomes.</source>
+        <source>Mean errors are root mean squares. Only check points, which were not used in the fit, show how accurate the image is.</source>
         <translation>Błędy średnie to błędy średniokwadratowe. Tylko punkty kontrolne, które nie brały udziału w dopasowaniu, mówią, jak dokładny będzie obraz.</translation>
     </message>
     <message>
-        <source>Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated.</source>
+        <source>Model minus measured in the image, enlarged; beyond the shaded outline the model extrapolates.</source>
         <translation>Model minus pomiar na obrazie, w powiększeniu; zacieniony obrys obejmuje to, co nie jest ekstrapolowane.</translation>
     </message>
     <message>
@@ -4002,7 +4002,7 @@
         <translation>Każdy punkt przewidziano z dopasowania do wszystkich pozostałych (leave-one-out), ponieważ punktów kontrolnych jest mało.</translation>
     </message>
     <message>
-        <source>Errors are those of check points, which took no part in the fit.</source>
+        <source>Errors are those of check points, which were not used in the fit.</source>
         <translation>Błędy są błędami punktów kontrolnych, które nie brały udziału w dopasowaniu.</translation>
     </message>
     <message>
@@ -4324,7 +4324,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="11"/>
-        <source>A verdict can&apos;t be taken against &apos;{reference}&apos;; choose one of {known}.</source>
+        <source>A verdict can&apos;t be given against &apos;{reference}&apos;; choose one of {known}.</source>
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
@@ -4333,62 +4333,62 @@
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>similarity</source>
         <translation>transformacji przez podobieństwo</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
@@ -4419,8 +4419,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
-        <source>What was found, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
-        <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
+        <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
+        <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
@@ -4544,7 +4544,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="220"/>
-        <source>Compression with loss, block by block, changed the fine detail.</source>
+        <source>Lossy compression, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
@@ -4594,7 +4594,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="247"/>
-        <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
+        <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
@@ -4619,22 +4619,22 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="115"/>
-        <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
+        <source>What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="118"/>
-        <source>{name} covers {share:.0f} % of the window and takes part there.</source>
+        <source>{name} covers {share:.0f} % of the window and is used there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="131"/>
-        <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
+        <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; so the verdict is uncertain.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="206"/>
-        <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
+        <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others are in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
@@ -4667,7 +4667,7 @@
         <translation>główna przyczyna w</translation>
     </message>
     <message>
-        <source>took part in</source>
+        <source>contributed in</source>
         <translation>udział w</translation>
     </message>
     <message>
@@ -4689,7 +4689,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="53"/>
-        <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
+        <source>The Dask scheduler at {address} is gone; restart it and its workers, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
@@ -4719,7 +4719,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="142"/>
-        <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
+        <source>{name} arrived only in part over the network, also at the second try; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
@@ -4819,7 +4819,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="33"/>
-        <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken against, seam cells, how a whole mosaic is scanned</source>
+        <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
@@ -4869,27 +4869,27 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="212"/>
-        <source>A scan has no density &apos;{density}&apos;; give one of: {known}.</source>
+        <source>&apos;{density}&apos; is not a density of a scan; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="213"/>
-        <source>The picture of losses has no cells of {cell} pixels; give one of: {known}.</source>
+        <source>The picture of losses can&apos;t have cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="253"/>
-        <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
+        <source>{name} has no {band} band, which the mosaic is measured by, so it is not used.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="326"/>
-        <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
+        <source>The scan continues where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="327"/>
-        <source>The scan starts anew, since {what} changed since it stopped.</source>
+        <source>The scan starts from the beginning, as {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
@@ -4909,7 +4909,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="338"/>
-        <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
+        <source>{path} can&apos;t be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
@@ -4954,7 +4954,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="352"/>
-        <source>The scan was stopped; started again with the same output it goes on from here.</source>
+        <source>The scan was stopped; started again with the same output it continues from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
@@ -4969,7 +4969,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="276"/>
-        <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
+        <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the pixels decide which of them the mosaic shows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
@@ -4994,17 +4994,17 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="298"/>
-        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
+        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on top, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="302"/>
-        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one lies on top can&apos;t be told, so no seam is measured there.</source>
+        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); it is unknown which lies on top, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="306"/>
-        <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
+        <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
@@ -5024,7 +5024,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="410"/>
-        <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
+        <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
@@ -5054,17 +5054,17 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="249"/>
-        <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
+        <source>More than {most} orthoimages overlap in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are used.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="354"/>
-        <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
+        <source>The layer {name} can&apos;t be written. What was measured is saved; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="240"/>
-        <source>None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
+        <source>None of the orthoimages can be used, for the reasons in the log; fix that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
@@ -5079,7 +5079,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
-        <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
@@ -5089,7 +5089,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="58"/>
-        <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
+        <source>For seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
@@ -5099,7 +5099,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="62"/>
-        <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
+        <source>Width that is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
@@ -5179,7 +5179,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="381"/>
-        <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
+        <source>What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
@@ -5269,7 +5269,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/notes_row.py" line="57"/>
-        <source>A remark on the window (R); Enter keeps it and Esc leaves it as it was.</source>
+        <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
@@ -5309,7 +5309,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="67"/>
-        <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
+        <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
@@ -5354,12 +5354,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="271"/>
-        <source>Window {numbers}. What was found is hidden.</source>
+        <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="369"/>
-        <source>Then the next window comes. Click again to take it back.</source>
+        <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
@@ -5719,7 +5719,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
-        <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
+        <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
@@ -5744,7 +5744,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
-        <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
+        <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
@@ -5866,7 +5866,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
-        <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
+        <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict is not based on it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
@@ -5881,7 +5881,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/dock.py" line="279"/>
-        <source>What was found is hidden while you judge blind.</source>
+        <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
@@ -5971,7 +5971,7 @@
     </message>
     <message>
         <location filename="../plugin/noise/measure/messages.py" line="9"/>
-        <source>Windows are grouped by a field of theirs; give WINDOWS, or leave GROUP_FIELD empty.</source>
+        <source>GROUP_FIELD is a field of the windows; give WINDOWS, or leave GROUP_FIELD empty.</source>
         <translation>Okna są grupowane według ich pola; podaj WINDOWS albo pozostaw GROUP_FIELD puste.</translation>
     </message>
     <message>
@@ -6046,7 +6046,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="16"/>
-        <source>The points are of the images {names}; choose one of them, since a file that names images is read for one.</source>
+        <source>The points are of the images {names}; choose one of them, as only the points of one image are read.</source>
         <translation>Punkty należą do obrazów {names}; wybierz jeden z nich, ponieważ plik, który podaje nazwy obrazów, jest czytany dla jednego.</translation>
     </message>
     <message>
@@ -6056,17 +6056,17 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="31"/>
-        <source>The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
+        <source>By their reference system the points are in degrees, but one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
         <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="34"/>
-        <source>Point {name} is {height:.6g} m high, which no place on earth is; give heights in metres.</source>
+        <source>Point {name} is {height:.6g} m high, which is impossible on Earth; give heights in metres.</source>
         <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj wysokości w metrach.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="36"/>
-        <source>By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
+        <source>According to the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
         <translation>Według punktów piksel ma w terenie {size:.2g} m; sprawdź, czy ich układ współrzędnych jest tym, w którym podano współrzędne.</translation>
     </message>
     <message>
@@ -6086,7 +6086,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="59"/>
-        <source>By the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
+        <source>According to the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
         <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
     </message>
     <message>
@@ -6116,7 +6116,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="151"/>
-        <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
+        <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check the orthoimage&apos;s position.</source>
         <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
@@ -6126,7 +6126,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="174"/>
-        <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
+        <source>{name} does not name the image {image} exactly once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
@@ -6141,7 +6141,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="190"/>
-        <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
+        <source>The exterior orientation is not in metres, which the camera&apos;s perspective needs; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
@@ -6150,92 +6150,92 @@
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="199"/>
-        <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="198"/>
+        <source>The camera of {name} looks at the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="205"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="217"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
-        <source>The constant height is {height:.6g} m, which no place on earth has; give it in metres.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
+        <source>The constant height is {height:.6g} m, which is impossible on Earth; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
-        <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata value, or choose another one.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
+        <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which is impossible on Earth; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
-        <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
+        <source>The terrain model {name} has a grid spacing of {mesh:.0f} m: relief between its points is lost, and the orthoimage is displaced there; 10 to 30 m work best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
-        <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
+        <source>The terrain model {name} has a grid spacing of {mesh:.1f} m: on a satellite image so fine a grid may bend straight lines such as roads; 10 to 30 m work best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="257"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="261"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -6246,7 +6246,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="38"/>
-        <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points tell how accurate the image became.</source>
+        <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points show how accurate the image is.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
@@ -6276,7 +6276,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="55"/>
-        <source>Of the image&apos;s area, for the spread corner.</source>
+        <source>Share of the image, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
@@ -6291,7 +6291,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="59"/>
-        <source>Of a point&apos;s column and row: how well it is identified.</source>
+        <source>For a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
@@ -6311,7 +6311,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="71"/>
-        <source>Of the nominal scanner, and for the model pushbroom.</source>
+        <source>For the nominal scanner and the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
@@ -6611,7 +6611,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/desk/bar_dock.py" line="77"/>
-        <source>What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
+        <source>What a distance measures: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
         <translation>Czego szerokością jest wymiar: paska i przerwy razem, zgodnie z definicją rozdzielczości, czy jednego paska, jak w niektórych testach i raportach.</translation>
     </message>
     <message>
@@ -6671,7 +6671,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="83"/>
-        <source>Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
+        <source>Height {height:g} m and distance {grd:g} cm give no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
         <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
     </message>
     <message>
@@ -6696,7 +6696,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/simulatebayer.py" line="38"/>
-        <source>bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen there says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which has to be installed.</source>
+        <source>bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the recorded colour shows where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which has to be installed.</source>
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
@@ -6716,21 +6716,21 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measureresolution.py" line="84"/>
-        <source>Of the reference group, in centimetres on the ground; the next parameter says of what it is the width.</source>
+        <source>In centimetres on the ground; the next parameter says what it is the width of.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="87"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="86"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="88"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="87"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="98"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
@@ -6846,12 +6846,12 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/words.py" line="132"/>
-        <source>Not measurable and required: {checks}; in {images}.</source>
+        <source>Required but not measurable: {checks}; in {images}.</source>
         <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/words.py" line="136"/>
-        <source>Not looked at: {count}.</source>
+        <source>Not checked: {count}.</source>
         <translation>Nie sprawdzono: {count}.</translation>
     </message>
     <message>
@@ -6861,7 +6861,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/words.py" line="143"/>
-        <source>All figures keep their limits.</source>
+        <source>All figures are within their limits.</source>
         <translation>Wszystkie wartości mieszczą się w granicach.</translation>
     </message>
     <message>
@@ -6871,7 +6871,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="47"/>
-        <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
+        <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is listed with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
@@ -6896,7 +6896,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
-        <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
+        <source>The lowest and highest value that pixels can have, such as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together show it: without it nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
@@ -6906,7 +6906,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="79"/>
-        <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
+        <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since a cast looks the same as the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
@@ -6941,7 +6941,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="9"/>
-        <source>{place} in {name}: &apos;{check}&apos; is taken between red, green and blue and has no &apos;band&apos;.</source>
+        <source>{place} in {name}: &apos;{check}&apos; compares red, green and blue, so it has no &apos;band&apos;.</source>
         <translation>{place} w pliku {name}: „{check}” jest liczone między czerwonym, zielonym i niebieskim i nie ma „band”.</translation>
     </message>
     <message>
@@ -6956,7 +6956,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="20"/>
-        <source>values of type {data_type} have no range of their own; give the range of values, or &apos;value_range&apos; in the rules file.</source>
+        <source>values of type {data_type} have no fixed range; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>wartości typu {data_type} nie mają własnego zakresu; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
@@ -6966,7 +6966,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="27"/>
-        <source>the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or &apos;value_range&apos; in the rules file.</source>
+        <source>the file says that its values have {bits} bits, but holds values up to {largest}; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>według pliku liczba bitów jego wartości to {bits}, a zawiera on wartości do {largest}; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
@@ -6976,7 +6976,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
-        <source>no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near {x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of the ground as well. Look at them and give those that are grey.</source>
+        <source>no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near {x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which may be a cast or the colour of the ground. Look at them and give those that are grey.</source>
         <translation>nie podano obszarów szarych. Znaleziono obszary 16 px, które mogą być szare: {count} ({share:.1%} obejrzanych, w pobliżu {x:.1f}, {y:.1f}); ich kanały czerwony, zielony i niebieski różnią się o {difference:.1%}, co może powodować zarówno dominanta barwna, jak i barwa terenu. Obejrzyj je i podaj te, które są szare.</translation>
     </message>
     <message>
@@ -7046,7 +7046,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="64"/>
-        <source>The limit drawn into the seam profiles: the one the windows were inspected with.</source>
+        <source>The limit drawn in the seam profiles: the one the windows were inspected with.</source>
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
@@ -7096,7 +7096,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
-        <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
+        <source>{name} is not the picture of losses of a scan and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
@@ -7351,12 +7351,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="103"/>
-        <source>Whether the delivery keeps to the rules.</source>
+        <source>Whether the delivery meets the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="104"/>
-        <source>All rules together: the delivery is accepted where none of them fails.</source>
+        <source>All rules together: the delivery is accepted if none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
@@ -7371,7 +7371,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="126"/>
-        <source>Length of the pieces of seam that failed, by the length that was measured.</source>
+        <source>Length of the pieces of seam that failed, divided by the measured length.</source>
         <translation>Długość niezgodnych odcinków względem długości zmierzonej.</translation>
     </message>
     <message>
@@ -7426,7 +7426,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/sheet_index.py" line="34"/>
-        <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
+        <source>Outlines of the sheets if all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: each layer of seams is a sheet, unless its field sheet says otherwise.</source>
         <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
     </message>
     <message>
@@ -7451,7 +7451,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
-        <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
+        <source>{name} has no rule to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
         <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę „failed_share”, „longest_failure” lub „sampling”.</translation>
     </message>
     <message>
@@ -7466,7 +7466,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
-        <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
+        <source>{parameter} is {value}, but the rules in {name} say {ruled}; change it in the file, or leave the file out.</source>
         <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
     </message>
     <message>
@@ -7506,12 +7506,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="41"/>
-        <source>No layer of seams has the field {field}; choose one that says which sheet it is.</source>
+        <source>No layer of seams has the field {field}; choose the field that names the sheet.</source>
         <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="42"/>
-        <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
+        <source>{count} pieces do not lie on the mosaic and are not part of the lot.</source>
         <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
@@ -7571,17 +7571,17 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
-        <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
+        <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest failure of the delivery can&apos;t be determined from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
-        <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
+        <source>The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
-        <source>how long the longest failure is can&apos;t be told from a sample</source>
+        <source>the longest failure can&apos;t be determined from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
@@ -7606,7 +7606,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
-        <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
+        <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so a piece may fail by what was seen beside it; plan windows with a SIDE as long as a piece.</source>
         <translation>Okna mają bok do {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
@@ -7656,12 +7656,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
-        <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
+        <source>{metres:.0f} m of seam in {sheets} lie on other seams and count twice; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
-        <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
+        <source>The median of kept_1 in {name} is {value:g}, but it is a share, 1 if all is kept; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
@@ -7676,7 +7676,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
-        <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
+        <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, but {line:.1f} m along the line); the field is used, so check that it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
@@ -7711,12 +7711,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="68"/>
-        <source>Rules that come with the plugin, instead of the limits above; leave those as they are.</source>
+        <source>Rules that come with the plugin, instead of the limits above; leave those at their defaults.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
-        <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those as they are. The documentation shows one.</source>
+        <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those at their defaults. The documentation has an example.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
@@ -7731,7 +7731,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
-        <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what nobody judged counts as not measured.</source>
+        <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; pieces that nobody judged count as not measured.</source>
         <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
     </message>
     <message>
@@ -7771,7 +7771,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="180"/>
-        <source>Of the metres of seam that were measured.</source>
+        <source>Share of the measured metres of seam.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
@@ -7811,7 +7811,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="55"/>
-        <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
+        <source>What windows are placed on; pieces that do not lie on it are not part of the lot. With it and the same seed, windows and pieces are the same sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
@@ -7831,7 +7831,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="65"/>
-        <source>The sample is drawn from each of its values in proportion. Empty: layer by layer.</source>
+        <source>The sample is drawn proportionally from each of its values. Empty: layer by layer.</source>
         <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
     </message>
     <message>
@@ -7841,7 +7841,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="68"/>
-        <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
+        <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; is how many there were.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
@@ -7901,7 +7901,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/stated_rules.py" line="161"/>
-        <source>Of the drawing: the same seed draws the same sample again.</source>
+        <source>Starts the random draw: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
     <message>
@@ -8005,98 +8005,98 @@
         <translation>Żadnemu znaczkowi z {name} nie można ufać ({why}); sprawdź położenia, nazwy znaczków i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="88"/>
-        <source>the given place lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most; check it and its name</source>
+        <location filename="../plugin/photos/measure/messages.py" line="87"/>
+        <source>the given place lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is allowed; check it and its name</source>
         <translation>podane miejsce leży {worst:.2f} mm od tego, na które wskazują pozostałe znaczki, a dopuszczalne jest {limit:.2f} mm; sprawdź je i jego nazwę</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="107"/>
-        <source>The measurement {name} can&apos;t be read ({error}); remove it from the folder or mend it.</source>
+        <location filename="../plugin/photos/measure/messages.py" line="106"/>
+        <source>The measurement {name} can&apos;t be read ({error}); remove it from the folder or correct it.</source>
         <translation>Nie można odczytać pomiaru {name} ({error}); usuń go z katalogu albo popraw.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="108"/>
+        <location filename="../plugin/photos/measure/messages.py" line="107"/>
         <source>The mark &apos;{mark}&apos; in {name} has no column and row; complete or remove it.</source>
         <translation>Znaczek „{mark}” w {name} nie ma kolumny ani wiersza; uzupełnij go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="109"/>
+        <location filename="../plugin/photos/measure/messages.py" line="108"/>
         <source>Give each of the two measurements either as a layer or as a folder.</source>
         <translation>Podaj każdy z dwóch pomiarów albo jako warstwę, albo jako katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="110"/>
+        <location filename="../plugin/photos/measure/messages.py" line="109"/>
         <source>The folder {path} does not exist; choose the folder with the measured marks.</source>
         <translation>Katalog {path} nie istnieje; wybierz katalog ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="112"/>
+        <location filename="../plugin/photos/measure/messages.py" line="111"/>
         <source>The folder {path} holds no measured marks: neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Katalog {path} nie zawiera zmierzonych znaczków: ani warstw z polem „mark”, ani plików MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="114"/>
-        <source>Marks that only one of the measurements has, so that they are not compared: {count} ({names}).</source>
+        <location filename="../plugin/photos/measure/messages.py" line="113"/>
+        <source>Marks in only one of the measurements, which are not compared: {count} ({names}).</source>
         <translation>Znaczki, które ma tylko jeden z pomiarów i które nie są porównywane: {count} ({names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="117"/>
+        <location filename="../plugin/photos/measure/messages.py" line="116"/>
         <source>A measurement has the mark &apos;{mark}&apos; twice{where}; give both layers a field &apos;photo&apos; that tells photos apart.</source>
         <translation>Pomiar zawiera znaczek „{mark}” dwa razy{where}; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="122"/>
+        <location filename="../plugin/photos/measure/messages.py" line="121"/>
         <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
         <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>correlation</source>
         <translation>korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>brightness</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>cross</source>
         <translation>krzyż</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>dot</source>
         <translation>kropka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>ring with dot</source>
         <translation>pierścień z kropką</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>ring with cross</source>
         <translation>pierścień z krzyżem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="133"/>
+        <location filename="../plugin/photos/measure/messages.py" line="132"/>
         <source>wedge</source>
         <translation>klin</translation>
     </message>
     <message>
         <location filename="../plugin/photos/interiororientation.py" line="60"/>
-        <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value though the file calls it nodata.</source>
+        <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value even if the file calls it nodata.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/interiororientation.py" line="69"/>
-        <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by 180 degrees is measured by its own centre, else by its middle.</source>
+        <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look different are measured by drawn ones. A template that looks the same when turned by 180 degrees is measured by its centre of symmetry, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/interiororientation.py" line="79"/>
-        <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that lies off by more than a thousandth of the frame fails as a measured mark does.</source>
+        <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that is off by more than a thousandth of the frame fails like a measured mark.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
@@ -8121,7 +8121,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/comparemarks.py" line="60"/>
-        <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo in their field &apos;photo&apos;, else of the one that the file is called like) and MicMac&apos;s MeasuresIm-*.xml.</source>
+        <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo named in their field &apos;photo&apos;, else in the file&apos;s name) and MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
@@ -8141,7 +8141,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/comparemarks.py" line="71"/>
-        <source>The verdict is &apos;within&apos; where the mean distance is at most that; in the paper 0.25 px.</source>
+        <source>The verdict is &apos;within&apos; where the mean distance is at most this; in the paper 0.25 px.</source>
         <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
@@ -8300,7 +8300,7 @@
         <translation>Okna: {count}, oznaczone: {flagged}</translation>
     </message>
     <message>
-        <source>Flagged is a significant loss, or one that the observer saw.</source>
+        <source>Flagged: a significant loss, or one that the observer saw.</source>
         <translation>Oznaczona jest strata istotna lub zauważona przez obserwatora.</translation>
     </message>
     <message>
@@ -8400,11 +8400,11 @@
         <translation>Każde okno jest rozkładane falką {wavelet} na {levels} {levels:poziom|poziomy|poziomów}; detale poziomu to udział jego trzech komponentów detalicznych w wariancji okna. Okno jest oceniane według kanału o największym szumie; okno, które pokazuje kilka obrazów grupy, liczy się raz (Pyka 2009).</translation>
     </message>
     <message>
-        <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground. Coefficients that see the window&apos;s opposite border take no part.</source>
+        <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground. Coefficients that wrap around to the window&apos;s opposite border are left out.</source>
         <translation>Kurtoza to czwarty moment detali poziomu podzielony przez kwadrat ich wariancji: 3 dla szumu gaussowskiego, więcej tam, gdzie krawędzie wyróżniają się na spokojnym tle. Współczynniki, na które wpływa przeciwległy brzeg okna, nie są brane pod uwagę.</translation>
     </message>
     <message>
-        <source>± is one standard deviation, from the errors of the amplitudes. A distance is that of a group, so it lies up to one step of the target on the coarse side besides.</source>
+        <source>± is one standard deviation, from the errors of the amplitudes. A distance is that of a group, so it may also be too coarse by up to one step of the target.</source>
         <translation>± oznacza jedno odchylenie standardowe, z błędów amplitud. Wymiar jest wymiarem grupy, więc może ponadto leżeć do jednego kroku testu po stronie grubszych grup.</translation>
     </message>
     <message>
@@ -8412,7 +8412,7 @@
         <translation>Obserwatorzy</translation>
     </message>
     <message>
-        <source>The finest group whose bars an observer tells apart, before one that is not.</source>
+        <source>The finest group whose bars an observer can tell apart, with all coarser groups resolved.</source>
         <translation>Najdrobniejsza grupa, której paski obserwator rozróżnia, przed pierwszą nierozróżnioną.</translation>
     </message>
     <message>
@@ -8559,7 +8559,7 @@
         <translation>Rozmieszcza okna o boku około 100 m wzdłuż linii mozaikowania ortofotomapy i mierzy w każdym, ile lokalnego kontrastu zachowała ona względem ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <source>The rectangles as measured, with their verdict, what it was taken by, and causes.</source>
+        <source>The rectangles as measured, with their verdict, what it is based on, and causes.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną, jej podstawą i przyczynami.</translation>
     </message>
     <message>
@@ -8579,11 +8579,11 @@
         <translation>Kontrolowana ortofotomapa.</translation>
     </message>
     <message>
-        <source>Lines, or polygons of which each is filled from one orthoimage.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem.</translation>
     </message>
     <message>
-        <source>What a window spans at least.</source>
+        <source>Minimum side of a window.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna.</translation>
     </message>
     <message>
@@ -8614,17 +8614,17 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="23"/>
-        <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
+        <source>{name} has {count} bands, but at most {most} can be read; extract the bands to be measured.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="25"/>
-        <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
+        <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it again in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="27"/>
-        <source>{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.</source>
+        <source>{name} claims {columns} x {rows} px, which is impossible; the file is damaged, so copy it again.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
@@ -8634,7 +8634,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="31"/>
-        <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
+        <source>{name} is {columns} px wide, but at most {most} can be read; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
     <message>
@@ -8664,7 +8664,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="69"/>
-        <source>&apos;{output}&apos; can&apos;t be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name.</source>
+        <source>&apos;{output}&apos; can&apos;t be a table named {name}, as no name in a GeoPackage may begin with {begins}; choose another name.</source>
         <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
     </message>
     <message>
@@ -8694,12 +8694,12 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="149"/>
-        <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
+        <source>The rules in {name} are not text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="150"/>
-        <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
+        <source>The rules in {name} are not valid JSON (see line {line}); correct the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
     <message>
@@ -8746,7 +8746,7 @@
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
-        <source>Looks at ratio 1 in whole windows. Significant: {limit:.2f} or less. Reduced: below 1. Preserved: 1 or more.</source>
+        <source>Based on ratio 1 of whole windows. Significant: {limit:.2f} or less. Reduced: below 1. Preserved: 1 or more.</source>
         <translation>Patrzy na stosunek 1 w całych oknach. Istotna strata: {limit:.2f} lub mniej. Osłabione: poniżej 1. Zachowane: 1 lub więcej.</translation>
     </message>
     <message>
@@ -8794,7 +8794,7 @@
         <translation>Kontrast najdrobniejszych detali w całym oknie; 1 to kontrast jego ortoobrazów źródłowych w tonach ortofotomapy.</translation>
     </message>
     <message>
-        <source>What the mosaic would be if its sources had been cut along the seam and nothing were mixed.</source>
+        <source>The mosaic as it would be if its sources were cut along the seam without any mixing.</source>
         <translation>Czym byłaby ortofotomapa, gdyby jej źródła przycięto wzdłuż linii mozaikowania i niczego nie zmieszano.</translation>
     </message>
     <message>
@@ -8810,7 +8810,7 @@
         <translation>utracone detale</translation>
     </message>
     <message>
-        <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
+        <source>The colours show how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
@@ -8859,7 +8859,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
-        <source>sources that took part</source>
+        <source>sources that were used</source>
         <translation>liczba ortoobrazów źródłowych</translation>
     </message>
     <message>
@@ -8978,12 +8978,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="12"/>
-        <source>The outline of the sheet {name} has coordinates that are no numbers; draw it again.</source>
+        <source>The outline of the sheet {name} has coordinates that are not numbers; draw it again.</source>
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="50"/>
-        <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
+        <source>{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
@@ -9013,7 +9013,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="184"/>
-        <source>{percent} % of the pixels match none of the given sources and took no part.</source>
+        <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
     <message>
@@ -9023,7 +9023,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="11"/>
-        <source>{name} may not be read; ask its owner for permission to read it, or copy it.</source>
+        <source>No permission to read {name}; ask its owner for it, or for a copy.</source>
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
@@ -9093,12 +9093,12 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="53"/>
-        <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
+        <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to them first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="51"/>
-        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; does not count), and the measures &apos;kept_1&apos;, &apos;visibility&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
+        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; does not count), and the measures &apos;kept_1&apos;, &apos;visibility&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they exist.</source>
         <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „visibility”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
@@ -9122,7 +9122,7 @@
         <translation>widoczność w powiększeniu 2× (JND)</translation>
     </message>
     <message>
-        <source>How many times more of the detail along the seam was lost than an eye just sees side by side at 2x: just noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail.</source>
+        <source>How many times the loss of detail along the seam exceeds what an eye just notices side by side at 2x: just noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail.</source>
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
     <message>
@@ -9142,7 +9142,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="141"/>
-        <source>Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand.</source>
+        <source>Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
@@ -9152,7 +9152,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="181"/>
-        <source>Images that meet in the mosaic do not lie on each other there.</source>
+        <source>Images that meet in the mosaic do not line up there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
@@ -9222,7 +9222,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/window/window_tables.py" line="180"/>
-        <source>All that happened to the contrast, what took most first.</source>
+        <source>All that changed the contrast, the largest loss first.</source>
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
@@ -9232,7 +9232,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="111"/>
-        <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
+        <source>It is unclear whether the loss is significant, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
@@ -9281,7 +9281,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="80"/>
-        <source>{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.</source>
+        <source>{path} is unchanged, as the run did not finish; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
@@ -9296,17 +9296,17 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="196"/>
-        <source>The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.</source>
+        <source>The orthoimage is up to {most:.1f} px off the exact model, since an RPC approximates it.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="202"/>
-        <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="201"/>
+        <source>The distortion of the camera is not valid at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="329"/>
-        <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
+        <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
@@ -9316,12 +9316,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="363"/>
-        <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
+        <source>No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="184"/>
-        <source>Of the seams on ground with detail. With less measured a delivery is not accepted.</source>
+        <source>Share of the seams on ground with detail. If less was measured, a delivery is not accepted.</source>
         <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
@@ -9331,7 +9331,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="87"/>
-        <source>Accepted (1), rejected (0), or nothing where it is undecided</source>
+        <source>Accepted (1), rejected (0), or empty if undecided</source>
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
     <message>
@@ -9341,8 +9341,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
-        <source>Of the delivered sheets. Empty: the files that the sheets&apos; field location names.</source>
-        <translation>Dostarczonych arkuszy. Puste: pliki, które wymienia pole location arkuszy.</translation>
+        <source>Folder of the delivered sheets. Empty: the files named in the sheets&apos; field location.</source>
+        <translation>Katalog dostarczonych arkuszy. Puste: pliki, które wymienia pole location arkuszy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="48"/>
@@ -9356,17 +9356,17 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
-        <source>How many, without alpha. Empty: as most sheets have.</source>
+        <source>Number of bands without alpha. Empty: that of most sheets.</source>
         <translation>Ile, bez kanału alfa. Puste: tyle, ile w większości arkuszy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
-        <source>Of a sheet&apos;s outline.</source>
+        <source>Share of a sheet&apos;s outline.</source>
         <translation>Obrysu arkusza.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
-        <source>Each sheet with its file, what was found at it, and whether that is nothing.</source>
+        <source>Each sheet with its file, its findings, and whether it has none.</source>
         <translation>Każdy arkusz z jego plikiem, uwagami i informacją, czy uwag nie ma.</translation>
     </message>
     <message>
@@ -9426,17 +9426,17 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
-        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is not known</source>
+        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to {high:.2%}</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
-        <source>{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may</source>
+        <source>{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
-        <source>the layers lack {metres:.0f} m of seam</source>
+        <source>{metres:.0f} m of seam are missing</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
@@ -9445,33 +9445,33 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
-        <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
-        <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
+        <source>The layers of seams were measured with different settings: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
-        <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <source>{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
@@ -9486,7 +9486,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
-        <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
+        <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
@@ -9526,7 +9526,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
-        <source>the file does not say where it lies</source>
+        <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
@@ -9551,7 +9551,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
-        <source>whether it has data everywhere can&apos;t be told</source>
+        <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
@@ -9651,7 +9651,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
-        <source>Of the report; empty: Acceptance of an orthophoto mosaic.</source>
+        <source>Title of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
@@ -9701,7 +9701,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="225"/>
-        <source>Length of seam that could be measured, by the length of all seams on ground with detail.</source>
+        <source>Length of seam that could be measured, divided by the length of all seams on ground with detail.</source>
         <translation>Długość linii mozaikowania, którą dało się zmierzyć, do długości wszystkich linii mozaikowania w terenie z detalami.</translation>
     </message>
     <message>
@@ -9721,7 +9721,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="113"/>
-        <source>As the scan wrote it, one for each sheet where these were scanned apart, in the order of SEAMS: the XML refers to it. It also says from which orthoimages the seams were measured, and how, where their layer does not.</source>
+        <source>As the scan wrote it; one for each sheet if they were scanned separately, in the order of SEAMS. The XML refers to it. It also says with which orthoimages and settings the seams were measured, if their layer does not.</source>
         <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
     </message>
     <message>
@@ -9771,7 +9771,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="120"/>
-        <source>What the sentence rests on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
+        <source>What the sentence is based on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
     <message>
@@ -9781,7 +9781,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="85"/>
-        <source>No change from one source to another is found in the window; the verdict is that of the sharpness alone.</source>
+        <source>No change from one source to another is found in the window; the verdict is based on sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
@@ -9791,7 +9791,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="317"/>
-        <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with their folders into the layer to tell them apart.</source>
+        <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
@@ -9811,7 +9811,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/window/window_tables.py" line="246"/>
-        <source>The finest detail that is missing, along the seam or in the whole window, as so many square metres of the window hold; 0 where no loss is sure.</source>
+        <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
@@ -9895,11 +9895,11 @@
         <translation>Na czym opierają się liczby</translation>
     </message>
     <message>
-        <source>A sheet&apos;s verdict is by the limits of the delivery.</source>
+        <source>Each sheet is judged by the limits of the delivery.</source>
         <translation>Ocena arkusza opiera się na granicach przyjętych dla dostawy.</translation>
     </message>
     <message>
-        <source>Findings at the files</source>
+        <source>Findings in the files</source>
         <translation>Uwagi do plików</translation>
     </message>
     <message>
@@ -9939,7 +9939,7 @@
         <translation>Załącznik: skróty kryptograficzne</translation>
     </message>
     <message>
-        <source>SHA-256 of what was decided on. Of a file it is what sha256sum prints; of pieces of seam and of the list of orthoimages it is that of their rows as the documentation lays them out.</source>
+        <source>SHA-256 of the data behind the decision. For a file it is what sha256sum prints; for pieces of seam and the list of orthoimages, that of their rows as laid out in the documentation.</source>
         <translation>SHA-256 tego, o czym zdecydowano. Dla pliku jest to wynik programu sha256sum; dla odcinków linii mozaikowania i listy ortoobrazów skrót ich wierszy w postaci opisanej w dokumentacji.</translation>
     </message>
     <message>
@@ -9955,7 +9955,7 @@
         <translation>Decyzja na papierze, do podpisu.</translation>
     </message>
     <message>
-        <source>What detail is kept, cell by cell.</source>
+        <source>The detail that is kept, cell by cell.</source>
         <translation>Jakie szczegóły zachowano, komórka po komórce.</translation>
     </message>
     <message>
@@ -9963,11 +9963,11 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, i z oceną.</translation>
     </message>
     <message>
-        <source>Windows where least was kept, the worst first.</source>
+        <source>Windows that kept least, the worst first.</source>
         <translation>Okna, w których zachowano najmniej, od najgorszego.</translation>
     </message>
     <message>
-        <source>Lines, or polygons of which each is filled from one orthoimage. Needed where there are no orthoimages.</source>
+        <source>Lines, or polygons that are each filled from one orthoimage. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy wypełniono z jednego ortoobrazu. Konieczne, gdy nie ma ortoobrazów.</translation>
     </message>
     <message>
@@ -9985,7 +9985,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="45"/>
-        <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859 whether that is accepted, rejected or can&apos;t be decided, and then what would decide it. A piece of seam fails when it kept less than is asked for; metres are sums of whole pieces. What could not be measured never counts as passed.</source>
+        <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and whether rules or a plan of ISO 2859 accept it, reject it or can&apos;t decide, and then what would decide it. A piece of seam fails when it kept less than required; metres are sums of whole pieces. What could not be measured never counts as passed.</source>
         <translation>Rozstrzyga o dostawie na podstawie linii mozaikowania z jednego skanowania lub z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy, i według reguł lub planu ISO 2859, czy dostawę się przyjmuje, odrzuca, czy nie da się rozstrzygnąć, i co by wtedy rozstrzygnęło. Odcinek jest niezgodny, gdy zachował mniej, niż się wymaga; metry są sumami całych odcinków. Co nie dało się zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
@@ -9995,7 +9995,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="26"/>
-        <source>{place} in {name}: the {key} &apos;{value}&apos; is none of the standard&apos;s; known are {known}.</source>
+        <source>{place} in {name}: the {key} &apos;{value}&apos; is not in the standard; known are {known}.</source>
         <translation>{place} w {name}: {key} „{value}” nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
@@ -10015,12 +10015,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
-        <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
+        <source>{standard}, lot of {lot}, code letter {letter}; {producers:.1%} of lots with {good} failing pieces, the AQL of {aql}, are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
-        <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
+        <source>{standard}, isolated lot of {lot}; {consumers:.1%} of lots with {bad} failing pieces, the limiting quality of {lq:g} %, are accepted, {producers:.1%} of those with {good} ({share:.1%}) are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
@@ -10070,12 +10070,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="118"/>
-        <source>The table that &apos;Check radiometry&apos; made of the sheets: its result stands on the cover beside the decision, which it does not change.</source>
+        <source>The table that &apos;Check radiometry&apos; made of the sheets: its result is shown on the cover beside the decision, which it does not change.</source>
         <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/stated_rules.py" line="153"/>
-        <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has it: three times what you want at least.</source>
+        <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, by ISO 2859-2: at least three times the percentage that you want.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
@@ -10085,7 +10085,7 @@
     </message>
     <message>
         <location filename="../plugin/noise/checknoise.py" line="40"/>
-        <source>Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule compares noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
+        <source>Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule compares noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs and scans need no georeference. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by one of their fields, such as land use or scale.</source>
         <translation>Mówi, ile szumu losowego ma obraz, czy to film, skan, czy matryca. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (umiarkowany), a gdy jest silny, poziom 2 ponad poziom 3 (Pyka 2009). Ziarna grubszego niż piksel szuka się w widmie najspokojniejszego terenu; gdzie tekstura mogłaby je ukryć, ocena jest niepewna. Reguła porównuje szum ze sceną; ilość podana obok to stosunek sygnału do szumu. Zdjęcia i skany nie muszą leżeć na mapie. Porównuje się dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno mierzy się na obu, z pominięciem tych samych pikseli. Okna grupuje się według ich pola, na przykład użytkowania terenu lub skali.</translation>
     </message>
     <message>
@@ -10120,12 +10120,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/mendseams.py" line="41"/>
-        <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as a scan does it, and only what keeps more detail than before stays. Where the orthoimages fit nowhere, the seam stays as it is and the table gives the reason.</source>
+        <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are blended more widely. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as in a scan, and only those that keep more detail than before are used. Where the orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason.</source>
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/mendseams.py" line="54"/>
-        <source>The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
+        <source>All seams as Scan a whole mosaic writes them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
@@ -10150,7 +10150,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
-        <source>A virtual raster: the mosaic with the patches above it. It needs both where they are.</source>
+        <source>A virtual raster: the mosaic with the patches on top. It refers to both, so leave both there.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
@@ -10200,7 +10200,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/predictloss.py" line="54"/>
-        <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is predicted, where both images weigh the same.</source>
+        <source>Full width, from where only one image counts to where only the other does. What such a feather would leave in the whole window and in its own strip is in window_kept and strip_kept. 0 or empty: only the middle of the feather is predicted, where both images weigh the same.</source>
         <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
     </message>
     <message>
@@ -10210,12 +10210,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="43"/>
-        <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
+        <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped for any reason continues when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
-        <source>Windows where least was kept, the worst first, ready for the desk and for Inspect windows.</source>
+        <source>Windows that kept least, the worst first, ready for the desk and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
@@ -10240,7 +10240,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="26"/>
-        <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be told.</source>
+        <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be determined.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
@@ -10275,12 +10275,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
-        <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
+        <source>Mending was stopped; start it again with the same outputs to continue.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="48"/>
-        <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
+        <source>Mending continues where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
@@ -10290,7 +10290,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="100"/>
-        <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
+        <source>{share:.0f} % of the window matches none of the given sources and is left out; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
@@ -10303,7 +10303,7 @@
         <translation>Radiometria: obrazy, których nie przyjęto</translation>
     </message>
     <message>
-        <source>limits that are not kept</source>
+        <source>limits that are not met</source>
         <translation>niedotrzymane granice</translation>
     </message>
     <message>
@@ -10311,11 +10311,11 @@
         <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi, zależnie od reguł dla jasności (0,299 R + 0,587 G + 0,114 B) albo dla kanałów. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu. Na histogramach maksimum powinno leżeć na zielonym polu, a czerwone oznacza to, co liczy się jako obcięte.</translation>
     </message>
     <message>
-        <source>Largest possible is the most that noise can be, grain of up to 1.35 px included: no level has more than its quietest ground varies, in all windows of the image that are as bright. Where grain of that strength would make the verdict worse, it is uncertain.</source>
+        <source>Largest possible is the upper limit of noise, including grain of up to 1.35 px: a level has no more noise than its quietest ground varies, in all windows of the image that are as bright. Where grain that strong would make the verdict worse, it is uncertain.</source>
         <translation>Największy możliwy to najwięcej, ile może wynosić szum, łącznie z ziarnem do 1,35 px: na żadnym poziomie nie ma go więcej, niż zmienia się najspokojniejszy teren, we wszystkich równie jasnych oknach obrazu. Jeśli ziarno o takiej sile pogorszyłoby ocenę, jest ona niepewna.</translation>
     </message>
     <message>
-        <source>The verdict compares noise with the scene&apos;s own detail. Amount is how much noise there is: the mean over the noise&apos;s standard deviation, texture taken off, is 40 or more where it is little, below 10 where it is much (ISO 12232).</source>
+        <source>The verdict compares noise with the scene&apos;s own detail. The amount of noise is rated by the mean over the noise&apos;s standard deviation, without texture: 40 or more is little noise, below 10 much (ISO 12232).</source>
         <translation>Ocena porównuje szum z detalami samej sceny. Poziom szumu mówi, ile szumu jest: średnia podzielona przez odchylenie standardowe szumu, po odjęciu tekstury, wynosi co najmniej 40, gdy jest mały, a poniżej 10, gdy jest duży (ISO 12232).</translation>
     </message>
     <message>
@@ -10378,7 +10378,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="21"/>
-        <source>{name} is read by GDAL&apos;s driver {driver}, which may lead to other files; save it as GeoTIFF.</source>
+        <source>{name} is read by GDAL&apos;s driver {driver}, which may open other files; save it as GeoTIFF.</source>
         <translation>{name} czyta sterownik GDAL {driver}, który może prowadzić do innych plików; zapisz dane jako GeoTIFF.</translation>
     </message>
     <message>
@@ -10386,7 +10386,7 @@
         <translation>Znaczenie słów podano za oznaczonymi oknami, w części Jak to czytać.</translation>
     </message>
     <message>
-        <source>The cross marks where the mark was found or, for a failed one, where the others place it: column, row.</source>
+        <source>The cross shows where the mark was found or, if it failed, where it should be by the others: column, row.</source>
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
@@ -10396,7 +10396,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="16"/>
-        <source>{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew.</source>
+        <source>{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it again.</source>
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
     </message>
     <message>
@@ -10406,17 +10406,17 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="66"/>
-        <source>The groups tell too little of the target&apos;s contrast, so the full amplitude is taken from the ground beside the bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.</source>
+        <source>The groups show too little of the target&apos;s contrast, so the full amplitude is taken from the ground beside the bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.</source>
         <translation>Grupy zbyt mało mówią o kontraście testu, więc pełną amplitudę przyjęto z terenu obok pasków; narysuj linie także przez grubsze grupy albo upewnij się, że ten teren jest tak ciemny jak przerwy.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="73"/>
-        <source>&apos;{word}&apos; is no reference height; give metres, or a name and metres for each group, as &apos;DMC 2714; RC20 2015&apos;.</source>
+        <source>&apos;{word}&apos; is not a reference height; give metres, or a name and metres for each group, as &apos;DMC 2714; RC20 2015&apos;.</source>
         <translation>„{word}” nie jest wysokością odniesienia; podaj metry albo nazwę i metry dla każdej grupy, np. &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="75"/>
-        <source>There is a reference height for {name}, but no group of passes is called so; give one of: {known}.</source>
+        <source>There is a reference height for {name}, but no group of passes has that name; give one of: {known}.</source>
         <translation>Podano wysokość odniesienia dla {name}, ale żadna grupa przelotów tak się nie nazywa; podaj jedną z: {known}.</translation>
     </message>
     <message>
@@ -10446,12 +10446,12 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="47"/>
-        <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m; but for a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the heights are wrong, so check them and their unit.</source>
+        <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m; apart from a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the heights are wrong, so check them and their unit.</source>
         <translation>Punkty ({count}: {names}) mają wysokości od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m; poza przesunięciem różnią się od RPC o {missed:.3g} px. Błędy i zalecenie nic nie znaczą, jeśli wysokości są złe, więc sprawdź je i ich jednostkę.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="51"/>
-        <source>{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.</source>
+        <source>{count} points lie outside the image ({names}), where its RPC places them, too; they are used.</source>
         <translation>Liczba punktów leżących poza obrazem ({names}) tam, gdzie widzi je także jego RPC: {count}; są używane.</translation>
     </message>
     <message>
@@ -10461,7 +10461,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="146"/>
-        <source>{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML.</source>
+        <source>{name} is read by the Python package PyYAML, which is not installed; install it, or give a camera as JSON or XML.</source>
         <translation>{name} odczytuje pakiet PyYAML języka Python, którego brak; zainstaluj go albo podaj kamerę jako JSON lub XML.</translation>
     </message>
     <message>
@@ -10471,7 +10471,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="168"/>
-        <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
+        <source>The camera of {name} has a distortion that is not supported ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
         <translation>Kamera z {name} ma dystorsję, która nie jest tu znana ({kind}); znane są obiektywy bez dystorsji, Browna, OpenCV i rybie oko.</translation>
     </message>
     <message>
@@ -10486,7 +10486,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectify.py" line="55"/>
-        <source>Of a table. auto: what its header says, else degrees.</source>
+        <source>For a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
@@ -10511,12 +10511,12 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="57"/>
-        <source>The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run this again.</source>
+        <source>The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; restart them, then run this again.</source>
         <translation>Procesy robocze schedulera Dask pod adresem {address} nie odpowiadają od {seconds:.0f} s; uruchom je od nowa, a potem powtórz to zadanie.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="72"/>
-        <source>&apos;{output}&apos; can&apos;t be {path}: QGIS takes &apos;{found}&apos; in the path of a layer for something else; choose another name.</source>
+        <source>&apos;{output}&apos; can&apos;t be {path}: QGIS misreads &apos;{found}&apos; in the path of a layer; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: QGIS inaczej rozumie &apos;{found}&apos; w ścieżce warstwy; wybierz inną nazwę.</translation>
     </message>
     <message>
@@ -10526,7 +10526,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
-        <source>{metres:.0f} m of the seams lie on others and count again</source>
+        <source>{metres:.0f} m of the seams lie on others and count twice</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
     <message>
@@ -10580,12 +10580,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="405"/>
-        <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
+        <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="418"/>
-        <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
+        <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
@@ -10595,7 +10595,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
-        <source>To 1 %. Empty: that of most sheets.</source>
+        <source>Within 1 %. Empty: that of most sheets.</source>
         <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
@@ -10610,7 +10610,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="11"/>
-        <source>The sheet no. {number} has no name in the field {field}; write it there.</source>
+        <source>Sheet no. {number} has no name in the field {field}; fill it in.</source>
         <translation>Arkusz nr {number} nie ma nazwy w polu {field}; wpisz ją tam.</translation>
     </message>
     <message>
@@ -10650,7 +10650,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
-        <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
+        <source>{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
@@ -10660,7 +10660,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
-        <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
+        <source>{parameter} is &apos;{value}&apos;, which is not a date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
     <message>
@@ -10685,7 +10685,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="59"/>
-        <source>The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
+        <source>Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
@@ -10695,7 +10695,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="14"/>
-        <source>The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both anew.</source>
+        <source>The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both again.</source>
         <translation>Maska rastra {name}, w nim samym lub w pliku .msk obok, jest uszkodzona; skopiuj oba pliki jeszcze raz.</translation>
     </message>
     <message>
@@ -10740,7 +10740,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="150"/>
-        <source>Somebody else judges the same windows and is not told what was found or said.</source>
+        <source>Somebody else judges the same windows without seeing results or earlier verdicts.</source>
         <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
     </message>
     <message>
@@ -10770,7 +10770,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="187"/>
-        <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
+        <source>{measure}: all verdicts of one kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
@@ -10780,7 +10780,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
-        <source>How many times more was lost along the seam than an eye just notices side by side at 2x (just noticeable differences, JND).</source>
+        <source>How many times the loss along the seam exceeds what an eye just notices side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
     <message>
@@ -10885,12 +10885,12 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="156"/>
-        <source>The rotation of {name} is read as {way} usually writes it, since no file says so; check how the orthoimage lies.</source>
+        <source>The rotation of {name} is read as {way} usually writes it, since no file states it; check the orthoimage&apos;s position.</source>
         <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="159"/>
-        <source>{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read right only inside its project&apos;s folder.</source>
+        <source>{name} is read in the plane tangent to the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read correctly only inside its project&apos;s folder.</source>
         <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w katalogu swojego projektu.</translation>
     </message>
     <message>
@@ -10900,7 +10900,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="163"/>
-        <source>{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some decimetres off in a block of a kilometre.</source>
+        <source>{name} is read in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some decimetres off in a block of a kilometre.</source>
         <translation>{name} jest odczytany w układzie {system} z przesunięciem z {offsets}, dokąd OpenDroneMap przelicza go w przybliżeniu: błąd do kilku decymetrów w bloku kilometrowym.</translation>
     </message>
     <message>
@@ -10935,7 +10935,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="45"/>
-        <source>Of the orthoimages. Empty: the UTM zone of the first photo.</source>
+        <source>System of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
@@ -10965,7 +10965,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="57"/>
-        <source>Of each ground coordinate of a point, as it will be surveyed.</source>
+        <source>For each ground coordinate of a point, as it will be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
@@ -10975,12 +10975,12 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="28"/>
-        <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, such as 0.7.</source>
+        <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is not a number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/packages.py" line="57"/>
-        <source>Or let the plugin QPIP install what requirements.txt in the plugin&apos;s folder names.</source>
+        <source>Or let the plugin QPIP install the packages in requirements.txt in the plugin&apos;s folder.</source>
         <translation>Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
@@ -10998,7 +10998,7 @@
         <translation>Pliki leżą w katalogu {folder}</translation>
     </message>
     <message>
-        <source>Unclear: pieces whose measurement is too rough to say on which side of the limit they are; they count by their value.</source>
+        <source>Unclear: pieces measured too roughly to tell which side of the limit they are on; they count by their value.</source>
         <translation>Niejasne: odcinki zmierzone zbyt zgrubnie, aby na pewno powiedzieć, po której stronie granicy leżą; liczą się według swojej wartości.</translation>
     </message>
     <message>
@@ -11014,7 +11014,7 @@
         <translation>Nie wszystkie naprawione</translation>
     </message>
     <message>
-        <source>Mended is what keeps 0.9 or more of its finest detail, measured as a scan does it.</source>
+        <source>Mended: 0.9 or more of the finest detail is kept, measured as in a scan.</source>
         <translation>Naprawione jest to, co zachowuje co najmniej 0,9 najdrobniejszych detali, zmierzone tak jak w skanowaniu.</translation>
     </message>
     <message>
@@ -11046,12 +11046,12 @@
         <translation>Zachowane to część najdrobniejszych detali przy linii względem otaczającego terenu. Skok to różnica tonu w poprzek linii, pomniejszona o to, co pokazuje sam teren. Niedopasowanie mówi, jak daleko od siebie leżą oba ortoobrazy wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <source>A failure is a row of failed pieces without a break: along one seam, and on through a node where just two failed pieces meet. No more than a typical piece in it may be unmeasured. Kept and the orthoimages are those of the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
+        <source>A failure is an unbroken row of failed pieces, along one seam or through a node where exactly two failed pieces meet. It may hold no more unmeasured seam than a typical piece. Kept and the orthoimages refer to the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
         <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków: wzdłuż jednej linii mozaikowania i dalej przez węzeł, w którym spotykają się tylko dwa niezgodne odcinki. Niezmierzony może być w niej najwyżej jeden typowy odcinek. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="21"/>
-        <source>Windows without a number of their own: {count}; they got the next free ones.</source>
+        <source>Windows without a number of their own: {count}; they were given the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
@@ -11066,7 +11066,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="32"/>
-        <source>2026-11-23 or 23.11.2026; the report writes the first.</source>
+        <source>2026-11-23 or 23.11.2026; the report uses the first form.</source>
         <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
     </message>
     <message>
@@ -11106,7 +11106,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/comparesensormodels.py" line="26"/>
-        <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Of the models whose errors, there and at control points left out in turn, differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
+        <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
@@ -11116,17 +11116,17 @@
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="180"/>
-        <source>{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
+        <source>{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="29"/>
-        <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. Of an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are made.</source>
+        <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. For an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are processed.</source>
         <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="37"/>
-        <source>Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
+        <source>For a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
         <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
     </message>
     <message>
@@ -11140,17 +11140,17 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="14"/>
-        <source>Pieces of seam that lie in none of the sheets: {count}. They keep their layer&apos;s name.</source>
+        <source>Pieces of seam outside of all sheets: {count}. They are listed under their layer&apos;s name.</source>
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
-        <source>rows of {name} were changed so that {metres:.0f} m which its scan failed pass</source>
+        <source>rows of {name} were changed: {metres:.0f} m that failed in its scan now pass</source>
         <translation>w warstwie {name} zmieniono wiersze tak, że {metres:.0f} m zakwestionowanych przez skan przechodzi pomyślnie</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
-        <source>parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
+        <source>parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
     <message>
@@ -11160,7 +11160,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="169"/>
-        <source>{field} of {count} windows is a number that no measurement gives; it is left out.</source>
+        <source>{field} of {count} windows is not a possible measurement; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
     <message>
@@ -11169,18 +11169,18 @@
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
-        <source>The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would be found; build some (gdaladdo), or clip it to the photos.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="237"/>
+        <source>The terrain model {name} has {count} million pixels and no overviews to find its lowest and highest place by; build some (gdaladdo), or clip it to the photos.</source>
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="119"/>
+        <location filename="../plugin/photos/measure/messages.py" line="118"/>
         <source>The mark &apos;{mark}&apos; was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or remove it.</source>
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="15"/>
-        <source>Windows that are no rectangles along the mosaic&apos;s axes are measured in the boxes around them: {count}.</source>
+        <source>Windows that are not rectangles along the mosaic&apos;s axes are measured in the boxes around them: {count}.</source>
         <translation>Okna, które nie są prostokątami wzdłuż osi ortofotomapy, są mierzone w opisanych na nich prostokątach: {count}.</translation>
     </message>
     <message>
@@ -11210,7 +11210,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="96"/>
-        <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.</source>
+        <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the missing one.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
@@ -11245,7 +11245,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="116"/>
-        <source>Mixing alone would have taken {percent} % there; what took the rest is unclear.</source>
+        <source>Mixing alone would have taken {percent} % there; the cause of the rest is unclear.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
@@ -11275,7 +11275,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="111"/>
-        <source>What took detail along the seam is unclear.</source>
+        <source>The cause of the loss along the seam is unclear.</source>
         <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
     </message>
     <message>
@@ -11315,7 +11315,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="208"/>
-        <source>Keep the pixel grid.</source>
+        <source>Don&apos;t resample it.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
@@ -11330,12 +11330,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
-        <source>The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date do, or others where its tones are cut off at white or black; choose those that it was made from.</source>
+        <source>The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, or any where its tones are clipped at white or black; choose those that it was made from.</source>
         <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu albo inne tam, gdzie jej tony są obcięte w bieli lub czerni; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
-        <source>{name} shows {share:.0%} of the fine detail that the mosaic has beside the seam (band {band}), so it can&apos;t be put in its place; choose the images that it was made from.</source>
+        <source>{name} has {share:.0%} of the mosaic&apos;s fine detail beside the seam (band {band}), so it can&apos;t replace the mosaic there; choose the images that the mosaic was made from.</source>
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
@@ -11364,37 +11364,37 @@
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
-        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). {why}</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="266"/>
+        <source>Use {model}: {rmse:.2f} m on points not used in its fit (the best has {best:.2f} m). {why}</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
-        <source>A parametric model needs few points and does not swing between them.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <source>A parametric model needs few points and does not oscillate between them.</source>
         <translation>Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="269"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
         <source>The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
-        <source>Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
+        <source>Without a parametric basis, quotients are the soundest models, but they need many, well spread points.</source>
         <translation>Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
-        <source>Polynomials suit small areas only and swing between the points, so watch the check points.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="273"/>
+        <source>Polynomials suit small areas only and oscillate between the points, so watch the check points.</source>
         <translation>Wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
         <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
@@ -11415,12 +11415,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="239"/>
-        <source>Brightness was evened out from place to place; done from a coarse overview, that takes detail.</source>
+        <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
-        <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data inside their outline, can&apos;t be read, or hide each other; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all that were ordered, ready for the scan.</source>
+        <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data inside their outline, can&apos;t be read, or hide each other; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with their findings, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all that were ordered, ready for the scan.</source>
         <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił, które nie mają danych wewnątrz swojego obrysu, których nie da się odczytać albo które zasłaniają się nawzajem; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich zamówionych, gotową do skanowania.</translation>
     </message>
     <message>
@@ -11430,12 +11430,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
-        <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m by a row of pieces that were not measured</source>
+        <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but a row of pieces that were not measured may make it {metres:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
-        <source>{share:.2%} of the mosaic of {name} could not be read, such as around {place}</source>
+        <source>{share:.2%} of the mosaic of {name} could not be read, for example around {place}</source>
         <translation>nie udało się odczytać {share:.2%} ortofotomapy {name}, na przykład wokół {place}</translation>
     </message>
     <message>
@@ -11455,7 +11455,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
-        <source>sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})</source>
+        <source>sheets that differ from others where they overlap, which nobody has checked: {count} ({names})</source>
         <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
     </message>
     <message>
@@ -11470,7 +11470,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
-        <source>files are given that are not those that were scanned: {names}</source>
+        <source>the files given are not the ones that were scanned: {names}</source>
         <translation>podano pliki, które nie są tymi, które skanowano: {names}</translation>
     </message>
     <message>
@@ -11480,12 +11480,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
-        <source>files of the scanned mosaic are not found any more: {count} ({names})</source>
+        <source>files of the scanned mosaic can no longer be found: {count} ({names})</source>
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
-        <source>{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: {unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
+        <source>{judged:.0f} m of seam are judged, but the scan saw the orthoimage change along {seen:.0f} m: {unseen:.0f} m of these are not counted (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
@@ -11495,7 +11495,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
-        <source>along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
+        <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
@@ -11509,28 +11509,28 @@
         <translation>Dalszych takich ciągów: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="171"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
-        <source>What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; leave out the layer of a sheet without seams.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
+        <source>What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
-        <source>Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again what the decision rests on.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <source>Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the decision can&apos;t be repeated.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="300"/>
-        <source>The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make sure that they are the ones that the mosaic was made from.</source>
+        <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
@@ -11540,7 +11540,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
-        <source>it is no part of the mosaic of all sheets</source>
+        <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
@@ -11550,7 +11550,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="245"/>
-        <source>found: {judged}; borders that no seam tells of: {unseen}</source>
+        <source>found: {judged}; borders without a measured seam: {unseen}</source>
         <translation>znalezione: {judged}; granice, o których nie mówi żadna linia mozaikowania: {unseen}</translation>
     </message>
     <message>
@@ -11560,7 +11560,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
-        <source>ground that follows no orthoimage</source>
+        <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
@@ -11574,8 +11574,8 @@
         <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
-        <source>{share} of what has texture</source>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
+        <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
@@ -11585,22 +11585,22 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
-        <source>the layers of seams do not say it</source>
+        <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="41"/>
-        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where by the best estimate 70 % or less is kept along the seam and that something is lost is sure, reduced where the 95 % interval lies below all of it. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
+        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and the share of the sources&apos; finest detail that the mosaic has beside a seam is compared with the share farther off: whatever was done to the whole mosaic cancels out. A loss is significant where by the best estimate 70 % or less is kept along the seam and some loss is certain, reduced where the 95 % interval lies below 100 %. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is applied too: half of the detail or less against every source is a significant loss.</source>
         <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy według najlepszego oszacowania wzdłuż linii mozaikowania zachowano 70 % lub mniej, a to, że coś stracono, jest pewne; kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
-        <source>A window is significant when by the best estimate this share of the finest detail, or less, is kept along its seam, and that something is lost is sure. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
+        <source>A window is significant when by the best estimate this share of the finest detail, or less, is kept along its seam, and some loss is certain. 0.5 is what a 50:50 blend leaves of two images that have nothing in common.</source>
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
-        <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and that something is lost is sure</source>
+        <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
@@ -11615,22 +11615,22 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
-        <source>{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
+        <source>{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} zmienia się wraz z ortofotomapą na jej liniach łączenia, jest więc jej kopią lub podglądem albo ortofotomapą, z której ją wycięto. Ukryłby każdą stratę, dlatego pominięto go wśród źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
-        <source>{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.</source>
+        <source>{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.</source>
         <translation>{name} jest identyczny z ortofotomapą wszędzie, gdzie je porównano. Bierze udział, bo może być jednym z ortoobrazów; jeśli jest kopią ortofotomapy lub jej części, ukrywa tam każdą stratę, więc usuń go ze źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="25"/>
-        <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so take it out of the sources.</source>
+        <source>{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from the mosaic, it hides losses, so remove it from the sources.</source>
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="220"/>
-        <source>The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
+        <source>The format of SEAMS can&apos;t hold the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
         <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
@@ -11640,31 +11640,31 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="245"/>
-        <source>No orthoimage could be read, so nothing was measured; mend that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
+        <source>No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="388"/>
-        <source>{share:.0f} % of the mosaic&apos;s textured ground follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
+        <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="392"/>
-        <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look at it, and give the seamlines that lack or scan without SEAMLINES.</source>
+        <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without SEAMLINES.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="397"/>
-        <source>{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy its files anew and scan again.</source>
+        <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
     <message>
-        <source>Significant: by the best estimate {percent} % or less of the finest detail is kept along the seam, and that something is lost is sure; or the whole window is blurred badly. Reduced: less than all is kept, beyond the error of the measurement. Preserved: no certain loss.</source>
+        <source>Significant: by the best estimate {percent} % or less of the finest detail is kept along the seam, and some loss is certain; or the whole window is badly blurred. Reduced: some detail is lost, beyond the error of the measurement. Preserved: no certain loss.</source>
         <translation>Istotna strata: według najlepszego oszacowania wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej, a to, że coś stracono, jest pewne; albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="12"/>
-        <source>{name} would not lie in the mosaic&apos;s reference system, which can&apos;t be written into a GeoPackage; give the mosaic another one, such as one with an EPSG code.</source>
+        <source>{name} can&apos;t be saved in the mosaic&apos;s reference system, as a GeoPackage can&apos;t store it; give the mosaic another one, such as one with an EPSG code.</source>
         <translation>Plik {name} nie leżałby w układzie współrzędnych ortofotomapy, bo układu tego nie da się zapisać w GeoPackage; nadaj ortofotomapie inny układ, na przykład z kodem EPSG.</translation>
     </message>
     <message>
@@ -11672,7 +11672,7 @@
         <translation>Ciągi, których nie zmierzono</translation>
     </message>
     <message>
-        <source>Pieces that follow each other without a break and were not measured, with those that failed among them. Such a row may be a failure, and is longer than one may be.</source>
+        <source>Consecutive pieces that were not measured, including failed ones among them. Such a row may be one failure, and is longer than a failure may be.</source>
         <translation>Odcinki, które następują po sobie bez przerwy i których nie zmierzono, wraz z niezgodnymi wśród nich. Taki ciąg może być usterką i jest dłuższy, niż usterka może być.</translation>
     </message>
     <message>
@@ -11722,12 +11722,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
-        <source>layers of seams are of mosaics that are not given: {count} ({names})</source>
+        <source>layers of seams whose mosaics are not given: {count} ({names})</source>
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
-        <source>Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in no row: {names}.</source>
+        <source>Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are unknown: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
     <message>
@@ -11737,7 +11737,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
-        <source>{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets that meet as one mosaic.</source>
+        <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
@@ -11747,7 +11747,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
-        <source>{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; {limit:.0%} may differ</source>
+        <source>{judged:.0f} m of seam are judged, but along {unchanged:.0f} m of them both sides show the same orthoimage; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
@@ -11822,7 +11822,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging_layout.py" line="36"/>
-        <source>Judge window after window: QGIS&apos;s panels make room, and what lies over the mosaic goes (J); again: all is as before</source>
+        <source>Judge window after window: hides QGIS&apos;s panels and what lies over the mosaic (J); again: shows them as before</source>
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
@@ -11862,8 +11862,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
-        <source>How many metres kept how much.</source>
-        <translation>Ile metrów ile zachowało.</translation>
+        <source>Metres of seam by the share kept.</source>
+        <translation>Metry linii mozaikowania według zachowanej części detali.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
@@ -11897,32 +11897,32 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
-        <source>What was not measured is taken to be as good as the rest. If all of it had failed, {worst:.1%} would have, and {limit:.1%} may.</source>
+        <source>What was not measured is assumed to be as good as the rest. If all of it failed, {worst:.1%} would fail, and {limit:.1%} may.</source>
         <translation>Przyjęto, że to, czego nie zmierzono, jest tak dobre jak reszta. Gdyby wszystko to było niezgodne, niezgodnych byłoby {worst:.1%}, a może być {limit:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
-        <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, or judge windows there by eye (JUDGE observer).</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
+        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, or judge windows there by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy po ich bokach albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
-        <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye (JUDGE observer).</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <source>What would decide it: a verdict on the pieces whose intervals include the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają granicę ({metres:.0f} m, odcinki: {count}). Oceń na nich okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
-        <source>What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <source>What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki dla ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer); pole &apos;reason&apos; linii mozaikowania mówi, dlaczego nie zmierzono każdego z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
         <source>What would decide it: layers without what was scanned twice.</source>
         <translation>Co by rozstrzygnęło: warstwy bez tego, co zeskanowano dwukrotnie.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
-        <source>The scan of {name} found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
+        <source>The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are not counted and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>Skanowanie {name} nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
@@ -11932,7 +11932,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
-        <source>Along {metres:.0f} m of the seamlines given for {name} the mosaic shows one orthoimage on both sides; they are no seams.</source>
+        <source>Along {metres:.0f} m of the seamlines given for {name} the mosaic shows the same orthoimage on both sides; they are not seams.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania podanych dla {name} ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
     </message>
     <message>
@@ -11942,7 +11942,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
-        <source>In {name} {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.</source>
+        <source>Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.</source>
         <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
@@ -11952,7 +11952,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
-        <source>The seams of {name} are those of the given seamlines; one that lacks shows where it is longer than some 150 pixels.</source>
+        <source>The seams of {name} are those of the given seamlines; a missing one is noticed only if it is longer than some 150 pixels.</source>
         <translation>Linie mozaikowania {name} są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
@@ -12012,12 +12012,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="34"/>
-        <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859 asks for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the desk to be judged. The same seed draws the same sample.</source>
+        <source>Draws a random sample of the seams of a delivery, proportionally from every sheet: as large as ISO 2859 requires, or as large as you choose. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the desk to be judged. The same seed draws the same sample.</source>
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859, albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="46"/>
-        <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; count, as many as you say.</source>
+        <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; count, as many as you choose.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; count – taka, jaką podasz.</translation>
     </message>
     <message>
@@ -12037,22 +12037,22 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="30"/>
-        <source>The marks &apos;{mark}&apos; and &apos;{other}&apos; of the calibration are at one place; correct their coordinates.</source>
+        <source>The marks &apos;{mark}&apos; and &apos;{other}&apos; of the calibration are at the same place; correct their coordinates.</source>
         <translation>Znaczki „{mark}” i „{other}” kalibracji są w jednym miejscu; popraw ich współrzędne.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="41"/>
-        <source>The positions of &apos;{mark}&apos; and &apos;{other}&apos; are at one place; move one of them.</source>
+        <source>The positions of &apos;{mark}&apos; and &apos;{other}&apos; are at the same place; move one of them.</source>
         <translation>Położenia „{mark}” i „{other}” są w jednym miejscu; przesuń jedno z nich.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="42"/>
-        <source>By the image or its RPC the points&apos; columns and rows are interchanged; interchange the two fields.</source>
+        <source>According to the image or its RPC the points&apos; columns and rows are swapped; swap the two fields.</source>
         <translation>Według obrazu lub jego RPC kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="53"/>
-        <source>By the image&apos;s RPC the points&apos; heights are in feet: as metres they miss it by {metres:.3g} px, as feet by {feet:.3g} px; give metres.</source>
+        <source>According to the image&apos;s RPC the points&apos; heights are in feet: as metres they miss it by {metres:.3g} px, as feet by {feet:.3g} px; give metres.</source>
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
@@ -12075,11 +12075,11 @@
         <translation>Linia mozaikowania to miejsce, w którym ortofotomapa przechodzi z jednego ortoobrazu w drugi; gdzie oba są zmieszane, giną drobne detale. To, co zachowano, mierzy się odcinek po odcinku.</translation>
     </message>
     <message>
-        <source>The decision is on the seams. Not looked at: accuracy of position, the orthoimages by themselves, clouds and shadows, what buildings hide, metadata.</source>
+        <source>The decision is on the seams only. Not checked: positional accuracy, the orthoimages themselves, clouds and shadows, ground hidden by buildings, metadata.</source>
         <translation>Decyzja dotyczy linii mozaikowania. Nie sprawdzono: dokładności położenia, samych ortoobrazów, chmur i cieni, tego, co zasłaniają budynki, ani metadanych.</translation>
     </message>
     <message>
-        <source>Shares are of the metres that were measured. A piece counts in the sheet in which its middle lies.</source>
+        <source>Shares refer to the measured metres. A piece counts in the sheet in which its middle lies.</source>
         <translation>Udziały odnoszą się do metrów, które zmierzono. Odcinek liczy się w arkuszu, w którym leży jego środek.</translation>
     </message>
     <message>
@@ -12107,12 +12107,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="17"/>
-        <source>The windows of this mosaic that the project did not know are back, from {path}.</source>
+        <source>Windows of this mosaic that were missing from the project were restored from {path}.</source>
         <translation>Okna tej ortofotomapy, których projekt nie znał, wróciły z pliku {path}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="21"/>
-        <source>The windows in {name} are in no windows file, so what is measured and judged can&apos;t be kept with them. Copy them into one?</source>
+        <source>The windows in {name} are not in a windows file, so results and verdicts can&apos;t be saved with them. Copy them into one?</source>
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
@@ -12177,12 +12177,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="70"/>
-        <source>{path} can&apos;t be written ({error}); see to it that the disk has room and no other program has the file open.</source>
+        <source>{path} can&apos;t be written ({error}); make sure that the disk has room and no other program has the file open.</source>
         <translation>Nie można zapisać {path} ({error}); zadbaj, aby na dysku było miejsce i żaden inny program nie miał otwartego tego pliku.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="158"/>
-        <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save what is edited in it, then try again.</source>
+        <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save its edits, then try again.</source>
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
     <message>
@@ -12197,7 +12197,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
-        <source>The seams lie beyond what their coordinate reference system describes; give them the system of their coordinates.</source>
+        <source>The seams lie outside the area of their coordinate reference system; assign them the system of their coordinates.</source>
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
@@ -12212,17 +12212,17 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="42"/>
-        <source>{name} is taken in the reference system that was chosen for it, {system}, and not in that of its file, {own}.</source>
+        <source>{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.</source>
         <translation>{name} jest brany w układzie współrzędnych, który mu wybrano, {system}, a nie w układzie swojego pliku, {own}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="120"/>
-        <source>{name} has another pixel size than the mosaic and was resampled; it is shown and doesn&apos;t count, as others have the mosaic&apos;s.</source>
+        <source>{name} has a different pixel size from the mosaic&apos;s and was resampled; it is shown but not used, as others have the mosaic&apos;s pixel size.</source>
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="358"/>
-        <source>{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change between them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the mosaic as it was before.</source>
+        <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać SEAMLINES albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
     <message>
@@ -12232,27 +12232,27 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
-        <source>images are given as orthoimages that are the mosaic, or were made of others, so that they hide what it lost: {names}</source>
+        <source>some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: {names}</source>
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
-        <source>What would decide it: a scan with the whole orthoimages as they were rectified, and no others.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <source>What would decide it: a scan with the complete orthoimages as rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="10"/>
-        <source>{name} is not a raster that GDAL can read; check that it is whole, or save it as GeoTIFF.</source>
+        <source>{name} is not a raster that GDAL can read; check that it is complete, or save it as GeoTIFF.</source>
         <translation>{name} nie jest rastrem, który GDAL potrafi odczytać; sprawdź, czy plik jest kompletny, albo zapisz go jako GeoTIFF.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="13"/>
-        <source>{name} is made of {part}, which does not exist; put it there, or make {name} anew.</source>
+        <source>{name} refers to {part}, which does not exist; restore that file, or make {name} again.</source>
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="122"/>
-        <source>The seamline layer holds coordinates that are no numbers on the mosaic&apos;s map; check the reference systems of both and repair the layer with &apos;Fix geometries&apos;.</source>
+        <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
@@ -12377,12 +12377,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="7"/>
-        <source>Windows are in your profile until the project is saved, then beside it. Now they are in {path}.</source>
+        <source>Windows are stored in your profile until the project is saved, then beside it. Now they are in {path}.</source>
         <translation>Okna są w Twoim profilu, dopóki projekt nie zostanie zapisany, potem obok niego. Teraz są w {path}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="18"/>
-        <source>{path} is there already: choose another folder, so that no document is replaced.</source>
+        <source>{path} exists already: choose another folder, so that no document is replaced.</source>
         <translation>{path} już istnieje: wybierz inny katalog, aby żaden dokument nie został zastąpiony.</translation>
     </message>
     <message>
@@ -12402,7 +12402,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
-        <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so take it out of the sources.</source>
+        <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
@@ -12412,12 +12412,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="261"/>
-        <source>Along {metres:.0f} m of the seamlines, which name nothing, the mosaic shows one orthoimage on both sides: no seam is there, so they are left out.</source>
+        <source>Along {metres:.0f} m of the seamlines, which name no orthoimage, the mosaic shows the same one on both sides: there is no seam, so they are left out.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="265"/>
-        <source>No seamline parts two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
+        <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
     </message>
     <message>
@@ -12437,7 +12437,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="50"/>
-        <source>A {given} is no executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
+        <source>A {given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
@@ -12447,11 +12447,11 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="75"/>
-        <source>In {path} names of fields are cut to ten letters ({names}), so nothing that looks for them finds them, or finds another one; write a GeoPackage to keep them.</source>
+        <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
     <message>
-        <source>In the pictures dashes lie along the failure. Framed is the middle of its piece that kept least: beside it at 2x, as the mosaic has it, as its orthoimages give it cut hard, and the orthoimages. Marks at the edges show where the seam enters and leaves; chequers are where there is no data. The curve is the scan&apos;s own measurement of that piece: grey is the strip that is judged, the thick line what is kept in it, the red one the limit.</source>
+        <source>In the pictures dashes mark the failure. The frame marks the middle of the piece that kept least; beside it, at 2x: the mosaic, its orthoimages cut hard, and each orthoimage. Marks at the edges show where the seam enters and leaves; chequers mark ground without data. The curve is the scan&apos;s own measurement of that piece: grey is the strip that is judged, the thick line what is kept in it, the red one the limit.</source>
         <translation>Na obrazach wzdłuż usterki biegnie linia przerywana. W obwódce jest środek odcinka, który zachował najmniej: obok w powiększeniu 2×, tak jak ma go ortofotomapa, jak dają go jej ortoobrazy cięte ostro, i same ortoobrazy. Znaki na krawędziach wskazują, gdzie linia mozaikowania wchodzi i wychodzi; szachownica jest tam, gdzie nie ma danych. Krzywa to pomiar tego odcinka przez skanowanie: szary jest oceniany pas, gruba linia to, co się w nim zachowało, czerwona to granica.</translation>
     </message>
     <message>
@@ -12468,7 +12468,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="34"/>
-        <source>The seam names no two of the given orthoimages; give those that the mosaic was made from.</source>
+        <source>The seam does not name two of the given orthoimages; give those the mosaic was made from.</source>
         <translation>Linia mozaikowania nie wskazuje dwóch z podanych ortoobrazów; podaj te, z których powstała ortofotomapa.</translation>
     </message>
     <message>
@@ -12483,37 +12483,37 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
-        <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field &apos;reason&apos; of the seams says why each was not; scan with longer pieces, or judge windows there by eye (JUDGE observer).</source>
+        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field &apos;reason&apos; of the seams says why; scan with longer pieces, or judge windows there by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Pole &apos;reason&apos; linii mozaikowania mówi dlaczego; skanuj z dłuższymi odcinkami albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
-        <source>What would decide it: a scan with shorter pieces. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <source>What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
-        <source>What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with all seamlines, or without any.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
+        <source>What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all seamlines, or with none.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
-        <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a scan of those that are there now.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
+        <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the present files.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
-        <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece keeps enough though a part of it failed.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece may pass although a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
-        <source>The layers of seams are of {count} mosaics, and none is given to the decision: whether all of these belong to the delivery is not known.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <source>The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all belong to the delivery.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
@@ -12528,7 +12528,7 @@
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="46"/>
-        <source>&apos;{text}&apos; is no coordinate reference system of a map (projected or geographic); write it as WKT, or such as EPSG:2180.</source>
+        <source>&apos;{text}&apos; is not a projected or geographic coordinate reference system; write it as WKT, or as a code such as EPSG:2180.</source>
         <translation>„{text}” nie jest układem współrzędnych mapy (płaskim ani geograficznym); należy go zapisać jako WKT albo tak jak EPSG:2180.</translation>
     </message>
     <message>
@@ -12603,7 +12603,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="61"/>
-        <source>Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry or with xmin, ymin, xmax and ymax.</source>
+        <source>Window {number} is not a rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry or with xmin, ymin, xmax and ymax.</source>
         <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
     <message>
@@ -12618,7 +12618,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="31"/>
-        <source>&apos;{parameter}&apos; is &apos;{value}&apos;; known are {known}.</source>
+        <source>&apos;{parameter}&apos; is &apos;{value}&apos;; give one of {known}.</source>
         <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
     </message>
     <message>

@@ -15,7 +15,7 @@ LABELS_OF_OTHERS = Message(
     "labels names source {number:.0f}, of {count} sources; give 0 to {most}, and -1 where unknown."
 )
 LABELS_NOT_WHOLE = Message(
-    "labels holds what is no whole number ({kind}); give the number of each pixel's source, -1 where unknown."
+    "labels holds values that are not whole numbers ({kind}); give the number of each pixel's source, -1 where unknown."
 )
 NOT_MULTIPLE = Message(
     "image has {columns} x {rows} pixels; cut both sides to a multiple of {step} for {levels} levels."
@@ -25,10 +25,10 @@ NAMES_TWICE = Message("names has {name} twice; give each band a name of its own.
 NAMES_COUNT = Message("names has {given} names for {count} bands; give one for each.")
 NOT_IN_ONE_SYSTEM = Message("{name} lies in another reference system than {first}; decide on each by itself.")
 NO_SEAM_TO_DECIDE_ON = Message("Undecided: there is no seam to decide on; no report is written.")
-NO_LAYER_OF_SEAMS = Message("{path} has no layer of seams as a scan writes it; give the GeoPackage of a scan.")
+NO_LAYER_OF_SEAMS = Message("{path} has no layer of seams written by a scan; give the GeoPackage of a scan.")
 OTHER_ENDING = Message("'{output}' is written as {ending}; give {path} that ending.")
 HOLDS_OTHER_DATA = Message(
-    "'{output}' would be written over {path}, which holds something else than such a run leaves; choose another file."
+    "'{output}' would be written over {path}, which holds other data than such a run writes; choose another file."
 )
 RECTANGLES_WITHOUT_BLOCK = Message(
     "Rectangles lie on a mosaic; give its block, too: inspect_windows(rectangles, block)."

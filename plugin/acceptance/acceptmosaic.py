@@ -43,9 +43,9 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     NAME = QT_TR_NOOP("Accept or reject a delivery")
     HELP = QT_TR_NOOP(
         "Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without "
-        "a break, and by rules or a plan of ISO 2859 whether that is accepted, rejected or can't be decided, and "
-        "then what would decide it. A piece of seam fails when it kept less than is asked for; metres are sums of "
-        "whole pieces. What could not be measured never counts as passed."
+        "a break, and whether rules or a plan of ISO 2859 accept it, reject it or can't decide, and then what would "
+        "decide it. A piece of seam fails when it kept less than required; metres are sums of whole pieces. What could "
+        "not be measured never counts as passed."
     )
     RASTER_LISTS = (SEAMS, common.MOSAIC, common.SOURCES, LOSS)
     PAGES = (REPORT, QUALITY)
@@ -65,26 +65,26 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         add_plan_parameters(self)
         self.addDescribed(
             common.choice(stated.READY_RULES, tr("Ready rules"), list(ready_files()), None, optional=True),
-            tr("Rules that come with the plugin, instead of the limits above; leave those as they are."),
+            tr("Rules that come with the plugin, instead of the limits above; leave those at their defaults."),
         )
         self.addDescribed(common.file(stated.RULES, tr("Rules"), "json", optional=True), tr(
-            "A JSON file of your own with limits and where they come from, instead of the limits above; leave those as "
-            "they are. The documentation shows one."
+            "A JSON file of your own with limits and where they come from, instead of the limits above; leave those at "
+            "their defaults. The documentation has an example."
         ))
         self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.POLYGON, optional=True), tr(
             "Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says "
             "how well operators and tool agree."
         ))
         self.addDescribed(common.choice(JUDGE, tr("Who judges"), (TOOL, OBSERVER)), tr(
-            "tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what "
-            "nobody judged counts as not measured."
+            "tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; pieces "
+            "that nobody judged count as not measured."
         ), advanced=True)
         add_paper(self)
-        self.addDescribed(*common.chart(tr("How many metres kept how much.")))
+        self.addDescribed(*common.chart(tr("Metres of seam by the share kept.")))
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))
         self.addOutput(QgsProcessingOutputString(REASONS, tr("Its reasons, in words")))
         self.addNumbers({
-            ACCEPTED: tr("Accepted (1), rejected (0), or nothing where it is undecided"),
+            ACCEPTED: tr("Accepted (1), rejected (0), or empty if undecided"),
             TOTAL_METRES: tr("Length of all seams (metres)"),
             MEASURED_METRES: tr("Length that was measured (metres)"),
             FAILED_METRES: tr("Length that failed (metres)"),
@@ -177,11 +177,11 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         for name, title, words in (
             (stated.MIN_KEPT, tr("Least share of detail kept"),
              tr("A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.")),
-            (stated.MAX_SHARE, tr("Largest share that may fail (%)"), tr("Of the metres of seam that were measured.")),
+            (stated.MAX_SHARE, tr("Largest share that may fail (%)"), tr("Share of the measured metres of seam.")),
             (stated.MAX_RUN, tr("Longest failure without a break (metres)"),
              tr("Failed pieces that follow each other, across seams and sheets where they touch.")),
             (stated.MIN_MEASURED, tr("Least share that has to be measured (%)"),
-             tr("Of the seams on ground with detail. With less measured a delivery is not accepted.")),
+             tr("Share of the seams on ground with detail. If less was measured, a delivery is not accepted.")),
         ):  # fmt: skip
             limit = common.real(name, title, stated.LIMITS[name], 0.0, stated.MOST[name])
             self.addDescribed(limit, words, advanced=name == stated.MIN_MEASURED)

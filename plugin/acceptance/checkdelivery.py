@@ -36,13 +36,13 @@ class CheckDelivery(SeamInspectorAlgorithm):
     HELP = QT_TR_NOOP(
         "Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data "
         "inside their outline, can't be read, or hide each other; pixel size, reference system, bands, type of the "
-        "pixels and names. Writes the sheets with what was found at each, ready for 'Accept or reject a delivery', and "
-        "one mosaic over all that were ordered, ready for the scan."
+        "pixels and names. Writes the sheets with their findings, ready for 'Accept or reject a delivery', and one "
+        "mosaic over all that were ordered, ready for the scan."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.folder(FOLDER, tr("Folder"), optional=True), tr(
-            "Of the delivered sheets. Empty: the files that the sheets' field location names."
+            "Folder of the delivered sheets. Empty: the files named in the sheets' field location."
         ))
         self.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
             "Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: all "
@@ -52,22 +52,22 @@ class CheckDelivery(SeamInspectorAlgorithm):
             "The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name."
         ))
         self.addDescribed(common.real(PIXEL, tr("Pixel size (metres)"), None, 0.0, optional=True, decimals=4), tr(
-            "To 1 %. Empty: that of most sheets."
+            "Within 1 %. Empty: that of most sheets."
         ))
         self.addDescribed(QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), tr(
             "Empty: that of most sheets."
         ))
         self.addDescribed(common.whole(BANDS, tr("Bands"), None, 1, optional=True), tr(
-            "How many, without alpha. Empty: as most sheets have."
+            "Number of bands without alpha. Empty: that of most sheets."
         ))
         self.addDescribed(common.choice(DATA_TYPE, tr("Type of the pixels"), DATA_TYPES, None, optional=True), tr(
             "8 bit is uint8, 16 bit uint16. Empty: that of most sheets."
         ))
         self.addDescribed(common.real(MAX_NODATA, tr("Largest share without data (%)"), 0.0, 0.0), tr(
-            "Of a sheet's outline."
+            "Share of a sheet's outline."
         ), advanced=True)
         self.addDescribed(common.result(OUTPUT, tr("Checked sheets"), common.POLYGON), tr(
-            "Each sheet with its file, what was found at it, and whether that is nothing."
+            "Each sheet with its file, its findings, and whether it has none."
         ))
         self.addDescribed(common.made_file(VRT, tr("Mosaic of all sheets"), "VRT (*.vrt)"), tr(
             "A virtual mosaic over the ordered sheets that fit together; nothing is copied."

@@ -31,9 +31,9 @@ class PlanInspection(SeamInspectorAlgorithm):
     ID = "planinspection"
     NAME = QT_TR_NOOP("Plan an inspection")
     HELP = QT_TR_NOOP(
-        "Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859 asks "
-        "for, or as large as you say. The sample comes as pieces of seam for 'Accept or "
-        "reject a delivery', or as windows that open in the desk to be judged. The same seed draws the same sample."
+        "Draws a random sample of the seams of a delivery, proportionally from every sheet: as large as ISO 2859 "
+        "requires, or as large as you choose. The sample comes as pieces of seam for 'Accept or reject a delivery', or "
+        "as windows that open in the desk to be judged. The same seed draws the same sample."
     )
     RASTER_LISTS = (SEAMS,)
 
@@ -44,7 +44,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         add_sheets(self)
         self.addDescribed(common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, stated.ISOLATED, BY_COUNT)), tr(
             "How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an "
-            "isolated lot; count, as many as you say."
+            "isolated lot; count, as many as you choose."
         ))
         add_plan_parameters(self)
         self.addDescribed(common.whole(COUNT, tr("Count"), 50, 1), tr("How many are drawn with the plan 'count'."))
@@ -52,20 +52,20 @@ class PlanInspection(SeamInspectorAlgorithm):
             "pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic's pixels."
         ))
         self.addDescribed(common.mosaic(optional=True)[0], tr(
-            "What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same "
-            "seed, windows and pieces are one sample."
+            "What windows are placed on; pieces that do not lie on it are not part of the lot. With it and the same "
+            "seed, windows and pieces are the same sample."
         ))
         self.addDescribed(common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01), tr(
-            "The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
+            "Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
         ))
         self.addDescribed(common.real(PIECE, tr("Length of a piece (metres)"), limits.STANDARD_PIECE_M, 0.01), tr(
             "Plain seamlines are cut into pieces of about this length; those of a scan stay as they are."
         ))
         self.addDescribed(common.words(SHEET_FIELD, tr("Field of the sheets")), tr(
-            "The sample is drawn from each of its values in proportion. Empty: layer by layer."
+            "The sample is drawn proportionally from each of its values. Empty: layer by layer."
         ), advanced=True)
         self.addDescribed(common.result(OUTPUT, tr("Sample")), tr(
-            "The sample: its field 'sample' numbers the pieces as they were drawn, 'lot_size' says of how many."
+            "The sample: its field 'sample' numbers the pieces as they were drawn, 'lot_size' is how many there were."
         ))
         self.addNumbers({
             SAMPLE_SIZE: tr("Pieces in the sample"),

@@ -31,8 +31,8 @@ _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 
 def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
     algorithm.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
-        "Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons "
-        "with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says."
+        "Outlines of the sheets if all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with "
+        "a field sheet or name. Empty: each layer of seams is a sheet, unless its field sheet says otherwise."
     ))
 
 

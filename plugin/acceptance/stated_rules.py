@@ -150,13 +150,13 @@ def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
         tr("The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1."),
     )
     algorithm.addDescribed(common.choice(LQ, tr("Limiting quality (LQ)"), LIMITING_QUALITIES, DEFAULT_LQ), tr(
-        "The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has "
-        "it: three times what you want at least."
+        "The percentage of failing pieces with which an isolated lot should hardly ever be accepted, by ISO 2859-2: at "
+        "least three times the percentage that you want."
     ))
     algorithm.addDescribed(
         common.choice(INSPECTION_LEVEL, tr("Inspection level"), INSPECTION_LEVELS, DEFAULT_LEVEL),
         tr("How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest."),
     )
     algorithm.addDescribed(common.whole(SEED, tr("Seed"), limits.STANDARD_SEED, 0, _LARGEST_SEED), tr(
-        "Of the drawing: the same seed draws the same sample again."
+        "Starts the random draw: the same seed draws the same sample again."
     ), advanced=True)

@@ -7,28 +7,28 @@ from .errors import INFO, WARNING, Message
 
 # rasters
 NOT_FOUND = Message("{path} does not exist; check the path.")
-NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that it is whole, or save it as GeoTIFF.")
-NOT_PERMITTED = Message("{name} may not be read; ask its owner for permission to read it, or copy it.")
-NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
-PART_NOT_FOUND = Message("{name} is made of {part}, which does not exist; put it there, or make {name} anew.")
-MASK_NOT_READABLE = Message("The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both anew.")
+NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that it is complete, or save it as GeoTIFF.")
+NOT_PERMITTED = Message("No permission to read {name}; ask its owner for it, or for a copy.")
+NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it again.")
+PART_NOT_FOUND = Message("{name} refers to {part}, which does not exist; restore that file, or make {name} again.")
+MASK_NOT_READABLE = Message("The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both again.")
 DAMAGED = Message(
-    "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew."
+    "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it again."
 )
 NO_FILE = Message("{name} is a device, a pipe or memory, not a file; copy its data to a file.")
 SERVICE = Message("{name} is a service or a database, not a file; save the part that is needed as GeoTIFF.")
 DRIVER_NOT_USED = Message(
-    "{name} is read by GDAL's driver {driver}, which may lead to other files; save it as GeoTIFF."
+    "{name} is read by GDAL's driver {driver}, which may open other files; save it as GeoTIFF."
 )
-TOO_MANY_BANDS = Message("{name} has {count} bands and {most} are the most; take out those that are to be measured.")
+TOO_MANY_BANDS = Message("{name} has {count} bands, but at most {most} can be read; extract the bands to be measured.")
 BLOCKS_TOO_LARGE = Message(
-    "{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles."
+    "{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it again in tiles."
 )
-TOO_LARGE = Message("{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.")
+TOO_LARGE = Message("{name} claims {columns} x {rows} px, which is impossible; the file is damaged, so copy it again.")
 TOO_MUCH_AT_ONCE = Message(
     "{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed."
 )
-TOO_WIDE = Message("{name} is {columns} px wide and {most} are the most; cut it into sheets first.")
+TOO_WIDE = Message("{name} is {columns} px wide, but at most {most} can be read; cut it into sheets first.")
 NO_BANDS = Message("{name} has no bands of its own; choose one of its subdatasets.")
 COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitudes first.")
 BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
@@ -39,18 +39,18 @@ NO_REFERENCE_SYSTEM = Message(
 )
 NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
 OTHER_SYSTEM_TAKEN = Message(
-    "{name} is taken in the reference system that was chosen for it, {system}, and not in that of its file, {own}.",
+    "{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.",
     INFO,
 )
 NO_SYSTEM = Message(
-    "'{text}' is no coordinate reference system of a map (projected or geographic); write it as WKT, or such as "
+    "'{text}' is not a projected or geographic coordinate reference system; write it as WKT, or as a code such as "
     "EPSG:2180."
 )
 NOT_ON_GROUND = Message(
-    "{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates."
+    "{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates."
 )
 MUCH_FINER = Message(
-    "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to those first."
+    "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to them first."
 )
 SOURCE_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 # reference systems
@@ -76,7 +76,7 @@ WINDOW_TOO_SMALL = Message(
     "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger."
 )
 WINDOW_TOO_LARGE = Message(
-    "The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller."
+    "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller."
 )
 TOO_MANY_LEVELS = Message(
     "{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer "
@@ -119,8 +119,8 @@ SEAMLINES_BROKEN = Message(
     "The geometry of feature {feature} in the seamline layer can't be read; repair the layer with 'Fix geometries'."
 )
 SEAMLINES_NOT_FINITE = Message(
-    "The seamline layer holds coordinates that are no numbers on the mosaic's map; check the reference systems of both "
-    "and repair the layer with 'Fix geometries'."
+    "The seamline layer has coordinates that are not numbers in the mosaic's reference system; check the reference "
+    "systems of both and repair the layer with 'Fix geometries'."
 )
 # files that are written
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
@@ -139,15 +139,15 @@ REMOTE_NOT_READABLE = Message(
     "{name} can't be read over the network ({why}); check the network and GDAL's settings, or copy it to a local disk."
 )
 REMOTE_IN_PART = Message(
-    "{name} came over the network only in part, also when asked again; check that it is complete on its server."
+    "{name} arrived only in part over the network, also at the second try; check that it is complete on its server."
 )
 # folders of records
 RECORDS_IN_USE = Message("another QGIS has it open")
 RECORDS_FOREIGN = Message("something else is there")
 # a file with rules
 RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
-RULES_NOT_TEXT = Message("The rules in {name} are no text in UTF-8; give a JSON file with rules.")
-RULES_NOT_JSON = Message("The rules in {name} are no JSON (see line {line}); mend the file.")
+RULES_NOT_TEXT = Message("The rules in {name} are not text in UTF-8; give a JSON file with rules.")
+RULES_NOT_JSON = Message("The rules in {name} are not valid JSON (see line {line}); correct the file.")
 RULES_NO_OBJECT = Message('{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.')
 RULES_KEY_TWICE = Message("{name} has '{key}' twice in one object; keep one.")
 RULES_KEY_UNKNOWN = Message("{place} in {name} has the unknown key '{key}'; known are {known}.")

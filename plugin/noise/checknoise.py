@@ -37,14 +37,14 @@ class CheckNoise(RasterListAlgorithm):
     NAME = QT_TR_NOOP("Check random noise")
     GROUP = IMAGE_QUALITY
     HELP = QT_TR_NOOP(
-        "Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise "
-        "the relative variance of the details rises from level to level; noise lifts level 1 above level 2 "
-        "(moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked "
-        "for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule "
-        "compares noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs "
-        "and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; "
-        "where they show the same ground each window is measured on both, with the same pixels left out. Windows are "
-        "grouped by a field of theirs, as land use or scale."
+        "Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise the "
+        "relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, "
+        "where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the "
+        "spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule compares "
+        "noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs and scans "
+        "need no georeference. Two groups of images, of another camera, film or process, are compared; where they show "
+        "the same ground each window is measured on both, with the same pixels left out. Windows are grouped by one of "
+        "their fields, such as land use or scale."
     )
     RASTER_LISTS = (RASTERS, SECOND_GROUP)
 

@@ -57,8 +57,8 @@ class CompareMarks(SeamInspectorAlgorithm):
             "photos. Places are the fields column and row, or the points themselves."
         )
         of_folder = tr(
-            "Instead of the layer: all files of this folder, layers with the field 'mark' (of the photo in their field "
-            "'photo', else of the one that the file is called like) and MicMac's MeasuresIm-*.xml."
+            "Instead of the layer: all files of this folder, layers with the field 'mark' (of the photo named in their "
+            "field 'photo', else in the file's name) and MicMac's MeasuresIm-*.xml."
         )
         for name, title, of_files in (
             (FIRST, tr("First measurement"), tr("First measurement, a folder")),
@@ -68,10 +68,10 @@ class CompareMarks(SeamInspectorAlgorithm):
             self.addDescribed(common.folder(FOLDERS[name], of_files, optional=True), of_folder)
         limit = common.real(LIMIT, tr("Largest mean distance (px)"), DEFAULT_MEAN_DISTANCE_PX, 0, decimals=None)
         self.addDescribed(limit, tr(
-            "The verdict is 'within' where the mean distance is at most that; in the paper 0.25 px."
+            "The verdict is 'within' where the mean distance is at most this; in the paper 0.25 px."
         ))
         self.addDescribed(common.real(PIXEL_SIZE, tr("Pixel size (µm)"), None, 0.001, optional=True, decimals=None), tr(
-            "Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them."
+            "Pixel size of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them."
         ))
         self.addDescribed(common.result(OUTPUT, tr("Statistics"), common.TABLE), tr(
             "Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row "
@@ -81,7 +81,7 @@ class CompareMarks(SeamInspectorAlgorithm):
             "Count, mean, maximum (px) and verdict of each photo."
         ))
         self.addDescribed(common.result(DIFFERENCES, tr("Differences"), common.TABLE, True, False), tr(
-            "The difference of each mark, the second measurement less the first, in pixels."
+            "The difference of each mark, the second measurement minus the first, in pixels."
         ))
         for unit in ("PX", "UM"):
             self.addNumbers({f"{name}_{unit}": f"{name} {unit}".lower().replace("_", " ") for name in STATISTICS[1:]})

@@ -25,8 +25,8 @@ class EnhancePhoto(SeamInspectorAlgorithm):
     GROUP = INTERIOR_ORIENTATION
     HELP = QT_TR_NOOP(
         "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "
-        "against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the "
-        "map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy."
+        "against grain, Laplace or Sobel for edges. Photos of any size are processed in strips; georeference and "
+        "invalid pixels are not changed. Marks are measured on the photo itself, not on this copy."
     )
     RASTER_LISTS = ()
 

@@ -58,7 +58,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.raster(PHOTO, tr("Photo")), tr(
             "The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey "
-            "value though the file calls it nodata."
+            "value even if the file calls it nodata."
         ))
         self.addDescribed(common.file(CALIBRATION, tr("Calibration")), tr(
             "The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. x to "
@@ -67,8 +67,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         ))
         self.addDescribed(common.raster(TEMPLATE, tr("Template"), optional=True), tr(
             "A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; "
-            "marks that look otherwise are measured by drawn ones. A template that looks alike turned by 180 degrees "
-            "is measured by its own centre, else by its middle."
+            "marks that look different are measured by drawn ones. A template that looks the same when turned by 180 "
+            "degrees is measured by its centre of symmetry, else by its middle."
         ))
         self.addDescribed(common.features(POSITIONS, tr("Positions"), common.POINT, optional=True), tr(
             "Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the "
@@ -77,7 +77,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         ))
         self.addDescribed(common.flag(MEASURE, tr("Measure around the positions"), True), tr(
             "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
-            "that lies off by more than a thousandth of the frame fails as a measured mark does."
+            "that is off by more than a thousandth of the frame fails like a measured mark."
         ))
         for name, title, words, text, advanced in (
             (TEMPLATE_KIND, tr("Kind of mark"), KINDS,

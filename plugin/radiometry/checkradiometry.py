@@ -47,12 +47,12 @@ class CheckRadiometry(RasterListAlgorithm):
         "Checks images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "
         "tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, "
         "colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters "
-        "are streamed in blocks. What can't be measured is said with the reason; nothing is accepted on a guess."
+        "are streamed in blocks. What can't be measured is listed with the reason; nothing is accepted on a guess."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.layers(RASTERS, tr("Rasters"), optional=True), tr(
-            "The images to be checked, each for itself."
+            "The images to be checked, each on its own."
         ))
         self.addDescribed(common.features(SHEETS, tr("Sheets"), common.POLYGON, optional=True), tr(
             "Alone or beside the rasters: the sheets that 'Check a delivery' wrote, or a tile index as gdaltindex "
@@ -72,16 +72,16 @@ class CheckRadiometry(RasterListAlgorithm):
         ))
         number = QgsProcessingParameterNumber.Type.Double
         self.addDescribed(QgsProcessingParameterRange(VALUE_RANGE, tr("Range of values"), number, optional=True), tr(
-            "The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither "
-            "the file (NBITS) nor all files together say it: then nothing that depends on it is judged."
+            "The lowest and highest value that pixels can have, such as 0 to 4095 for 12 bits in 16. Needed where "
+            "neither the file (NBITS) nor all files together show it: without it nothing that depends on it is judged."
         ))
         self.addDescribed(common.features(GREY_AREAS, tr("Grey areas"), common.POLYGON, optional=True), tr(
             "Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; "
-            "without them it is not measurable, since no pixel tells a cast from the colour of the ground."
+            "without them it is not measurable, since a cast looks the same as the colour of the ground."
         ))
         self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
-            "Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured "
-            "on the rasters they cross, 2 to 10 px on either side."
+            "Lines, or polygons that are each filled from one orthoimage: the step of tone at the seams is measured on "
+            "the rasters they cross, 2 to 10 px on either side."
         ))
         self.addDescribed(common.result(OUTPUT, tr("Radiometry"), common.TABLE), tr(
             "One row per raster or window, check and band: value, limit, whether it passed, and the rule's source."

@@ -129,18 +129,18 @@ def decision_reasons(decision: RadiometricDecision) -> list[str]:
         said.append(filled(tr("Beyond their limits: {images}; by {checks}."), images=_names(rejected), checks=failed))
     if undecided:
         missed = checks_words(checked for image in undecided for checked in image.missed)
-        said.append(filled(tr("Not measurable and required: {checks}; in {images}."),
+        said.append(filled(tr("Required but not measurable: {checks}; in {images}."),
             images=_names(undecided), checks=missed) if missed
             else no_limit_words())  # fmt: skip
     if decision.left_out:
-        said.append(filled(tr("Not looked at: {count}."), count=len(decision.left_out)))
+        said.append(filled(tr("Not checked: {count}."), count=len(decision.left_out)))
     without = [image for image in decision.images if image.unmeasured]
     if without:
         unmeasured = checks_words(checked for image in without for checked in image.unmeasured)
         said.append(filled(tr("Not measurable and not required: {checks}; in {images}."),
             images=_names(without), checks=unmeasured))  # fmt: skip
     if not said:
-        said.append(tr("All figures keep their limits."))
+        said.append(tr("All figures are within their limits."))
     return said
 
 

@@ -81,8 +81,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         usual = limits.DEFAULT_REFERENCE_GRD_CM
         self.addDescribed(
             common.real(REFERENCE_GRD, tr("Distance of the reference group (cm)"), usual, limits.MIN_REFERENCE_GRD_CM),
-            tr("Of the reference group, in centimetres on the ground; the next parameter says of what it is the "
-               "width."),
+            tr("In centimetres on the ground; the next parameter says what it is the width of."),
         )
         self.addDescribed(common.choice(GRD_OF, tr("Distances are widths of"), limits.DISTANCES), tr(
             "cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and "
@@ -93,7 +92,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
             "How many times as wide the next coarser group is; the sixth root of 2 on most targets."
         ), advanced=True)
         self.addDescribed(common.real(CRITERION, tr("Criterion"), limits.DEFAULT_CRITERION, 0.01, 1), tr(
-            "Share of the full amplitude that the bars of a resolved group keep."
+            "Share of the full amplitude that the bars need for a group to be resolved."
         ), advanced=True)
         self.addDescribed(common.choice(FULL_AMPLITUDE, tr("Full amplitude"), limits.FULL_AMPLITUDES), tr(
             "group: the group's own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a "

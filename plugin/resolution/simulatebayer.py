@@ -22,8 +22,8 @@ class SimulateBayer(SeamInspectorAlgorithm):
     NAME = QT_TR_NOOP("Simulate a Bayer filter")
     GROUP = GROUND_RESOLUTION
     HELP = QT_TR_NOOP(
-        "Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its "
-        "filter is kept, and the other two are interpolated from the neighbours. Fine lines get wider and coloured "
+        "Shows what a camera with a single chip would have seen of an image: each pixel records only the colour of its "
+        "filter, and the other two are interpolated from the neighbours. Fine lines get wider and coloured "
         "(Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene."
     )
 
@@ -35,9 +35,9 @@ class SimulateBayer(SeamInspectorAlgorithm):
             "Colours of the filter over the first two pixels of the first row, then of the second."
         ))
         self.addDescribed(common.choice(DEMOSAIC, tr("Interpolation"), limits.DEMOSAICS), tr(
-            "bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen there "
-            "says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which "
-            "has to be installed."
+            "bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the recorded colour shows "
+            "where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which has "
+            "to be installed."
         ))
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Seen by a single chip")), tr(
             "A GeoTIFF: red, green and blue on the image's own pixels, in its data type."

@@ -108,12 +108,12 @@ def _mixing_alone(row: WindowRecord, explanation: Explanation | None) -> list[st
     """What the mixture would have taken where the mosaic lost more."""
     profile = None if explanation is None else explanation.profile
     if profile is None or profile.measure is not Measure.ENERGY or (profile.by_mixture or 0) <= profile.high:
-        return [tr("What took detail along the seam is unclear.")] * (
+        return [tr("The cause of the loss along the seam is unclear.")] * (
             Cause.UNCLEAR in _causes_of(row) and is_lost_along_the_seam(row)
         )
     text = tr("Mixing alone would have taken {percent} % there.")
     if Cause.UNCLEAR in _causes_of(row):
-        text = tr("Mixing alone would have taken {percent} % there; what took the rest is unclear.")
+        text = tr("Mixing alone would have taken {percent} % there; the cause of the rest is unclear.")
     return [filled(text, percent=percent(max(1 - (profile.by_mixture or 0), 0.0)))]
 
 
@@ -179,7 +179,7 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
             said.append(row.reason)
         missing = 0.0 if row.explained is None else 1 - row.explained
         if missing > _UNEXPLAINED and row.reason_code != OF_THE_REST:
-            text = tr("{percent} % of the pixels match none of the given sources and took no part.")
+            text = tr("{percent} % of the pixels match none of the given sources and are left out.")
             said.append(filled(text, percent=percent(missing)))
         said += by_the_paper(row)
     return [*filter(None, said), *(cause_numbers(explanation) if explanation is not None else ())]

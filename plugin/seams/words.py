@@ -138,13 +138,13 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.OTHER_MIXTURE.value: ShownCause(
         QT_TR_NOOP("other mixture"),
-        QT_TR_NOOP("Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand."),
+        QT_TR_NOOP("Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand."),
         QT_TR_NOOP("images are mixed by another rule than weights"),
         to_do=QT_TR_NOOP("Cut hard there."),
     ),
     Cause.NARROWED_HISTOGRAM.value: ShownCause(
         QT_TR_NOOP("narrowed histogram"),
-        QT_TR_NOOP("Grey values were pressed together by a linear function."),
+        QT_TR_NOOP("The range of grey values was narrowed by a linear function."),
         QT_TR_NOOP("the histogram is narrowed"),
         QT_TR_NOOP("the histogram is narrowed, gain {value}"),
         lambda explanation: max((tone.gain for tone in explanation.evidence.tones if tone.gain), default=None),
@@ -160,7 +160,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.CLIPPING.value: ShownCause(
         QT_TR_NOOP("clipping"),
-        QT_TR_NOOP("Highlights or shadows were driven into the limits."),
+        QT_TR_NOOP("Highlights or shadows were cut off at the limits."),
         QT_TR_NOOP("highlights or shadows are clipped"),
         QT_TR_NOOP("{value} % of the pixels are clipped"),
         lambda explanation: judged_change(explanation).clipped,
@@ -178,7 +178,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.MISREGISTRATION.value: ShownCause(
         QT_TR_NOOP("misregistration"),
-        QT_TR_NOOP("Images that meet in the mosaic do not lie on each other there."),
+        QT_TR_NOOP("Images that meet in the mosaic do not line up there."),
         QT_TR_NOOP("images do not fit where they meet"),
         QT_TR_NOOP("images lie {value} px apart where they meet"),
         lambda explanation: explanation.misfit,
@@ -205,7 +205,7 @@ CAUSES: dict[str, ShownCause] = {
         _tenths,
         QT_TR_NOOP("resampling took {value} %"),
         brief=QT_TR_NOOP("resampled"),
-        to_do=QT_TR_NOOP("Keep the pixel grid."),
+        to_do=QT_TR_NOOP("Don't resample it."),
     ),
     Cause.SHARPENED.value: ShownCause(
         QT_TR_NOOP("sharpened"),
@@ -217,7 +217,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.COMPRESSED.value: ShownCause(
         QT_TR_NOOP("compressed"),
-        QT_TR_NOOP("Compression with loss, block by block, changed the fine detail."),
+        QT_TR_NOOP("Lossy compression, block by block, changed the fine detail."),
         QT_TR_NOOP("the mosaic was compressed with loss"),
         QT_TR_NOOP("the mosaic was compressed with loss, which changed fine detail by {value} DN"),
         _noise,
@@ -236,7 +236,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.DODGING.value: ShownCause(
         QT_TR_NOOP("dodging"),
-        QT_TR_NOOP("Brightness was evened out from place to place; done from a coarse overview, that takes detail."),
+        QT_TR_NOOP("Brightness was evened out from place to place; from a coarse overview, this removes detail."),
         QT_TR_NOOP("brightness was evened out from place to place"),
         loss=QT_TR_NOOP("dodging took {value} %"),
         brief=QT_TR_NOOP("dodged"),
@@ -244,7 +244,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.BALANCED.value: ShownCause(
         QT_TR_NOOP("balanced"),
-        QT_TR_NOOP("The sources were brought to each other's tones, each by its gain and bias; nothing is lost."),
+        QT_TR_NOOP("The sources' tones were matched, each by its gain and bias; nothing is lost."),
         QT_TR_NOOP("the sources' tones were balanced"),
         QT_TR_NOOP("the sources' tones were balanced, gains a factor of {value} apart"),
         lambda explanation: ratio if (ratio := explanation.evidence.spread[0]) >= MIN_GAIN_RATIO else None,

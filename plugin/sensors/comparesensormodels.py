@@ -25,9 +25,9 @@ class CompareSensorModels(SensorAlgorithm):
     HELP = QT_TR_NOOP(
         "Fits every sensor model that the points allow and judges each on points that its fit has not seen: check "
         "points, or, where they are fewer than five, every point predicted from the others. The table is that of "
-        "Kurczynski and Wolniewicz. Of the models whose errors, there and at control points left out "
-        "in turn, differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials "
-        "for flat ground only."
+        "Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, "
+        "differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground "
+        "only."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:

@@ -50,8 +50,8 @@ class FitSensorModel(SensorAlgorithm):
     ID = "fitsensormodel"
     NAME = QT_TR_NOOP("Fit sensor model")
     HELP = QT_TR_NOOP(
-        "Fits the geometry of a satellite image to ground control points and judges it on check points that took no "
-        "part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification."
+        "Fits the geometry of a satellite image to ground control points and judges it on check points that the fit "
+        "does not use (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification."
     )
 
     NAMED_BY_FORMAT = (RPC_IMAGE,)
@@ -61,7 +61,7 @@ class FitSensorModel(SensorAlgorithm):
         purpose = " ".join(map(_described, registry.KINDS.values()))
         self.addChoice(MODEL, tr("Model"), tuple(registry.KINDS), purpose, registry.RATIONAL.name)
         self.addDescribed(common.whole(ORDER, tr("Order"), 1, 1, 3), tr(
-            "Of polynomials and quotients. Higher orders need many points and swing between them."
+            "For polynomials and quotients. Higher orders need many points and oscillate between them."
         ))
         self.addDescribed(common.flag(DLT_XY, tr("Term a12 xy of the direct linear transformation")), tr(
             "Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000)."

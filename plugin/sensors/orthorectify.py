@@ -52,7 +52,7 @@ class OrthoAlgorithm(SensorAlgorithm):
             "as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."
         ), advanced=True)
         self.addChoice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS, tr(
-            "Of a table. auto: what its header says, else degrees."
+            "For a table. auto: what its header says, else degrees."
         ), advanced=True)
 
     def addGround(self, terrain: str) -> None:
@@ -129,7 +129,7 @@ class Orthorectify(OrthoAlgorithm):
         self.addOrientations()
         self.addGround(tr("Terrain heights under the whole image, in any reference system."))
         self.addTerrainError()
-        self.addGrid(tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."))
+        self.addGrid(tr("System of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."))
         extent = QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True)
         self.addDescribed(extent, tr("Empty: the whole image. It is widened to whole pixels."))
         output = QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage"))

@@ -27,14 +27,14 @@ class OrthorectifyPhotos(OrthoAlgorithm):
     NAME = QT_TR_NOOP("Orthorectify a block of photos")
     HELP = QT_TR_NOOP(
         "Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file "
-        "of their orientations names. Of an OpenDroneMap project the folder, or reconstruction.json, is enough. A "
-        "photo that can't be used is named, and the others are made."
+        "of their orientations names. For an OpenDroneMap project the folder, or reconstruction.json, is enough. A "
+        "photo that can't be used is named, and the others are processed."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         photos = common.folder(PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"), optional=True)
         self.addDescribed(photos, tr(
-            "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
+            "For a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
             "project, else in the folder of its file."
         ))
         self.addOrientations()
@@ -42,7 +42,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
             "Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an "
             "OpenDroneMap project."
         ))
-        self.addGrid(tr("Of the orthoimages. Empty: the UTM zone of the first photo."))
+        self.addGrid(tr("System of the orthoimages. Empty: the UTM zone of the first photo."))
         self.addDescribed(
             QgsProcessingParameterFolderDestination(OUTPUT, tr("Orthoimages")),
             tr("A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends."),

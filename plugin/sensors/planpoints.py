@@ -37,8 +37,8 @@ class PlanPoints(SensorAlgorithm):
     HELP = QT_TR_NOOP(
         "Predicts the accuracy from the number, quality and spread of control points before they are measured. For "
         "every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or "
-        "that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a "
-        "planning figure; your own check points tell how accurate the image became."
+        "that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning "
+        "figure; your own check points show how accurate the image is."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -52,11 +52,11 @@ class PlanPoints(SensorAlgorithm):
             "grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner."
         ))
         for name, label, default, least, most, text in (
-            (CORNER_SHARE, tr("Share of the corner"), 0.25, 0.01, 1, tr("Of the image's area, for the spread corner.")),
+            (CORNER_SHARE, tr("Share of the corner"), 0.25, 0.01, 1, tr("Share of the image, for the spread corner.")),
             (SIGMA, tr("Standard deviation on the ground (metres)"), 0.5, 0, 1000,
-             tr("Of each ground coordinate of a point, as it will be surveyed.")),
+             tr("For each ground coordinate of a point, as it will be surveyed.")),
             (SIGMA_PX, tr("Standard deviation in the image (pixels)"), 0.5, 0, 1000,
-             tr("Of a point's column and row: how well it is identified.")),
+             tr("For a point's column and row: how well it is identified.")),
         ):  # fmt: skip
             self.addReal(name, label, default, text, least=least, most=most)
         text = tr("Height above the ellipsoid. Points lie anywhere between the lowest and the highest.")
@@ -68,7 +68,7 @@ class PlanPoints(SensorAlgorithm):
         ))
         for name, label, default, least, most, text in (
             (ORBIT_HEIGHT, tr("Height of the orbit (km)"), 694.0, 100, 40000,
-             tr("Of the nominal scanner, and for the model pushbroom.")),
+             tr("For the nominal scanner and the model pushbroom.")),
             (VIEW_ANGLE, tr("Angle of the view (degrees)"), 15.0, 0, 50, tr("From the vertical; nominal scanner.")),
             (PIXEL_SIZE, tr("Pixel size (metres)"), 0.5, 0.05, 1000, tr("On the ground; nominal scanner.")),
             (SIDE, tr("Side of the image (km)"), 15.0, 1, 200, tr("The image is square; nominal scanner.")),

@@ -105,8 +105,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         heights = (HEIGHTS, tr("Heights of the points")), (DEM_HEIGHTS, tr("Heights of the terrain model"))
         self.addTerrain(tr("Gives heights to points that have none."), *heights)
         self.addReal(CHECK_SHARE, tr("Share of check points"), DEFAULT_CHECK_SHARE, tr(
-            "Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. "
-            "The same points give the same choice."
+            "Where no point has a role, this share of them, evenly spread, checks the fit and is not used in it. The "
+            "same points give the same choice."
         ), least=0, most=MOST_CHECK_SHARE)
         self.addDescribed(common.flag(ROBUST, tr("Look for blunders")), tr(
             "Flags points that contradict the others and fits the model without them."

@@ -37,7 +37,7 @@ _TITLES = {
     "paper_verdict": QT_TR_NOOP("verdict by the paper's rule"),
     "reference": QT_TR_NOOP("verdict against"),
     "reason": QT_TR_NOOP("reason"),
-    "sources": QT_TR_NOOP("sources that took part"),
+    "sources": QT_TR_NOOP("sources that were used"),
     "source": QT_TR_NOOP("orthoimage"),
     "left_source": QT_TR_NOOP("orthoimage on the left"),
     "right_source": QT_TR_NOOP("orthoimage on the right"),

@@ -9,26 +9,26 @@ NOT_A_FILE = Message("{name} is not a file that GDAL reads but comes from a serv
 WINDOW_LAYER_READ_ONLY = Message(
     "The window layer {name} can't be edited; choose another one, or let a new one be made.")
 SYSTEM_NOT_WRITTEN = Message(
-    "{name} would not lie in the mosaic's reference system, which can't be written into a GeoPackage; give the mosaic "
-    "another one, such as one with an EPSG code.")
+    "{name} can't be saved in the mosaic's reference system, as a GeoPackage can't store it; give the mosaic another "
+    "one, such as one with an EPSG code.")
 NO_WINDOWS = Message("The window layer is empty; draw windows or place them along the seamlines first.")
 # the outline of a window
-WINDOW_EMPTY = Message("The window has no outline; draw it anew.")
+WINDOW_EMPTY = Message("The window has no outline; draw it again.")
 WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangle.")
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
-WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
+WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it again as a rectangle.")
 WINDOWS_RENUMBERED = Message(
-    "Windows without a number of their own: {count}; they got the next free ones.", WARNING)
+    "Windows without a number of their own: {count}; they were given the next free ones.", WARNING)
 WINDOWS_RESHAPED = Message(
     "The rectangle around the outline is measured where a window is not a rectangle along the mosaic's axes: {count}.",
     WARNING)
 # numbers
 NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is not a coordinate reference system; choose one.")
 NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
-NO_NUMBER = Message("'{parameter}' is '{value}', which is no number; write it with a point, such as 0.7.")
+NO_NUMBER = Message("'{parameter}' is '{value}', which is not a number; write it with a point, such as 0.7.")
 NUMBER_TOO_SMALL = Message("'{parameter}' is {value:g}; give {least:g} or more.")
 NUMBER_BEYOND = Message("'{parameter}' is {value:g}; give a number from {least:g} to {most:g}.")
-WORD_UNKNOWN = Message("'{parameter}' is '{value}'; known are {known}.")
+WORD_UNKNOWN = Message("'{parameter}' is '{value}'; give one of {known}.")
 NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
 NO_RASTERS = Message("No rasters are given; choose at least one.")
@@ -47,15 +47,15 @@ DASK_VERSIONS = Message(
     "Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on "
     "the scheduler, the workers and here.")
 NO_EXECUTOR = Message(
-    "A {given} is no executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.")
+    "A {given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.")
 EXECUTOR_LOST = Message("The executor was shut down or lost its workers; open a new one, then run this again.")
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
-SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.")
+SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; restart it and its workers, then run this again.")
 WORKERS_LOST = Message(
     "The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.")
 WORKERS_SILENT = Message(
-    "The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run "
-    "this again.")
+    "The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; restart them, then run this "
+    "again.")
 WORKERS_WITHOUT_PACKAGES = Message(
     "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as "
     "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.")
@@ -66,20 +66,20 @@ OF_WINDOWS_SUCH_AS = Message("In {count} windows ({windows}), such as {window}: 
 # outputs and charts
 OUTPUT_IN_USE = Message("{path} is being written by another program; close it there, or choose another file.")
 TABLE_BEGINS_WRONG = Message(
-    "'{output}' can't be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name."
+    "'{output}' can't be a table named {name}, as no name in a GeoPackage may begin with {begins}; choose another name."
 )
 NAME_MISREAD = Message(
-    "'{output}' can't be {path}: QGIS takes '{found}' in the path of a layer for something else; choose another name.")
+    "'{output}' can't be {path}: QGIS misreads '{found}' in the path of a layer; choose another name.")
 LAYER_NOT_WRITTEN = Message("{path} can't be written; make room on the disk, or choose another folder.")
 FIELD_NAMES_CUT = Message(
-    "In {path} names of fields are cut to ten letters ({names}), so nothing that looks for them finds them, or finds "
-    "another one; write a GeoPackage to keep them.", WARNING)
+    "In {path} field names are cut to ten letters ({names}), so they can't be found, or are mistaken for others; write "
+    "a GeoPackage to keep them.", WARNING)
 LAYER_IN_PART = Message(
     "{path} holds {held} of {count} features, as the rest can't be written; make room on the disk, and run this again.")
 LAYER_NOT_REPLACED = Message(
-    "{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.",
+    "{path} is unchanged, as the run did not finish; what was measured until then is in {part}.",
     WARNING)
 LAYER_IN_USE = Message(
     "{path} is open in another program and can't be replaced; the new layer is {part}.", WARNING)
 FILE_FORMAT_OTHER = Message("{name} has the wrong ending; the file is written as {filters}, so give it that ending.")
-CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")
+CHART_FORMAT_UNKNOWN = Message("{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.")

@@ -54,7 +54,7 @@ def _remedy(packages: Iterable[str]) -> str:
         how = filled(terminal, command=pip.replace("python", shlex.quote(_pythons_path()), 1))
     else:
         how = filled(tr("Run '{command}' with the Python that QGIS uses, then restart QGIS."), command=pip)
-    other = tr("Or let the plugin QPIP install what requirements.txt in the plugin's folder names.")
+    other = tr("Or let the plugin QPIP install the packages in requirements.txt in the plugin's folder.")
     return f"{how} {other}"
 
 

@@ -164,7 +164,7 @@ LOCAL = 'LOCAL_CS["site",UNIT["metre",1]]'
 
 @pytest.mark.parametrize("crs", ["EPSG:5773", "EPSG:4978", LOCAL, 3.5])
 def test_a_system_of_no_map_is_refused(folder: Path, crs: object) -> None:
-    with pytest.raises(SettingsError, match="no coordinate reference system of a map"):
+    with pytest.raises(SettingsError, match="not a projected or geographic coordinate reference system"):
         open_block(folder / "mosaic.tif", crs=crs)
 
 
@@ -204,7 +204,7 @@ def test_a_decision_is_the_same_after_a_journey(block: Block, folder: Path) -> N
 
 @pytest.mark.parametrize("extent", [(1, 2, 3), "corner", None, (0, 0, "a", 1)])
 def test_what_is_no_rectangle_is_refused(block: Block, extent: object) -> None:
-    with pytest.raises(SettingsError, match=r"Window 7 is no rectangle; give \(xmin"):
+    with pytest.raises(SettingsError, match=r"Window 7 is not a rectangle; give \(xmin"):
         block.window(extent, window_id=7)
 
 
@@ -256,7 +256,7 @@ def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], o
 def test_only_a_scan_with_a_picture_is_said_to_go_on(block: Block, tmp_path: Path, has_picture: bool) -> None:
     with pytest.raises(CancelledError) as told:
         scan(block, loss=tmp_path / "loss.tif" if has_picture else "", cancelled=lambda: True)
-    assert ("goes on" in str(told.value)) is has_picture
+    assert ("continues" in str(told.value)) is has_picture
 
 
 def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
@@ -300,7 +300,7 @@ def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
         scan(block, loss=tmp_path / "loss.tif", progress=end)
     assert list(tmp_path.glob("*.scan"))
     found = scan(block, loss=tmp_path / "loss.tif")
-    assert "goes on where it stopped" in str(found.notices[0])
+    assert "continues where it stopped" in str(found.notices[0])
     assert any(piece.kept for piece in found.pieces)
     assert not list(tmp_path.glob("*.scan"))
 
@@ -321,7 +321,7 @@ def test_seams_that_cannot_be_mended_are_left_with_a_reason(
         layer.SetFeature(feature)
     del feature, layer, elsewhere
     for sources, seams, words in (
-        ([], scanned, "no two of the given"), ([block.sources[0].ref.path], scanned, "no two of the given"),
+        ([], scanned, "not name two of the given"), ([block.sources[0].ref.path], scanned, "not name two of the given"),
         ([source.ref.path for source in block.sources], moved, "not lie on this mosaic"),
     ):  # fmt: skip
         caplog.clear()
@@ -380,7 +380,7 @@ def piece(kept: object, number: int, **others: object) -> dict[str, object]:
 
 def test_rows_in_memory_need_no_seal_but_say_nothing_of_other_seams() -> None:
     rows = [piece(0.9, place) for place in range(9)]
-    words = "nothing is known of seams that are in no row: one."
+    words = "seams that are in no row are unknown: one."
     for told, is_said in ((None, True), ({"one": {}}, True), ({"one": {"unexplained": "0.0"}}, False)):
         found = decide(make_delivery({"one": rows}, METRES, told), limit_rules())
         assert found.accepted

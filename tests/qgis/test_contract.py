@@ -90,9 +90,9 @@ def bad_values(definition: QgsProcessingParameterDefinition) -> Iterator[tuple[A
             yield value, f"'{title}' is {re.escape(f'{value:g}')}; give"
         if definition.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional:  # QGIS refuses those of others
             for value in ("0,3", "much"):
-                yield value, f"'{title}' is '{value}', which is no number"
+                yield value, f"'{title}' is '{value}', which is not a number"
     elif isinstance(definition, QgsProcessingParameterEnum):
-        yield "another", f"'{title}' is 'another'; known are {re.escape(definition.options()[0])}"
+        yield "another", f"'{title}' is 'another'; give one of {re.escape(definition.options()[0])}"
 
 
 @pytest.mark.parametrize("name", STEPS)

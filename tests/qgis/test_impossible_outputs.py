@@ -24,7 +24,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
     for name in ("-rf", "%s{0}", "<img src=x onerror=alert(1)>", "'; drop table x; --", "=cmd|' /C calc'!A0"):
-        words = "none in a GeoPackage begins with"
+        words = "no name in a GeoPackage may begin with"
         assert_refused("inspectwindows", words, OUTPUT=str(tmp_path / f"{name.replace('/', '')}.gpkg"))
     assert not list(tmp_path.iterdir())
 
@@ -32,7 +32,7 @@ def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
 def test_a_name_that_qgis_reads_otherwise(tmp_path: Path) -> None:
     """A disk has room for them, and QGIS would write another file, or none."""
     for name, part in (("a|b.shp", "|"), ("a\\b.csv", "\\"), ("a:b.geojson", ":"), ("a%20b.gpkg", "%20")):
-        words = re.escape(f"can't be {tmp_path}/{name}: QGIS takes '{part}'")
+        words = re.escape(f"can't be {tmp_path}/{name}: QGIS misreads '{part}'")
         assert_refused("inspectwindows", words, OUTPUT=str(tmp_path / name))
     assert not list(tmp_path.iterdir())
 
@@ -116,7 +116,7 @@ def test_what_a_cancelled_run_measured_replaces_nothing(scene: Scene, tmp_path: 
     assert outcome.results["OUTPUT"] == str(part)
     assert 0 < QgsVectorLayer(str(part), "part", "ogr").featureCount() < 200
     assert len(outcome.rows("OUTPUT")) == QgsVectorLayer(str(part), "part", "ogr").featureCount()
-    assert_sentence(log.warnings[-1], f"{output} is as it was, .* in {part}")
+    assert_sentence(log.warnings[-1], f"{output} is unchanged, .* in {part}")
     assert not [path.name for path in tmp_path.iterdir() if path.name.startswith(".")]
 
 

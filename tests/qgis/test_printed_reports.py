@@ -111,7 +111,7 @@ def made(algorithm: str, path: Path, **parameters: Any) -> None:
 
 
 REPORTS: dict[Report, str] = {
-    inspection: "Flagged is a significant loss, or one that the observer saw.",
+    inspection: "Flagged: a significant loss, or one that the observer saw.",
     mending: "mended",
     radiometry: "failed",
     noise: "",

@@ -8,24 +8,24 @@ SHEETS_WITHOUT_NAMES = Message(
     "The layer of sheets does not name them; it needs one of the fields {fields}.")
 SHEETS_ELSEWHERE = Message(
     "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system.")
-SHEET_WITHOUT_NAME = Message("The sheet no. {number} has no name in the field {field}; write it there.")
-SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates that are no numbers; draw it again.")
+SHEET_WITHOUT_NAME = Message("Sheet no. {number} has no name in the field {field}; fill it in.")
+SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates that are not numbers; draw it again.")
 PIECES_OFF_SHEETS = Message(
-    "Pieces of seam that lie in none of the sheets: {count}. They keep their layer's name.", WARNING)
+    "Pieces of seam outside of all sheets: {count}. They are listed under their layer's name.", WARNING)
 SEAMS_NOT_ON_GROUND = Message(
-    "The seams lie beyond what their coordinate reference system describes; give them the system of their coordinates.")
+    "The seams lie outside the area of their coordinate reference system; assign them the system of their coordinates.")
 # a file with rules
 TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); keep one.")
 RULES_WITHOUT_KEPT = Message("{name} does not say what a piece must keep; add a rule with the check 'kept'.")
 KEPT_NOTHING = Message("A piece that has to keep 0 always passes; give the share that it has to keep, such as 0.7.")
 RULES_DECIDE_NOTHING = Message(
-    "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'.")
+    "{name} has no rule to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'.")
 RULES_LIMIT_MISSING = Message("{place} in {name}: the check '{check}' needs '{key}'; give it.")
 RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is at most 1; write 2 % as 0.02.")
 RULES_QUALITY_UNKNOWN = Message(
-    "{place} in {name}: the {key} '{value}' is none of the standard's; known are {known}.")
+    "{place} in {name}: the {key} '{value}' is not in the standard; known are {known}.")
 RULES_AND_PARAMETER = Message(
-    "{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.")
+    "{parameter} is {value}, but the rules in {name} say {ruled}; change it in the file, or leave the file out.")
 TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
 RULES_SAY_NOTHING = Message("nothing of it", INFO)
 # plans of sampling
@@ -38,8 +38,8 @@ MOSAIC_SMALLER_THAN_WINDOW = Message(
     "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.")
 WINDOW_SIDE_TOO_SHORT = Message(
     "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
-SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose one that says which sheet it is.")
-PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are no part of the lot.", WARNING)
+SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose the field that names the sheet.")
+PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are not part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
 PLANNED_BY_STANDARD = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
@@ -64,16 +64,16 @@ LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
 SHARE_KEPT = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
 SHARE_EXCEEDED = Message("{value:.2%} of the measured metres failed and only {limit:.2%} may", INFO)
 SHARE_OPEN = Message(
-    "{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is "
-    "not known", INFO)
+    "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to "
+    "{high:.2%}", INFO)
 RUN_KEPT = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
 RUN_EXCEEDED = Message("the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m", INFO)
 RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
     "{high:.1f} m by the intervals of its pieces", INFO)
 RUN_UNKNOWN = Message(
-    "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {metres:.1f} m "
-    "by a row of pieces that were not measured", INFO)
+    "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but a row of pieces that "
+    "were not measured may make it {metres:.1f} m", INFO)
 RUN_IN_PIECE = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to "
     "{metres:.1f} m long, which can hide a longer one", INFO)
@@ -81,50 +81,50 @@ MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1
 MEASURED_TOO_LITTLE = Message(
     "only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can't be decided", INFO)
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
-MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
-MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be read, such as around {place}", INFO)
+MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may", INFO)
+MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be read, for example around {place}", INFO)
 SHEETS_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({names})", INFO)
 SHEETS_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
 SHEETS_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
 SHEETS_OVERLAP = Message(
-    "sheets that overlap others and show something else there, which nobody has looked at: {count} ({names})", INFO)
+    "sheets that differ from others where they overlap, which nobody has checked: {count} ({names})", INFO)
 LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
 LAYERS_WERE_MOVED = Message(
     "layers of seams have another reference system than their scan gave them: {count} ({names})", INFO)
 LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
-FILES_NOT_SCANNED = Message("files are given that are not those that were scanned: {names}", INFO)
+FILES_NOT_SCANNED = Message("the files given are not the ones that were scanned: {names}", INFO)
 FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
-LAYERS_OF_OTHERS = Message("layers of seams are of mosaics that are not given: {count} ({names})", INFO)
-FILES_GONE = Message("files of the scanned mosaic are not found any more: {count} ({names})", INFO)
-SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
-SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
+LAYERS_OF_OTHERS = Message("layers of seams whose mosaics are not given: {count} ({names})", INFO)
+FILES_GONE = Message("files of the scanned mosaic can no longer be found: {count} ({names})", INFO)
+SEAMS_LACK = Message("{metres:.0f} m of seam are missing", INFO)
+SEAMS_HIDDEN = Message("rows of {name} were changed: {metres:.0f} m that failed in its scan now pass", INFO)
 SOURCES_ARE_MOSAIC = Message(
-    "images are given as orthoimages that are the mosaic, or were made of others, so that they hide what it lost: "
+    "some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: "
     "{names}", INFO)
 SEAMS_UNSEEN = Message(
-    "parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no "
-    "figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
+    "parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not "
+    "counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 SEAMS_DIFFER = Message(
-    "{judged:.0f} m of seam are judged and the scan saw the mosaic change its orthoimage along {seen:.0f} m: "
-    "{unseen:.0f} m of these are in no figure (the longest around {place}), and along {unchanged:.0f} m nothing "
-    "changes; {limit:.0%} may differ", INFO)
+    "{judged:.0f} m of seam are judged, but the scan saw the orthoimage change along {seen:.0f} m: {unseen:.0f} m of "
+    "these are not counted (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may "
+    "differ", INFO)
 SEAMS_UNCHANGED = Message(
-    "{judged:.0f} m of seam are judged and along {unchanged:.0f} m of them the mosaic does not change its orthoimage; "
+    "{judged:.0f} m of seam are judged, but along {unchanged:.0f} m of them both sides show the same orthoimage; "
     "{limit:.0%} may differ", INFO)
 BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
     "{limit:.1f} m may fail without a break", INFO)
 BORDER_HIDDEN = Message(
-    "along {metres:.0f} m between two orthoimages, the longest around {place}, none explains the mosaic; with these "
+    "along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these "
     "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
 PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
 PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
 BY_AQL = Message(
-    "{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, "
-    "{producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted", INFO)
+    "{standard}, lot of {lot}, code letter {letter}; {producers:.1%} of lots with {good} failing pieces, the AQL of "
+    "{aql}, are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted", INFO)
 BY_LQ = Message(
-    "{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, "
-    "{consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected", INFO)
+    "{standard}, isolated lot of {lot}; {consumers:.1%} of lots with {bad} failing pieces, the limiting quality of "
+    "{lq:g} %, are accepted, {producers:.1%} of those with {good} ({share:.1%}) are rejected", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
@@ -133,7 +133,7 @@ METRES_FAILED = Message("{failed:.1f} of {measured:.1f} measured metres failed: 
 NOT_MEASURED = Message(
     "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING)
 MAY_HIDE = Message(
-    "What was not measured is taken to be as good as the rest. If all of it had failed, {worst:.1%} would have, and "
+    "What was not measured is assumed to be as good as the rest. If all of it failed, {worst:.1%} would fail, and "
     "{limit:.1%} may.", WARNING)
 UNCLEAR = Message(
     "{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO)
@@ -147,74 +147,74 @@ ROW_NOT_MEASURED = Message(
 MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
-    "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field "
-    "'reason' of the seams says why each was not; scan with longer pieces, or judge windows there by eye (JUDGE "
-    "observer).", WARNING)
+    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field "
+    "'reason' of the seams says why; scan with longer pieces, or judge windows there by eye (JUDGE observer).", WARNING)
 WOULD_MEASURE_ALONE = Message(
-    "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
+    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
     "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING)
 WOULD_LOOK = Message(
     "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING)
 WOULD_TELL_APART = Message(
-    "What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). "
-    "Judge windows on them by eye (JUDGE observer).", WARNING)
+    "What would decide it: a verdict on the pieces whose intervals include the limit ({metres:.0f} m, pieces: "
+    "{count}). Judge windows on them by eye (JUDGE observer).", WARNING)
 WOULD_SHORTEN = Message(
-    "What would decide it: a scan with shorter pieces. Failures end inside of pieces, so a sum of pieces of "
-    "{piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.", WARNING)
+    "What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the "
+    "failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.", WARNING)
 WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
 WOULD_GIVE_ORTHOIMAGES = Message(
-    "What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.",
+    "What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.",
     WARNING)
 WOULD_GIVE_SEAMS = Message(
-    "What would decide it: a look at the places where the scan saw a border and no seam is measured, and a scan with "
-    "all seamlines, or without any.", WARNING)
+    "What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all "
+    "seamlines, or with none.", WARNING)
 WOULD_GIVE_LAYER = Message(
     "What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of "
     "these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.", WARNING)
 WOULD_SCAN_AGAIN = Message(
-    "What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a scan of "
-    "those that are there now.", WARNING)
+    "What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the "
+    "present files.", WARNING)
 WOULD_GIVE_MOSAICS = Message(
     "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
     "layers of others out.", WARNING)
 WOULD_MEASURE_ROWS = Message(
-    "What would decide it: figures of the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
+    "What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
     "windows there by eye (JUDGE observer); the field 'reason' of the seams says why each was not measured.", WARNING)
 WOULD_CUT = Message(
-    "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: "
-    "a longer piece keeps enough though a part of it failed.", WARNING)
+    "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a "
+    "longer piece may pass although a part of it failed.", WARNING)
 WOULD_SEE_SHEETS = Message(
-    "What would decide it: a scan of all sheets, whole and the same where they overlap, that can read each of them; "
-    "leave out the layer of a sheet without seams.", WARNING)
+    "What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the "
+    "layer of a sheet without seams.", WARNING)
 WOULD_LEAVE_OUT = Message("What would decide it: layers without what was scanned twice.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
-    "What would decide it: a scan with the whole orthoimages as they were rectified, and no others.", WARNING)
+    "What would decide it: a scan with the complete orthoimages as rectified, and no others.", WARNING)
 # the layers that are decided on
 LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
 FILES_AS_SCANNED = Message("Files that are as they were scanned: {count}.", INFO)
 OF_MOSAICS = Message(
-    "The layers of seams are of {count} mosaics, and none is given to the decision: whether all of these belong to the "
-    "delivery is not known.", INFO)
+    "The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all "
+    "belong to the delivery.", INFO)
 SOURCES_GONE = Message(
-    "Orthoimages that were scanned are not found any more: {count} ({names}); without them nobody can measure again "
-    "what the decision rests on.", WARNING)
+    "Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the "
+    "decision can't be repeated.", WARNING)
 SETTINGS_DIFFER = Message(
-    "The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.",
-    WARNING)
+    "The layers of seams were measured with different settings: {setting} is {values}; scan all sheets with the same "
+    "settings.", WARNING)
 LAYER_FILTERED = Message(
-    "{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.")
+    "{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of "
+    "them.")
 LAYER_LACKS_SEAMS = Message(
-    "{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have "
-    "no line.", WARNING)
+    "{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows "
+    "have no line.", WARNING)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
 SAMPLE_GIVEN = Message(
-    "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the "
-    "longest failure of the delivery is can't be told from it.", INFO)
+    "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest "
+    "failure of the delivery can't be determined from it.", INFO)
 SAMPLE_ONLY = Message(
-    "The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was "
-    "drawn for, or give the layers of the scan.", WARNING)
-RUN_NOT_IN_SAMPLE = Message("how long the longest failure is can't be told from a sample", INFO)
+    "The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn "
+    "for, or give the layers of the scan.", WARNING)
+RUN_NOT_IN_SAMPLE = Message("the longest failure can't be determined from a sample", INFO)
 # observers
 BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
 NO_JUDGED_WINDOWS = Message("The operators' verdicts are in the windows; give WINDOWS, or judge by the tool.")
@@ -226,8 +226,8 @@ WINDOWS_SAY_NOTHING = Message(
     "The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.",
     WARNING)
 WINDOWS_WIDER_THAN_PIECES = Message(
-    "The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen "
-    "beside it, too; plan windows with a SIDE of a piece.", WARNING)
+    "The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so a piece may fail by what was seen "
+    "beside it; plan windows with a SIDE as long as a piece.", WARNING)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
 LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")
@@ -242,11 +242,11 @@ LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it i
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
     "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING)
-SEAMS_DOUBLED = Message("{metres:.0f} m of the seams lie on others and count again", INFO)
+SEAMS_DOUBLED = Message("{metres:.0f} m of the seams lie on others and count twice", INFO)
 SEAMS_OVERLAP = Message(
-    "{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.", WARNING)
+    "{metres:.0f} m of seam in {sheets} lie on other seams and count twice; leave out what was scanned twice.", WARNING)
 KEPT_NO_SHARES = Message(
-    "kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.")
+    "The median of kept_1 in {name} is {value:g}, but it is a share, 1 if all is kept; write 86 % as 0.86.")
 KEPT_NO_NUMBERS = Message(
     "kept_1 of {count} pieces of {name} is not a number (such as '{value}'; write decimals with a point); they count "
     "as not measured.", WARNING)
@@ -255,8 +255,8 @@ KEPT_LARGE = Message(
     "kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so "
     "check whether they are shares.", WARNING)
 LENGTHS_DIFFER = Message(
-    "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m "
-    "along the line); the field counts, so check whether it holds metres.", WARNING)
+    "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, but {line:.1f} m "
+    "along the line); the field is used, so check that it holds metres.", WARNING)
 PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both.")
@@ -272,35 +272,35 @@ PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING)
 PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
 LOSS_NOT_OF_SCAN = Message(
-    "{name} was not written by a scan as its picture of losses and is left out; choose the scan's LOSS.", WARNING)
+    "{name} is not the picture of losses of a scan and is left out; choose the scan's LOSS.", WARNING)
 SEAMS_ELSEWHERE_UNKNOWN = Message(
-    "Without what a scan with orthoimages tells of the ground, in Python told=, nothing is known of seams that are in "
-    "no row: {names}.", INFO)
+    "Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are "
+    "unknown: {names}.", INFO)
 SCAN_UNEXPLAINED = Message(
-    "The scan of {name} found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there "
-    "are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING)
+    "The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are "
+    "not counted and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING)
 SCAN_UNSEEN = Message(
     "The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
     "measured, the longest around {place}.", WARNING)
 SCAN_UNCHANGED = Message(
-    "Along {metres:.0f} m of the seamlines given for {name} the mosaic shows one orthoimage on both sides; they are no "
-    "seams.", WARNING)
+    "Along {metres:.0f} m of the seamlines given for {name} the mosaic shows the same orthoimage on both sides; they "
+    "are not seams.", WARNING)
 SCAN_NODATA = Message(
     "Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.", INFO)
 SCAN_PARTLY = Message(
-    "In {name} {share:.0%} of the mosaic were looked at, those in the CORRIDOR; seams elsewhere are not known.", INFO)
+    "Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.", INFO)
 SOURCES_NOT_GIVEN = Message(
     "The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not "
     "measured.",
     WARNING)
 SCANNED_APART = Message(
-    "{count} mosaics were scanned one by one: a seam along the border between two of them is in no figure. Scan sheets "
+    "{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets "
     "that meet as one mosaic.", WARNING)
 SOURCES_BELIEVED = Message(
-    "The mosaic was compared with the orthoimages that were given. Detail that these lack as well is not missed: make "
-    "sure that they are the ones that the mosaic was made from.", INFO)
+    "The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: "
+    "make sure that the mosaic was made from them.", INFO)
 SEAMS_GIVEN = Message(
-    "The seams of {name} are those of the given seamlines; one that lacks shows where it is longer than some 150 "
+    "The seams of {name} are those of the given seamlines; a missing one is noticed only if it is longer than some 150 "
     "pixels.",
     INFO)
 SEAMS_FOUND = Message(
@@ -314,9 +314,9 @@ PAPER_STOPPED = Message(
 DIGESTS_STOPPED = Message("The run was stopped: there is neither report nor XML.", WARNING)
 SHEETS_NOT_WRITTEN = Message(
     "The layer of decided sheets can't be written; choose another folder, and close the file where it is open.")
-DATE_IS_NONE = Message("{parameter} is '{value}', which is no date; write it as 2026-11-23 or 23.11.2026.")
+DATE_IS_NONE = Message("{parameter} is '{value}', which is not a date; write it as 2026-11-23 or 23.11.2026.")
 # the files of a delivery; what is found at a sheet goes into tables
-NO_DELIVERY = Message("Neither a folder nor sheets are given; choose where the delivery lies, or its index.")
+NO_DELIVERY = Message("Neither a folder nor sheets are given; choose the folder of the delivery, or its index.")
 NO_SHEETS = Message("{folder} holds no rasters and no sheets are given; choose the folder of the delivery.")
 CHECK_STOPPED = Message("The check was stopped; nothing is written.", WARNING)
 SHEET_FINDING = Message("{sheet}: {finding}.", WARNING)
@@ -324,7 +324,7 @@ DELIVERY_CHECKED = Message("Sheets: {count}, with findings: {faulty}, of these w
 MOSAIC_NOT_WRITTEN = Message("{path} can't be written; choose another folder.")
 FILE_MISSING = Message("the file is missing", INFO)
 FILE_NOT_ORDERED = Message("it was not ordered", INFO)
-FILE_WITHOUT_PLACE = Message("the file does not say where it lies", INFO)
+FILE_WITHOUT_PLACE = Message("the file is not georeferenced", INFO)
 NAME_OTHER = Message("its name {name} does not match {pattern}", INFO)
 PIXEL_OTHER = Message("its pixels are {pixel:.3g} m instead of {wanted:.3g} m", INFO)
 SYSTEM_OTHER = Message("its reference system is {system} instead of {wanted}", INFO)
@@ -332,5 +332,5 @@ BANDS_OTHER = Message("it has {bands} bands instead of {wanted}", INFO)
 TYPE_OTHER = Message("its pixels are {kind} instead of {wanted}", INFO)
 DATA_MISSING = Message("{share:.2%} of its outline has no data", INFO)
 SHOWS_OTHERWISE = Message("it does not show the same as {names} where they overlap", INFO)
-NOT_IN_MOSAIC = Message("it is no part of the mosaic of all sheets", INFO)
-MISSING_UNKNOWN = Message("whether it has data everywhere can't be told", INFO)
+NOT_IN_MOSAIC = Message("it is not part of the mosaic of all sheets", INFO)
+MISSING_UNKNOWN = Message("it is unknown whether it has data everywhere", INFO)

@@ -235,14 +235,14 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     """What the scans saw of the ground, beside the seams that are judged."""
     ground, judged = SeenGround.of_delivery(decision.delivery), decision.whole.total_m
     names = (
-        tr("seams given and found"), tr("ground that follows no orthoimage"), tr("no data within the mosaic's outline"),
+        tr("seams given and found"), tr("ground that matches no orthoimage"), tr("no data within the mosaic's outline"),
     )  # fmt: skip
     if not ground.is_known or decision.delivery.is_part:
         for name in names:
-            yield name, tr("Not checked"), tr("the layers of seams do not say it"), False
+            yield name, tr("Not checked"), tr("not stated in the layers of seams"), False
         return
     given = tr("given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}")
-    without_given = tr("found: {judged}; borders that no seam tells of: {unseen}")
+    without_given = tr("found: {judged}; borders without a measured seam: {unseen}")
     words = filled(given if "given" in ground.seams else without_given, judged=metres(judged),
         seen=metres(ground.seen_m(judged)), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
     if ground.looked_at < 1:
@@ -250,8 +250,8 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     apart = ground.unseen_m + ground.unchanged_m
     for name, figure, figures, places in (
         (names[0], apart, words, ground.unseen_at),
-        (names[1], ground.unexplained, filled(tr("{share} of what has texture"), share=share(ground.unexplained, 1)),
-         ground.unexplained_at),
+        (names[1], ground.unexplained,
+         filled(tr("{share} of the ground with texture"), share=share(ground.unexplained, 1)), ground.unexplained_at),
         (names[2], ground.nodata, share(ground.nodata, 1), ground.nodata_at),
     ):
         where = filled(tr("; around {places}"), places="; ".join(map(str, places))) if places else ""

@@ -22,14 +22,14 @@ _DATES = "%Y-%m-%d", "%d.%m.%Y", "%Y/%m/%d", "%Y:%m:%d", "%Y%m%d"
 """Forms of dates as people and layers of seams write them, with a time of day perhaps."""
 
 _TEXTS = {
-    TITLE: (QT_TR_NOOP("Title"), QT_TR_NOOP("Of the report; empty: Acceptance of an orthophoto mosaic.")),
+    TITLE: (QT_TR_NOOP("Title"), QT_TR_NOOP("Title of the report; empty: Acceptance of an orthophoto mosaic.")),
     CONTRACT: (QT_TR_NOOP("Contract"), QT_TR_NOOP("Number of the order or contract that the delivery belongs to.")),
     PRODUCER: (QT_TR_NOOP("Producer"), QT_TR_NOOP("Who made the delivery.")),
     CLIENT: (QT_TR_NOOP("Client"), QT_TR_NOOP("Who ordered the delivery and decides on it.")),
     DELIVERY: (QT_TR_NOOP("Delivery"), QT_TR_NOOP("What the delivery is called.")),
     DELIVERY_DATE: (
         QT_TR_NOOP("Date of the delivery"),
-        QT_TR_NOOP("2026-11-23 or 23.11.2026; the report writes the first."),
+        QT_TR_NOOP("2026-11-23 or 23.11.2026; the report uses the first form."),
     ),
 }
 """Title and help of each parameter. Forms remember them, scripts and models don't."""
@@ -110,12 +110,12 @@ def add_paper(algorithm: SeamInspectorAlgorithm) -> None:
     ))
     algorithm.addDescribed(*common.source_index())
     algorithm.addDescribed(common.layers(LOSS, tr("Picture of losses"), optional=True), tr(
-        "As the scan wrote it, one for each sheet where these were scanned apart, in the order of SEAMS: the XML "
-        "refers to it. It also says from which orthoimages the seams were measured, and how, where their layer does "
+        "As the scan wrote it; one for each sheet if they were scanned separately, in the order of SEAMS. The XML "
+        "refers to it. It also says with which orthoimages and settings the seams were measured, if their layer does "
         "not."
     ), advanced=True)
     algorithm.addDescribed(common.features(RADIOMETRY, tr("Radiometry"), common.TABLE, optional=True), tr(
-        "The table that 'Check radiometry' made of the sheets: its result stands on the cover beside the decision, "
+        "The table that 'Check radiometry' made of the sheets: its result is shown on the cover beside the decision, "
         "which it does not change."
     ))
     algorithm.addDescribed(common.flag(DIGESTS, tr("Digests of the files"), True), tr(

@@ -100,8 +100,8 @@ def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
 
 def _acceptance(decision: Decision) -> QualityElement:
     return QualityElement(
-        USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery keeps to the rules."),
-        Evaluation(DERIVED, tr("All rules together: the delivery is accepted where none of them fails.")),
+        USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery meets the rules."),
+        Evaluation(DERIVED, tr("All rules together: the delivery is accepted if none of them fails.")),
         conformance=Conformance(
             decision.rules.name, " ".join(map(sentence, decision.sentences)), decision.accepted
         ),
@@ -123,7 +123,7 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
     if decision.whole.failed_share is not None:
         yield QualityElement(
             ACCURACY, rules.FAILED_SHARE, check_word(rules.FAILED_SHARE),
-            tr("Length of the pieces of seam that failed, by the length that was measured."),
+            tr("Length of the pieces of seam that failed, divided by the measured length."),
             full,
             _by_sheet(decision, PER_CENT, lambda row: None if row.failed_share is None else 100 * row.failed_share),
             _conformance(outcomes.get(rules.FAILED_SHARE)),
@@ -222,7 +222,7 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
     all_pieces = "acceptance" if decision.longest_failure_m is None else rules.LONGEST_FAILURE
     yield QualityElement(
         REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
-        tr("Length of seam that could be measured, by the length of all seams on ground with detail."), derived,
+        tr("Length of seam that could be measured, divided by the length of all seams on ground with detail."), derived,
         _by_sheet(decision, PER_CENT, lambda row: 100 * row.measured_share if row.piece_count else None),
         _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
     )

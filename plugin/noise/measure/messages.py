@@ -6,7 +6,7 @@ from ...imagery.errors import INFO, WARNING, Message
 NOISE_LEVELS_TOO_FEW = Message("{levels} levels asked for; the noise rule compares levels, so use at least {least}.")
 # windows and groups
 GROUP_FIELD_WITHOUT_WINDOWS = Message(
-    "Windows are grouped by a field of theirs; give WINDOWS, or leave GROUP_FIELD empty."
+    "GROUP_FIELD is a field of the windows; give WINDOWS, or leave GROUP_FIELD empty."
 )
 GROUP_FIELD_UNKNOWN = Message("The windows have no field {field}; choose one that they have.")
 RASTER_WITHOUT_WINDOW = Message(
@@ -28,8 +28,8 @@ PIXEL_SIZES_DIFFER = Message(
 # a curve
 NOISE_CONSTANT = Message("{name} has no variance in {band} here; choose a place with content.", INFO)
 NOISE_HUMP = Message(
-    "The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) "
-    "or a texture of that size; look at the window.", INFO
+    "The detail falls only after level 2, not from level 1 to 2: noise coarser than a pixel (grain, resampling, "
+    "compression) or a texture of that size; look at the window.", INFO
 )
 GRAIN_FOUND = Message(
     "The quiet ground has the spectrum of grain, noise coarser than a pixel; the curve alone does not show it.", INFO

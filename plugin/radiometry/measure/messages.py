@@ -6,7 +6,7 @@ from ...imagery.errors import INFO, WARNING, Message
 # a file with rules
 RULES_CHECK_TWICE = Message("{place} in {name}: '{check}' of {band} already has a rule; keep one.")
 RULES_VALUES_UNUSED = Message("{place} in {name}: 'values' belongs to clipped_low and clipped_high only.")
-RULES_BAND_UNUSED = Message("{place} in {name}: '{check}' is taken between red, green and blue and has no 'band'.")
+RULES_BAND_UNUSED = Message("{place} in {name}: '{check}' compares red, green and blue, so it has no 'band'.")
 RULES_BAND_BAD = Message(
     "{place} in {name}: 'band' has to be luminosity, each, or the name of a band such as red, nir or band_4.")
 RULES_RANGE_BAD = Message("{place} in {name}: 'value_range' has to be two numbers, the smaller one first.")
@@ -17,14 +17,14 @@ SHEETS_WITHOUT_FILES = Message(
 NOT_MEASURABLE = Message("not measurable: {why}", INFO)
 TOO_FEW_VALID_PIXELS = Message("{count} pixels are valid and at least {least} are needed; choose a larger part.", INFO)
 NO_VALUE_RANGE = Message(
-    "values of type {data_type} have no range of their own; give the range of values, or 'value_range' in the rules "
+    "values of type {data_type} have no fixed range; give the range of values, or 'value_range' in the rules "
     "file.", INFO)
 RANGE_UNKNOWN = Message(
     "the files do not say how many bits their values have. The largest value of all such images ({count}) is "
     "{largest}, so {possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or 'value_range' "
     "in the rules file.", INFO)
 RANGE_CONTRADICTED = Message(
-    "the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or "
+    "the file says that its values have {bits} bits, but holds values up to {largest}; give the range of values, or "
     "'value_range' in the rules file.", INFO)
 NO_UNIFORM_AREA = Message(
     "fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such "
@@ -36,8 +36,8 @@ NO_GREY_AREAS = Message(
     INFO)
 GREY_AREAS_UNSEEN = Message(
     "no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near "
-    "{x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of "
-    "the ground as well. Look at them and give those that are grey.", INFO)
+    "{x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which may be a cast or the colour of the "
+    "ground. Look at them and give those that are grey.", INFO)
 GREY_AREAS_UNUSABLE = Message(
     "the grey areas show fewer than {least} valid pixels of it that are neither too dark nor too bright; draw more.",
     INFO)

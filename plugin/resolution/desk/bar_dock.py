@@ -74,8 +74,8 @@ class TargetSettings(QObject):
         self.reference_group.setToolTip(tr("Number of the group whose distance is known. Higher numbers are finer."))
         self.reference_grd.setToolTip(tr("Distance of the reference group: the width of what is chosen beside it."))
         self.grd_of.setToolTip(tr(
-            "What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some "
-            "targets and reports count."
+            "What a distance measures: a bar and a gap together, as resolution is defined, or one bar, as some targets "
+            "and reports count."
         ))
         self.full_amplitude.setToolTip(tr(
             "What the amplitude has to be half of: the group's own bars against plain gaps, or the full amplitude of "

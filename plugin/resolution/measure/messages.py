@@ -7,10 +7,10 @@ from ...imagery.errors import INFO, WARNING, Message
 NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)
 NO_BAR_LINES = Message("The layer has no lines; draw one across the bars of each group.")
 BAR_LAYER_NOT_CREATED = Message(
-    "No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.")
+    "No layer of bar groups can be written to {folder}; save the project in a folder that you can write to.")
 FIELD_MISSING = Message("The layer has no field '{field}'; add it and fill it in.")
 # a line across the bars of a group
-BAR_LINE_EMPTY = Message("The line has no geometry; draw it anew across the bars of the group.", INFO)
+BAR_LINE_EMPTY = Message("The line has no geometry; draw it again across the bars of the group.", INFO)
 BAR_LINE_MULTIPART = Message("The line has several parts; draw one line across the bars of the group.", INFO)
 BAR_LINE_BENT = Message("The line is not straight; draw it with two points across the bars of the group.", INFO)
 BAR_LINE_OUTSIDE = Message("The line leaves {name}; draw it on the image, across the bars of the group.")
@@ -41,16 +41,16 @@ BARS_MAYBE_ALIASED = Message(
     "The bars seem {spacing:.1f} px apart, which can't be told from aliasing in an image without scale; draw lines "
     "across coarser groups too.", INFO)
 BARS_MISPLACED = Message(
-    "The bars seem {spacing:.1f} px apart and the group's are {cycle:.1f} px: what is seen is aliasing or another "
-    "group, and is not counted.", INFO)
+    "The bars seem {spacing:.1f} px apart, but those of the group are {cycle:.1f} px: what is seen is aliasing or "
+    "another group, and is not counted.", INFO)
 BARS_SPURIOUS = Message("A coarser group, {group}, is not resolved, so this one is aliasing and is not counted.", INFO)
 BARS_SATURATED = Message(
     "The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a "
     "shorter exposure.", INFO)
 # all groups together
 TARGET_SCALE_DIFFERS = Message(
-    "The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves "
-    "are taken, so check the reference group, its distance and the raster's pixel size.", WARNING)
+    "The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the measured bars are "
+    "used, so check the reference group, its distance and the raster's pixel size.", WARNING)
 TARGET_REVERSED = Message(
     "The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear "
     "it.", WARNING)
@@ -63,16 +63,16 @@ NO_PLAIN_PLACE = Message(
     "No plain area of the target shows the full amplitude, so the groups may seem better resolved than they are; "
     "draw lines across coarser groups too.", WARNING)
 PLAIN_IS_GROUND = Message(
-    "The groups tell too little of the target's contrast, so the full amplitude is taken from the ground beside the "
+    "The groups show too little of the target's contrast, so the full amplitude is taken from the ground beside the "
     "bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.", WARNING)
 NO_LINE_MEASURED = Message(
     "None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each "
     "across the bars of one group, on the image.")
 # the minimum height
 REFERENCE_HEIGHT_UNREADABLE = Message(
-    "'{word}' is no reference height; give metres, or a name and metres for each group, as 'DMC 2714; RC20 2015'.")
+    "'{word}' is not a reference height; give metres, or a name and metres for each group, as 'DMC 2714; RC20 2015'.")
 REFERENCE_OF_NO_GROUP = Message(
-    "There is a reference height for {name}, but no group of passes is called so; give one of: {known}.")
+    "There is a reference height for {name}, but no group of passes has that name; give one of: {known}.")
 REFERENCE_HEIGHT_IMPOSSIBLE = Message(
     "The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.")
 NO_OBSERVATIONS = Message("No row has a height and a distance to compute with; fill in 'height' and 'grd'.")
@@ -80,7 +80,7 @@ OBSERVATIONS_LEFT_OUT = Message("Row {row} is left out: {why}", WARNING)
 OBSERVATION_EMPTY = Message("'height' or 'grd' holds no number; fill in both.", INFO)
 OBSERVATION_NO_NUMBER = Message("'{word}' is not a number; give metres and centimetres.", INFO)
 OBSERVATION_IMPOSSIBLE = Message(
-    "Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to "
+    "Height {height:g} m and distance {grd:g} cm give no minimum height; give positive numbers, metres up to "
     "{highest:g} and centimetres from {least:g} to {most:g}.", INFO)
 COLUMNS_INTERCHANGED = Message(
     "A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; 'height' is in metres "

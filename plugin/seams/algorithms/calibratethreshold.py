@@ -50,7 +50,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.TABLE), tr(
             "Windows that were inspected and judged: the field 'observer' with the words 'visible' (a loss was seen at "
             "2x) and 'invisible' ('unsure' does not count), and the measures 'kept_1', 'visibility', "
-            "'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
+            "'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they exist."
         ))
         self.addDescribed(common.features(PAIRS, tr("Pairs"), common.TABLE, optional=True), tr(
             "The table of pairs of the same windows. With it the absolute contrast 'contrast_1' is judged too: against "

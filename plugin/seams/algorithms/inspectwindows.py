@@ -39,18 +39,18 @@ class InspectWindows(SeamInspectorAlgorithm):
     NAME = QT_TR_NOOP("Inspect windows")
     HELP = QT_TR_NOOP(
         "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the "
-        "window are clipped and decomposed by wavelets, and what the mosaic has of its sources' finest detail beside a "
-        "seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss "
-        "is significant where by the best estimate 70 % or less is kept along the seam and that something is lost is "
-        "sure, reduced where the 95 % interval lies below all of it. The paper's own rule (Pyka 2010), by shares of "
-        "variance in whole clips, is there too: half of the "
-        "detail or less against every source is a significant loss."
+        "window are clipped and decomposed by wavelets, and the share of the sources' finest detail that the mosaic "
+        "has beside a seam is compared with the share farther off: whatever was done to the whole mosaic cancels out. "
+        "A loss is significant where by the best estimate 70 % or less is kept along the seam and some loss is "
+        "certain, reduced where the 95 % interval lies below 100 %. The paper's own rule (Pyka 2010), by shares of "
+        "variance in whole clips, is applied too: half of the detail or less against every source is a significant "
+        "loss."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.features(WINDOWS, tr("Windows"), common.POLYGON), tr(
-            "Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured "
-            "is the rectangle around each, snapped to the mosaic's pixels."
+            "Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. The rectangle "
+            "around each is measured, snapped to the mosaic's pixels."
         ))
         self.addDescribed(*common.mosaic())
         self.addDescribed(*common.sources())
@@ -65,15 +65,15 @@ class InspectWindows(SeamInspectorAlgorithm):
         ))
         self.addDescribed(common.features(CELLS, tr("Seam cells"), common.POLYGON, optional=True), tr(
             "Polygons that say in the field 'source' which orthoimage each part of the mosaic was cut from. Where they "
-            "are known they decide on the composite; elsewhere it is found from the detail itself."
+            "are given they determine the composite; elsewhere it is found from the detail itself."
         ), advanced=True)
         self.addDescribed(
             # Optional for the same reason.
             common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
             tr(
                 "A window is significant when by the best estimate this share of the finest detail, or less, is kept "
-                "along its seam, and that something is lost is sure. 0.5 is what "
-                "a 50:50 blend of two images leaves that have nothing in common."
+                "along its seam, and some loss is certain. 0.5 is what a 50:50 blend leaves of two images that have "
+                "nothing in common."
             ),
             advanced=True,
         )

@@ -38,11 +38,11 @@ class MendSeams(SeamInspectorAlgorithm):
     DRAWN = ()
     NAME = QT_TR_NOOP("Mend seams")
     HELP = QT_TR_NOOP(
-        "Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees "
-        "that they show in different places. Its pixels come from the orthoimages in the mosaic's own tones and "
-        "sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never "
-        "touched. Then the new cuts are measured as a scan does it, and only what keeps more detail than before "
-        "stays. Where the orthoimages fit nowhere, the seam stays as it is and the table gives the reason."
+        "Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that "
+        "they show in different places. Its pixels come from the orthoimages in the mosaic's own tones and sharpness, "
+        "and only tones are blended more widely. Patches and a virtual mosaic are written; the mosaic itself is never "
+        "touched. Then the new cuts are measured as in a scan, and only those that keep more detail than before are "
+        "used. Where the orthoimages do not fit anywhere, the seam stays as it is and the table gives the reason."
     )
     NAMED_BY_FORMAT = (MENDED,)
 
@@ -51,8 +51,8 @@ class MendSeams(SeamInspectorAlgorithm):
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
         self.addDescribed(common.features(SEAMS, tr("Seams"), common.LINE, common.POLYGON), tr(
-            "The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, "
-            "and the seams in the windows are mended."
+            "All seams as Scan a whole mosaic writes them. Or windows: then the mosaic is scanned first, and the seams "
+            "in the windows are mended."
         ))
         self.addDescribed(common.choice(WHAT, tr("What to mend"), MENDED_SEAMS), tr(
             "failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every "
@@ -70,7 +70,7 @@ class MendSeams(SeamInspectorAlgorithm):
             "them."
         ))
         self.addDescribed(common.made_file(MENDED, tr("Mended mosaic"), "VRT (*.vrt)"), tr(
-            "A virtual raster: the mosaic with the patches above it. It needs both where they are."
+            "A virtual raster: the mosaic with the patches on top. It refers to both, so leave both there."
         ))
         self.addDescribed(common.result(CUTS, tr("Cuts"), common.LINE), tr(
             "Each seam as it runs now, with what it kept before and after, and its step of tone before and after."

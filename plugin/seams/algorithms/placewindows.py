@@ -26,20 +26,20 @@ class PlaceWindows(SeamInspectorAlgorithm):
     ID = "placewindows"
     NAME = QT_TR_NOOP("Place windows along seamlines")
     HELP = QT_TR_NOOP(
-        "Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window's "
-        "side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel "
-        "edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names "
-        "those that had to be dropped."
+        "Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window's side "
+        "is the smallest power of two of pixels that spans the given length, and its edges are pixel edges of the "
+        "mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had "
+        "to be dropped."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON), tr(
-            "Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. "
-            "Fragments and pixel staircases are joined and straightened first."
+            "Lines, or polygons that are each filled from one orthoimage: where two touch there is a seam. Fragments "
+            "and pixel staircases are joined and straightened first."
         ))
         self.addDescribed(*common.mosaic())
         self.addDescribed(common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01), tr(
-            "The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
+            "Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
         ))
         self.addDescribed(common.real(SPACING, tr("Spacing (metres)"), limits.STANDARD_SPACING_M, 0.01), tr(
             "Distance between the centres of neighbouring windows, measured along the seam."

@@ -43,17 +43,17 @@ class PredictLoss(SeamInspectorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.features(WINDOWS, tr("Windows"), common.POLYGON), tr(
-            "Rectangles where seams are to run, in any reference system. What is measured is the rectangle around "
-            "each, snapped to the pixels of the finest source that covers it."
+            "Rectangles where seams are to run, in any reference system. The rectangle around each is measured, "
+            "snapped to the pixels of the finest source that covers it."
         ))
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())
         self.addDescribed(common.real(WIDTH, tr("Width of the feather (metres)"), 0, 0, optional=True), tr(
-            "Full width, from where the one image is all to where the other is. What such a feather would leave, in "
-            "the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle "
-            "of the feather is predicted, where both images weigh the same."
+            "Full width, from where only one image counts to where only the other does. What such a feather would "
+            "leave in the whole window and in its own strip is in window_kept and strip_kept. 0 or empty: only the "
+            "middle of the feather is predicted, where both images weigh the same."
         ))
         self.addDescribed(common.choice(RAMP, tr("Ramp of the feather"), RAMPS, COSINE, optional=True), tr(
             "How the weights of the two images change across the feather: in a straight line, as half a wave of the "
@@ -69,7 +69,7 @@ class PredictLoss(SeamInspectorAlgorithm):
             "The rectangles as measured, in the sources' reference system, with the smallest ratio over the pairs."
         ))
         self.addDescribed(common.result(PAIRS, tr("Source pairs"), common.TABLE, optional=True), tr(
-            "Every two sources of a window: agreement of their detail, ratio to be expected, shift between them."
+            "Each pair of sources of a window: agreement of their detail, expected ratio, shift between them."
         ))
         self.addNumbers({WINDOW_COUNT: tr("Windows"), NOT_COMPARABLE_COUNT: tr("Windows that can't be compared")})
 

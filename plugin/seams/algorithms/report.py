@@ -61,11 +61,11 @@ class Report(SeamInspectorAlgorithm):
         self.addDescribed(common.words(TITLE, tr("Title")), tr("Heading of the page. Empty: the mosaics' names."))
         self.addDescribed(
             common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
-            tr("The limit drawn into the seam profiles: the one the windows were inspected with."),
+            tr("The limit drawn in the seam profiles: the one the windows were inspected with."),
             advanced=True,
         )
         self.addDescribed(*common.max_ratio(tr(
-            "The limit drawn into the charts: the one the windows were inspected with."
+            "The limit drawn in the charts: the one the windows were inspected with."
         )), advanced=True)
         self.addDescribed(common.made_file(OUTPUT, tr("Report"), tr("HTML files (*.html)")), tr("The page, one file."))
 

@@ -43,7 +43,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         "Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what "
         "it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the "
         "desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped "
-        "in any way goes on where it was when it is started again with the same output."
+        "for any reason continues when it is started again with the same output."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -51,15 +51,15 @@ class ScanMosaic(SeamInspectorAlgorithm):
         self.addDescribed(*common.sources())
         self.addDescribed(*common.source_index())
         self.addDescribed(common.features(SEAMLINES, tr("Seamlines"), common.LINE, common.POLYGON, optional=True), tr(
-            "Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the "
+            "Lines, or polygons that are each filled from one orthoimage. Without them seams are found from the "
             "pixels. Needed where there are no orthoimages."
         ))
         self.addDescribed(common.field(SOURCE_FIELD, tr("Field with the orthoimage's name"), SEAMLINES), tr(
-            "Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, "
+            "For seamlines that are polygons. Empty: the first of the fields that producers use, such as source, "
             "CLICHE, image or imageSourceReference."
         ), advanced=True)
         self.addDescribed(common.real(CORRIDOR, tr("Corridor (metres)"), 0.0, 0.0), tr(
-            "What is read on either side of the seamlines; 0: the whole mosaic."
+            "Width that is read on either side of the seamlines; 0: the whole mosaic."
         ))
         self.addDescribed(common.choice(DENSITY, tr("Density"), limits.DENSITIES), tr(
             "seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: "
@@ -90,7 +90,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
             "Polygons that say in the field 'source' which orthoimage each part of the mosaic came from."
         ))
         self.addDescribed(common.result(WORST, tr("Worst places"), common.POLYGON, optional=True), tr(
-            "Windows where least was kept, the worst first, ready for the desk and for Inspect windows."
+            "Windows that kept least, the worst first, ready for the desk and for Inspect windows."
         ))
         self.addNumbers({
             SEAM_METRES: tr("Length of all seams (metres)"),

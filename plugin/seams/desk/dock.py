@@ -276,7 +276,7 @@ class InspectionDock(ToolDock):
         window, and what others did before, which is not undone."""
         is_blind = self.judging.model.is_blind
         self._tab_widget.setTabVisible(0, not is_blind)
-        allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
+        allow(self.lost.action, tr("Results are hidden while you judge blind.") if is_blind else "")
         self.steps.keep_steps(is_blind)
         self._name_window()
 

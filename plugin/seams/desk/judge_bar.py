@@ -64,7 +64,7 @@ class OperatorButton(QToolButton):
         menu.addSeparator()
         self.blind = self._checkable(
             menu, tr("Blind"),
-            tr("Hides what the tool found, and what the other operator said: in the table, in words, charts and on the "
+            tr("Hides the tool's results and the other operator's verdicts in the table, in words, charts and on the "
                "map."),
             self._set_blind,
         )  # fmt: skip
@@ -117,7 +117,7 @@ class JudgeBar(QWidget):
         self._why.setText(tr("Why?"))
         self._why.setAutoRaise(True)
         self._why.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self._why.setToolTip(rich_tip(tr("What the sentence rests on: intervals, what an eye sees, all causes with "
+        self._why.setToolTip(rich_tip(tr("What the sentence is based on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
         self._pieces: ClickedPieces | None = None
@@ -147,7 +147,7 @@ class JudgeBar(QWidget):
         self.operators = OperatorButton(judging, self)
         self.notes = NotesRow(session, judging, self)
         self._second = QAction(tr("Second operator"), self)
-        self._second.setToolTip(tr("Somebody else judges the same windows and is not told what was found or said."))
+        self._second.setToolTip(tr("Somebody else judges the same windows without seeing results or earlier verdicts."))
         self._second.triggered.connect(judging.begin_second)
         self._steps: list[QToolButton] = []
         self._lay_out()
@@ -268,7 +268,7 @@ class JudgeBar(QWidget):
         tip, shows_chip = "", False
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
-            sentence = filled(tr("Window {numbers}. What was found is hidden."), numbers=numbers)
+            sentence = filled(tr("Window {numbers}. Results are hidden."), numbers=numbers)
         elif len(selected) == 1:
             row, shows_chip = selected[0], True
             if is_pending:
@@ -366,7 +366,7 @@ class JudgeBar(QWidget):
         self._rows.addLayout(below)
 
     def _judging_button(self, text: str, icon: str, word: str, tip: str) -> QPushButton:
-        more = tr("Then the next window comes. Click again to take it back.")
+        more = tr("Then goes to the next window. Click again to undo it.")
         seamlines = tr("The key S hides the seamlines and a scan's layers, and shows them again.")
         button = self._push_button(text, icon, partial(self._clicked, word), f"{tip} {more} {seamlines}")
         button.setCheckable(True)

@@ -33,8 +33,8 @@ class JudgingLayout(QObject):
         self._outline = WindowOutline(self._canvas)
         self.action = QAction(QgsApplication.getThemeIcon("/mActionShowAllLayers.svg"), tr("Judge"), dock)
         self.action.setToolTip(
-            tr("Judge window after window: QGIS's panels make room, and what lies over the mosaic goes (J); again: all "
-               "is as before")
+            tr("Judge window after window: hides QGIS's panels and what lies over the mosaic (J); again: shows them as "
+               "before")
         )
         self.action.setCheckable(True)
         self.action.toggled.connect(self._toggle)

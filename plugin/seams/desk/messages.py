@@ -4,7 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 WINDOWS_KEPT_MEANWHILE = Message(
-    "Windows are in your profile until the project is saved, then beside it. Now they are in {path}.", INFO
+    "Windows are stored in your profile until the project is saved, then beside it. Now they are in {path}.", INFO
 )
 WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
 WINDOWS_NOT_MOVED = Message(
@@ -12,14 +12,14 @@ WINDOWS_NOT_MOVED = Message(
 )
 PLACES_TAKEN = Message("Places of the scan added: {count}; windows that were there already: {there}.", INFO)
 WINDOWS_IN_BOXES = Message(
-    "Windows that are no rectangles along the mosaic's axes are measured in the boxes around them: {count}.", INFO
+    "Windows that are not rectangles along the mosaic's axes are measured in the boxes around them: {count}.", INFO
 )
-WINDOWS_BACK = Message("The windows of this mosaic that the project did not know are back, from {path}.", INFO)
-DECISION_THERE_ALREADY = Message("{path} is there already: choose another folder, so that no document is replaced.")
+WINDOWS_BACK = Message("Windows of this mosaic that were missing from the project were restored from {path}.", INFO)
+DECISION_THERE_ALREADY = Message("{path} exists already: choose another folder, so that no document is replaced.")
 DECISION_NOT_SAVED = Message("The decision could not be saved in {folder} ({error}); choose another folder.")
 WINDOWS_TO_COPY = Message(
-    "The windows in {name} are in no windows file, so what is measured and judged can't be kept with them. Copy them "
-    "into one?"
+    "The windows in {name} are not in a windows file, so results and verdicts can't be saved with them. Copy them into "
+    "one?"
 )
 WINDOWS_OF_ANOTHER_MOSAIC = Message(
     "The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.", WARNING

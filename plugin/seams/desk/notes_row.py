@@ -54,7 +54,7 @@ class NotesRow(QWidget):
         self.opener.setIcon(QgsApplication.getThemeIcon("/mActionAnnotation.svg"))
         self.opener.setAutoRaise(True)
         self.opener.setCheckable(True)
-        self.opener.setToolTip(rich_tip(tr("A remark on the window (R); Enter keeps it and Esc leaves it as it was.")))
+        self.opener.setToolTip(rich_tip(tr("A remark on the window (R); Enter saves it, Esc discards the change.")))
         self.opener.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.opener.clicked.connect(self._toggle)
         self.buttons = (self.confidence, self.opener)  # what stands in the row of the judge bar

@@ -87,8 +87,8 @@ class ReportWriter(QObject):
         words = [filled(tr("Report of {count} windows: {link}."), count=windows, link=link)]
         if measured < windows:
             more = tr(
-                "{count} of them have no curves in it, as these are not kept with the project; inspect them again "
-                "to have them."
+                "{count} of them have no curves in it, as these are not saved with the project; inspect them again to "
+                "have them."
             )
             words.append(filled(more, count=windows - measured))
         words += [escape(sentence(notice), quote=False) for notice in notices]

@@ -8,7 +8,7 @@ MAX_RATIO_OUT_OF_RANGE = Message("The largest ratio of a significant loss is {ra
 MIN_KEPT_OUT_OF_RANGE = Message(
     "The smallest share of detail that a seam has to keep is {kept}; give a number between 0 and 1."
 )
-REFERENCE_UNKNOWN = Message("A verdict can't be taken against '{reference}'; choose one of {known}.")
+REFERENCE_UNKNOWN = Message("A verdict can't be given against '{reference}'; choose one of {known}.")
 # the mosaic, its sources and its seamlines
 NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
 MOSAIC_OPENING = Message("The mosaic is still being opened; try again in a moment.", WARNING)
@@ -44,7 +44,7 @@ WINDOWS_CROWDED = Message(
     "Left out because they would share more than half of their pixels with another window of the same seam: "
     "{count}.", WARNING
 )
-SEAMS_COVERED = Message("Seams that lie within windows of longer ones and got none of their own: {count}.", WARNING)
+SEAMS_COVERED = Message("Seams that lie within windows of longer ones and have none of their own: {count}.", WARNING)
 SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.", WARNING)
 SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
 WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.", INFO)
@@ -58,16 +58,16 @@ WINDOWS_PLACED_BESIDES = Message(
 )
 WINDOWS_THERE_ALREADY = Message("No window was placed: all {there} places along the seams have theirs already.", INFO)
 NO_RECTANGLE = Message(
-    "Window {number} is no rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry "
-    "or with xmin, ymin, xmax and ymax."
+    "Window {number} is not a rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a "
+    "geometry or with xmin, ymin, xmax and ymax."
 )
 NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log messages say why.", WARNING)
 # the window layer
 WINDOW_LAYER_NOT_CREATED = Message(
-    "No window layer can be written to {folder}; save the project in a folder that you may write to."
+    "No window layer can be written to {folder}; save the project in a folder that you can write to."
 )
 WINDOWS_NOT_WRITTEN = Message(
-    "{path} can't be written ({error}); see to it that the disk has room and no other program has the file open."
+    "{path} can't be written ({error}); make sure that the disk has room and no other program has the file open."
 )
 # why a window is not comparable
 NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or choose another place.", INFO)
@@ -82,7 +82,7 @@ COMPOSITE_UNCLEAR = Message(
     "No source explains the mosaic's fine detail here; add the orthoimages that it was made from.", INFO
 )
 NO_SEAM = Message(
-    "No change from one source to another is found in the window; the verdict is that of the sharpness alone.",
+    "No change from one source to another is found in the window; the verdict is based on sharpness alone.",
     INFO
 )
 MIXED_ALL_OVER = Message(
@@ -93,11 +93,11 @@ TOO_LITTLE_GROUND = Message(
     "There is too little ground beside the seam to compare it with; take a larger window, or move it.", INFO
 )
 SEAM_UNEXPLAINED = Message(
-    "{share:.0f} % of the window matches none of the given sources: check their dates, and add the one missing.",
+    "{share:.0f} % of the window matches none of the given sources: check their dates, and add the missing one.",
     INFO
 )
 VERDICT_OF_THE_REST = Message(
-    "{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. "
+    "{share:.0f} % of the window matches none of the given sources and is left out; the verdict is that of the rest. "
     "Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.", WARNING
 )
 OTHER_PIXEL_SIZE = Message(
@@ -108,17 +108,17 @@ MORE_ALONG_THE_SEAM = Message(
     INFO
 )
 MAY_BE_SIGNIFICANT = Message(
-    "Whether the loss is significant can't be told, as {low:.0f} to {high:.0f} % may be left; measure more of the "
+    "It is unclear whether the loss is significant, as {low:.0f} to {high:.0f} % may be left; measure more of the "
     "seam, or judge it by eye.", INFO
 )
 INTERVAL_TOO_WIDE = Message(
-    "What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.",
+    "What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.",
     INFO
 )
-SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and takes part there.", INFO)
+SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and is used there.", INFO)
 SOURCE_RESAMPLED = Message(
-    "{name} has another pixel size than the mosaic and was resampled; it is shown and doesn't count, as others have "
-    "the mosaic's.", INFO
+    "{name} has a different pixel size from the mosaic's and was resampled; it is shown but not used, as others have "
+    "the mosaic's pixel size.", INFO
 )
 NO_CELLS = Message(
     "{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources' "
@@ -128,8 +128,8 @@ CELLS_OF_OTHERS = Message(
     "No seam cell names a source that is given, so the cells say nothing; the first one names '{name}'.", WARNING
 )
 ALL_RESAMPLED = Message(
-    "All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the "
-    "verdict is uncertain by that.", WARNING
+    "All sources have another pixel size or system than the mosaic and were resampled, which changes detail; so the "
+    "verdict is uncertain.", WARNING
 )
 WINDOW_FAILED = Message("The window could not be measured ({error}); please report this.")
 # why no loss is foretold
@@ -155,7 +155,7 @@ FILTER_GEOMETRY = Message(
 FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
 FILTER_HIDDEN = Message("'{word}' is hidden while judging blind, so it filters nothing; filter by {known}.", INFO)
 FIELD_NOT_HELD = Message(
-    "The layer {name} has no field '{field}', which can't be added now: save what is edited in it, then try again."
+    "The layer {name} has no field '{field}', which can't be added now: save its edits, then try again."
 )
 # the threshold that an observer's verdicts support
 VERDICTS_UNKNOWN = Message(
@@ -166,7 +166,7 @@ OPERATORS_AGREE = Message(
     "to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.", INFO
 )
 VALUES_IMPOSSIBLE = Message(
-    "{field} of {count} windows is a number that no measurement gives; it is left out.", WARNING
+    "{field} of {count} windows is not a possible measurement; it is left out.", WARNING
 )
 VERDICTS_WITHOUT_VALUE = Message(
     "{measure}: left out because nothing was measured there: {count} judged windows.", WARNING
@@ -176,15 +176,15 @@ TOO_FEW_VERDICTS = Message(
     "so judge more windows.", WARNING
 )
 NO_BETTER_THAN_CHANCE = Message(
-    "{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and "
-    "{high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.", WARNING
+    "{measure} does not reliably separate visible losses from others: the area under its curve lies between {low:.2f} "
+    "and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.", WARNING
 )
 VERDICTS_FULLY_APART = Message(
     "{measure} separates every visible loss from the other windows, so resampling shows no error; the interval "
     "is the score interval.", WARNING
 )
 VERDICTS_IN_ONE_PLACE = Message(
-    "{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the "
+    "{measure}: all verdicts of one kind lie in one neighbourhood, so each window counts as independent and the "
     "intervals are too narrow; judge windows elsewhere too.", WARNING
 )
 VERDICTS_WITHOUT_OUTLINE = Message(
@@ -196,28 +196,28 @@ NO_THRESHOLD = Message(
     "measure.", WARNING
 )
 THRESHOLD_TOO_HIGH = Message(
-    "{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the "
-    "best below it is given.", WARNING
+    "{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set; the "
+    "best below that is given.", WARNING
 )
 # the report
 NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")
 CLIP_NOT_SHOWN = Message("Window {window}: {why}", WARNING)
 DETAILS_LIMITED = Message(
     "{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the "
-    "others stand in the table. Report a part of the windows to see them.", WARNING
+    "others are in the table. Report a part of the windows to see them.", WARNING
 )
 
 # settings of a scan
 SCAN_LEVELS = Message("The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.")
-DENSITY_UNKNOWN = Message("A scan has no density '{density}'; give one of: {known}.")
-SCAN_CELL = Message("The picture of losses has no cells of {cell} pixels; give one of: {known}.")
+DENSITY_UNKNOWN = Message("'{density}' is not a density of a scan; give one of: {known}.")
+SCAN_CELL = Message("The picture of losses can't have cells of {cell} pixels; give one of: {known}.")
 PIECE_LENGTH = Message("Length of a piece of seam (metres)", INFO)
 CORRIDOR = Message("Corridor (metres)", INFO)
 WORST_WINDOWS = Message("Windows of the worst places", INFO)
 SCAN_LENGTHS = Message("{name} is {value:g}; give {least} or more.")
 LOSS_NOT_TIFF = Message("The picture of losses is a GeoTIFF; give {path} the ending .tif.")
 SEAMS_WITHOUT_SEAL = Message(
-    "The format of SEAMS has no place for the seal of the scan, without which no delivery is accepted; write SEAMS as "
+    "The format of SEAMS can't hold the seal of the scan, without which no delivery is accepted; write SEAMS as "
     "GeoPackage.", WARNING
 )
 CORRIDOR_WITHOUT_SEAMS = Message(
@@ -237,20 +237,20 @@ NO_SOURCE_ON_MOSAIC = Message(
     "No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from."
 )
 NO_SOURCE_USABLE = Message(
-    "None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the "
+    "None of the orthoimages can be used, for the reasons in the log; fix that, or leave them all out to scan the "
     "mosaic along its seamlines alone."
 )
 MOSAIC_NOT_READ = Message("Nothing of the mosaic {name} could be read, so nothing was measured: {why}")
 SOURCES_NOT_READ = Message(
-    "No orthoimage could be read, so nothing was measured; mend that, or leave them all out to scan the mosaic along "
+    "No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along "
     "its seamlines alone: {why}"
 )
 SOURCES_CROWDED = Message(
-    "More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} "
-    "that cover most of a block are taken.", WARNING
+    "More than {most} orthoimages overlap in parts of the mosaic (blocks: {count}); there the {most} that cover most "
+    "of a block are used.", WARNING
 )
 SOURCE_WITHOUT_BAND = Message(
-    "{name} has no {band} band, which the mosaic is measured by, so it takes no part.", WARNING
+    "{name} has no {band} band, which the mosaic is measured by, so it is not used.", WARNING
 )
 # seams as producers deliver them
 SEAMS_CUT_OFF = Message(
@@ -258,12 +258,12 @@ SEAMS_CUT_OFF = Message(
     "within one orthoimage, where there is no seam, and are left out.", WARNING
 )
 SEAMS_WITHIN_ONE = Message(
-    "Along {metres:.0f} m of the seamlines, which name nothing, the mosaic shows one orthoimage on both sides: no seam "
-    "is there, so they are left out.", WARNING
+    "Along {metres:.0f} m of the seamlines, which name no orthoimage, the mosaic shows the same one on both sides: "
+    "there is no seam, so they are left out.", WARNING
 )
 SEAMS_PART_NOTHING = Message(
-    "No seamline parts two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; "
-    "check the reference systems, and the field that names the orthoimages."
+    "No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one "
+    "orthoimage; check the reference systems, and the field that names the orthoimages."
 )
 SEAM_FILE_NOT_READ = Message(
     "No seamlines can be read from {path}; check that it is a vector file, and the name of its layer."
@@ -274,7 +274,7 @@ SEAMS_ELSEWHERE = Message(
 )
 SEAMS_UNNAMED = Message(
     "The seamline layer names no orthoimages beside its seams, in a field 'source' for instance; where orthoimages are "
-    "given, the mosaic itself tells which it follows.", INFO
+    "given, the pixels decide which of them the mosaic shows.", INFO
 )
 SEAMS_NAMED_BY = Message("The orthoimages beside the seams are those that the seamline layer names in {fields}.", INFO)
 SEAMS_NAMED_BY_DATE = Message(
@@ -295,15 +295,15 @@ SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING
 )
 SEAM_POLYGONS_OVERLAP = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can't be "
-    "told, so no seam is measured there.", WARNING
+    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on "
+    "top, so no seam is measured there.", WARNING
 )
 SEAM_POLYGONS_OVERLAP_NAMED = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one "
-    "lies on top can't be told, so no seam is measured there.", WARNING
+    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); it is unknown "
+    "which lies on top, so no seam is measured there.", WARNING
 )
 SEAM_POLYGONS_GAPE = Message(
-    "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no "
+    "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not "
     "seams.", WARNING
 )
 SEAM_SOURCES_MISSING = Message(
@@ -314,20 +314,20 @@ SOURCES_TOO_FEW = Message(
     "measured as without orthoimages; give those that are missing.", WARNING
 )
 SEAM_SOURCES_AMBIGUOUS = Message(
-    "Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders "
-    "of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with "
-    "their folders into the layer to tell them apart.", WARNING
+    "Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of "
+    "polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their "
+    "folders into the layer to tell them apart.", WARNING
 )
 SEAM_FEATURES_NOT_TRANSFORMED = Message(
     "Features of the seamline layer that can't be brought into the mosaic's reference system, left out: {count}.",
     WARNING
 )
 # the journal of a scan that can go on where it stopped
-SCAN_GOES_ON = Message("The scan goes on where it stopped; blocks that are done already: {done}.", INFO)
-SCAN_ANEW = Message("The scan starts anew, since {what} changed since it stopped.", WARNING)
+SCAN_GOES_ON = Message("The scan continues where it stopped; blocks that are done already: {done}.", INFO)
+SCAN_ANEW = Message("The scan starts from the beginning, as {what} changed since it stopped.", WARNING)
 SCAN_INPUT_CHANGED = Message(
     "While the mosaic was scanned {name} changed, so what was read of it before can't be used; start the scan again "
-    "with the same output, and it is measured anew."
+    "with the same output, and it is measured again."
 )
 SCAN_JOURNAL_FOREIGN = Message("{path} was not left by a scan; move it away, or choose another output.")
 SCAN_JOURNAL_IN_USE = Message(
@@ -335,7 +335,7 @@ SCAN_JOURNAL_IN_USE = Message(
 )
 SCAN_JOURNAL_NOT_OPENED = Message("{path} can't be written ({error}); choose another folder for the output.")
 SCAN_JOURNAL_NOT_SAVED = Message(
-    "{path} can't be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and "
+    "{path} can't be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and "
     "start the scan again with the same output to go on."
 )
 SCAN_JOURNAL_NOT_READ = Message(
@@ -349,18 +349,18 @@ SCAN_OF_OTHER_PLACES = Message("where the mosaic or one of the sources lies", IN
 SCAN_WITH_OTHER_SETTINGS = Message("a setting", INFO)
 SCAN_OF_OTHER_SEAMS = Message("the seam lines", INFO)
 SCAN_OF_ANOTHER_KIND = Message("an input or a setting", INFO)
-SCAN_STOPPED = Message("The scan was stopped; started again with the same output it goes on from here.", INFO)
+SCAN_STOPPED = Message("The scan was stopped; started again with the same output it continues from here.", INFO)
 SCAN_LAYER_NOT_WRITTEN = Message(
-    "The layer {name} can't be written. What was measured is kept; make room on the disk, or choose another file for "
+    "The layer {name} can't be written. What was measured is saved; make room on the disk, or choose another file for "
     "the layer, and start the scan again with the same picture of losses to go on."
 )
 MORE_SEAMS_THAN_OUTLINES = Message(
-    "{metres:.0f} m of seam were found and the orthoimages are {around:.0f} m around: the mosaic seems to change "
-    "between them at every turn, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the "
-    "mosaic as it was before.", WARNING
+    "{metres:.0f} m of seam were found, but the orthoimages' outlines are only {around:.0f} m long: the mosaic seems "
+    "to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or "
+    "the mosaic as it was before.", WARNING
 )
 SCAN_WITHOUT_SEAMS = Message(
-    "No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.", INFO
+    "No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.", INFO
 )
 # what pieces of seam keep
 PIECE_NOT_MEASURED = Message(
@@ -378,36 +378,36 @@ PIECE_NOT_EXPLAINED = Message(
     "None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there."
 )
 PIECE_INTERVAL_TOO_WIDE = Message(
-    "What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces."
+    "What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces."
 )
 SEAMS_WITHOUT_VERDICT = Message(
     "{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields 'state' and 'reason' say "
     "why.", WARNING
 )
 MOSAIC_UNEXPLAINED = Message(
-    "{share:.0f} % of the mosaic's textured ground follow none of the orthoimages, most of it around {x:.1f}, "
-    "{y:.1f}, so nothing is measured there. Give those that it was made from there.", WARNING
+    "{share:.0f} % of the mosaic's textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, "
+    "so nothing is measured there. Give those that it was made from there.", WARNING
 )
 BORDERS_WITHOUT_SEAM = Message(
     "The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest "
-    "{longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Look "
-    "at it, and give the seamlines that lack or scan without SEAMLINES.", WARNING
+    "{longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check "
+    "it, and give the missing seamlines or scan without SEAMLINES.", WARNING
 )
 MOSAIC_UNREAD = Message(
-    "{share:.2g} % of the mosaic could not be read, such as around {x:.1f}, {y:.1f}, and count as not measured. Copy "
-    "its files anew and scan again.", WARNING
+    "{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. "
+    "Copy its files again and scan again.", WARNING
 )
 # seams of a mosaic whose orthoimages are not given
 TOO_LITTLE_BESIDE_SEAM = Message(
     "Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.", INFO
 )
 LONE_PIECE_TOO_SHORT = Message(
-    "Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is "
-    "kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.",
+    "Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On "
+    "this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.",
     INFO,
 )
 LONE_INTERVAL_TOO_WIDE = Message(
-    "Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is "
+    "Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is "
     "kept. Give the orthoimages to have a verdict.", INFO
 )
 LONE_NETWORK = Message(
@@ -415,8 +415,8 @@ LONE_NETWORK = Message(
     INFO,
 )
 LONE_FROM_LENGTH = Message(
-    "Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is "
-    "sound takes more.", INFO
+    "Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to "
+    "show that a seam is sound takes more.", INFO
 )
 LONE_NEVER = Message(
     "Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.", WARNING

@@ -13,7 +13,7 @@ NO_POINTS_IN_IMAGE = Message("{name} holds no ground control points itself; choo
 IMAGE_POINTS_BROKEN = Message(
     "A ground control point inside {name} is not a number; choose a layer or a file of points.")
 POINTS_OF_OTHER_IMAGES = Message(
-    "The points are of the images {names}; choose one of them, since a file that names images is read for one.")
+    "The points are of the images {names}; choose one of them, as only the points of one image are read.")
 POINTS_LINE_UNREADABLE = Message("Line {line} of {name} can't be read; correct or remove it.")
 POINTS_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system.")
@@ -28,36 +28,36 @@ POINT_WITHOUT_HEIGHT = Message("it has no height, and others have one.", INFO)
 POINT_OFF_DEM = Message("it has no height and the terrain model has none there.", INFO)
 # points that can't be what they are said to be
 POINTS_NO_DEGREES = Message(
-    "The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their "
-    "coordinates are in.")
+    "By their reference system the points are in degrees, but one is at {x:.10g}, {y:.10g}; set the reference system "
+    "that their coordinates are in.")
 POINT_HEIGHT_IMPLAUSIBLE = Message(
-    "Point {name} is {height:.6g} m high, which no place on earth is; give heights in metres.")
+    "Point {name} is {height:.6g} m high, which is impossible on Earth; give heights in metres.")
 PIXEL_IMPLAUSIBLE = Message(
-    "By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that "
-    "their coordinates are in.")
+    "According to the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one "
+    "that their coordinates are in.")
 ROWS_NEGATIVE = Message(
     "The points' rows are negative, as QGIS's georeferencer shows them; give them from the upper edge downwards, all "
     "positive, or the .points file itself.")
 COLUMNS_AND_ROWS_INTERCHANGED = Message(
-    "By the image or its RPC the points' columns and rows are interchanged; interchange the two fields.")
+    "According to the image or its RPC the points' columns and rows are swapped; swap the two fields.")
 POINTS_OUTSIDE_IMAGE = Message(
     "{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose "
     "their image.")
 POINTS_BEYOND_RPC_HEIGHTS = Message(
     "{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image's RPC holds for {first:.0f} to "
-    "{last:.0f} m; but for a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the "
-    "heights are wrong, so check them and their unit.", WARNING)
+    "{last:.0f} m; apart from a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if "
+    "the heights are wrong, so check them and their unit.", WARNING)
 POINTS_BEYOND_IMAGE = Message(
-    "{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.", WARNING)
+    "{count} points lie outside the image ({names}), where its RPC places them, too; they are used.", WARNING)
 HEIGHTS_IN_FEET = Message(
-    "By the image's RPC the points' heights are in feet: as metres they miss it by {metres:.3g} px, as feet by "
-    "{feet:.3g} px; give metres.")
+    "According to the image's RPC the points' heights are in feet: as metres they miss it by {metres:.3g} px, as feet "
+    "by {feet:.3g} px; give metres.")
 RPC_SEES_NO_POINTS = Message(
     "The image's RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, "
     "their reference system and heights, and that it is the RPC of this image.")
 RPC_SEES_TURNED = Message(
-    "By the image's RPC the points are measured in a mirrored or turned image; count columns and rows from the upper "
-    "left corner of the image that the RPC belongs to.")
+    "According to the image's RPC the points are measured in a mirrored or turned image; count columns and rows from "
+    "the upper left corner of the image that the RPC belongs to.")
 # points that do not determine a model
 NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "
@@ -66,8 +66,8 @@ TOO_FEW_POINTS = Message(
     "There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model "
     "with fewer unknowns.")
 TOO_FEW_AFTER_SPLIT = Message(
-    "Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the "
-    "share of check points or measure more.")
+    "Only {count} of {total} points are left as control points, but the model {model} needs at least {fewest}; lower "
+    "the share of check points or measure more.")
 POINTS_ON_A_LINE = Message(
     "The control points lie on one line, so the model {model} can't be fitted; add points to both sides of it.")
 POINTS_ON_A_PLANE = Message(
@@ -94,11 +94,11 @@ CHECK_POINTS_MISSING = Message(
     "check points.", WARNING)
 # the fit
 NOT_CONVERGED = Message(
-    "The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points "
-    "or choose a model with fewer unknowns.", WARNING)
+    "The fit did not converge within {iterations} iterations, so the points are too few or too noisy for it; add "
+    "points or choose a model with fewer unknowns.", WARNING)
 ILL_CONDITIONED = Message(
-    "The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check "
-    "points only or choose a lower order.", WARNING)
+    "The points hardly determine the model (condition {condition:.0e}): between them it may oscillate, so trust the "
+    "check points only or choose a lower order.", WARNING)
 TERMS_KEPT = Message("Terms kept, numerator / denominator of scaled coordinates: {terms}.", INFO)
 FIT_DIVERGED = Message(
     "The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer "
@@ -113,12 +113,12 @@ NOT_INVERTED = Message(
     "points.")
 # RPCs
 NO_RPC = Message("The image has no RPC of its own; give the file that came with it, or choose a model that needs none.")
-RPC_INCOMPLETE = Message("{name} holds no complete RPC; get the file anew from the image's vendor.")
+RPC_INCOMPLETE = Message("{name} holds no complete RPC; get the file again from the image's vendor.")
 RPC_BIAS_FOUND = Message(
     "The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it "
     "is worst; the model corrects that.", INFO)
 PLANE_MODEL_HAS_NO_RPC = Message(
-    "The model polynomial_2d knows no heights and can't be written as RPC or used for orthorectification; fit a model "
+    "The model polynomial_2d ignores heights and can't be written as RPC or used for orthorectification; fit a model "
     "in space.")
 RPC_NOT_WRITTEN = Message("No RPC is written: {why}", WARNING)
 RPC_FITTED = Message(
@@ -133,7 +133,7 @@ RPC_OF_WHOLE_SCENE = Message(
 # model files
 NO_MODEL_FILE = Message("{name} is not a sensor model file; choose one that Fit sensor model has written.")
 MODEL_FILE_VERSION = Message(
-    "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.")
+    "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model again.")
 MODEL_AND_RPC = Message("Both a model file and an RPC file are given; choose one of them.")
 # frame cameras
 NO_INTERIOR = Message(
@@ -143,42 +143,42 @@ INTERIOR_OF_ANOTHER_SHAPE = Message(
     "The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; "
     "choose the camera's own image, uncropped and not turned.")
 YAML_MISSING = Message(
-    "{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML.")
+    "{name} is read by the Python package PyYAML, which is not installed; install it, or give a camera as JSON or XML.")
 PIXELS_NOT_SQUARE = Message(
     "According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are "
     "interchanged.")
 ANGLES_PERHAPS_RADIANS = Message(
-    "All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the "
-    "orthoimage lies.", WARNING)
+    "All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check the "
+    "orthoimage's position.", WARNING)
 ANGLES_PERHAPS_GON = Message(
     "Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.", WARNING)
 ROTATION_TAKEN = Message(
-    "The rotation of {name} is read as {way} usually writes it, since no file says so; check how the orthoimage "
-    "lies.", INFO)
+    "The rotation of {name} is read as {way} usually writes it, since no file states it; check the orthoimage's "
+    "position.", INFO)
 PLANE_TAKEN = Message(
-    "{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that "
-    "OpenDroneMap has put into UTM is read right only inside its project's folder.", INFO)
+    "{name} is read in the plane tangent to the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap "
+    "has put into UTM is read correctly only inside its project's folder.", INFO)
 TOPOCENTRIC_TAKEN = Message("Photos are placed by {exact}, the exact reconstruction beside {name}.", INFO)
 UTM_TAKEN = Message(
-    "{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some "
+    "{name} is read in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some "
     "decimetres off in a block of a kilometre.", INFO)
 CAMERA_UNKNOWN = Message(
     "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.")
 DISTORTION_UNKNOWN = Message(
-    "The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown's, OpenCV's and fisheye "
+    "The camera of {name} has a distortion that is not supported ({kind}); pinhole, Brown's, OpenCV's and fisheye "
     "lenses are.")
 NO_EXTERIOR = Message(
     "{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, "
     "phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.")
 IMAGE_NOT_ORIENTED = Message(
-    "{name} does not name the image {image} just once; it names {names}. Choose the file of this image.")
+    "{name} does not name the image {image} exactly once; it names {names}. Choose the file of this image.")
 ORIENTATION_INCOMPLETE = Message("An interior orientation needs an exterior one; give it, too.")
 # blocks of photos
 NO_BLOCK = Message(
     "Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos' orientations (EXTERIOR).")
 NO_PROJECT = Message(
-    "{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos' "
-    "orientations (EXTERIOR).")
+    "{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the "
+    "photos' orientations (EXTERIOR).")
 PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
@@ -187,26 +187,25 @@ ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or R
 EXTERIOR_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system and the image has none; set that of the exterior orientation.")
 EXTERIOR_NOT_METRIC = Message(
-    "The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a "
-    "projected reference system in metres.")
+    "The exterior orientation is not in metres, which the camera's perspective needs; give x, y and z in a projected "
+    "reference system in metres.")
 CAMERA_BELOW_TERRAIN = Message(
     "The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, "
     "their units and the reference system.")
 ORTHO_APPROXIMATE = Message(
-    "The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the "
-    "model.", WARNING)
+    "The orthoimage is up to {most:.1f} px off the exact model, since an RPC approximates it.", WARNING)
 CAMERA_LOOKS_UP = Message(
-    "The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; "
+    "The camera of {name} looks at the horizon or above it, so that a part of the image has no place on the ground; "
     "check omega, phi and kappa.")
 LENS_FOLDS = Message(
-    "The distortion of the camera shows no view at a part of the photo's edge; check its coefficients and the size of "
+    "The distortion of the camera is not valid at a part of the photo's edge; check its coefficients and the size of "
     "the image that they belong to.")
 TERRAIN_EMPTY = Message("The terrain model {name} has no heights at all; choose another one.")
 EXTERIOR_SYSTEM_TAKEN = Message("The exterior orientation is taken as in the image's own reference system.", INFO)
 # heights and terrain
 HEIGHTS_ASSUMED = Message(
     "{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level "
-    "differ by up to 100 m: choose egm96 or egm2008 if they are such.", WARNING)
+    "differ by up to 100 m: choose egm96 or egm2008 for these.", WARNING)
 HEIGHTS_CONVERTED = Message(
     "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.", INFO)
 ANOTHER_GRID_IS_THERE = Message(
@@ -221,9 +220,9 @@ GEOID_UNUSED = Message("The grid file {name} is given and no heights refer to it
 NO_DEM = Message(
     "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.")
 DEM_AND_HEIGHT = Message("Both a terrain model and a constant height are given; choose one of them.")
-HEIGHT_IMPLAUSIBLE = Message("The constant height is {height:.6g} m, which no place on earth has; give it in metres.")
+HEIGHT_IMPLAUSIBLE = Message("The constant height is {height:.6g} m, which is impossible on Earth; give it in metres.")
 DEM_HEIGHTS_IMPLAUSIBLE = Message(
-    "The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata "
+    "The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which is impossible on Earth; set its nodata "
     "value, or choose another one.")
 DEM_NOT_COVERING = Message(
     "The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, "
@@ -232,17 +231,17 @@ DEM_PARTLY_COVERING = Message(
     "The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage "
     "is empty there, so fill or extend the terrain model.", WARNING)
 DEM_TOO_LARGE = Message(
-    "The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, "
-    "meshes of 10 to 30 m serve best.")
+    "The terrain model {name} has {count} million pixels under the image, but at most {most} million can be used; "
+    "resample it, 10 to 30 m work best.")
 DEM_WITHOUT_OVERVIEWS = Message(
-    "The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would "
-    "be found; build some (gdaladdo), or clip it to the photos.")
+    "The terrain model {name} has {count} million pixels and no overviews to find its lowest and highest place by; "
+    "build some (gdaladdo), or clip it to the photos.")
 MESH_COARSE = Message(
-    "The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced "
-    "there; meshes of 10 to 30 m serve best.", WARNING)
+    "The terrain model {name} has a grid spacing of {mesh:.0f} m: relief between its points is lost, and the "
+    "orthoimage is displaced there; 10 to 30 m work best.", WARNING)
 MESH_FINE = Message(
-    "The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines "
-    "such as roads; meshes of 10 to 30 m serve best.", WARNING)
+    "The terrain model {name} has a grid spacing of {mesh:.1f} m: on a satellite image so fine a grid may bend "
+    "straight lines such as roads; 10 to 30 m work best.", WARNING)
 VIEW_TOLD = Message(
     "The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth "
     "{azimuth:.0f}; an error of {error:g} m in the terrain's heights moves its middle by {shift:.2f} m.", INFO)
@@ -264,14 +263,14 @@ PLAN_TOLD = Message(
 PLAN_DRAWS_FAILED = Message("With {count} control points {failed} draws failed and count as the worst: {why}", WARNING)
 # the recommendation
 RECOMMENDED = Message(
-    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). {why}", INFO)
-RECOMMEND_PUSHBROOM = Message("A parametric model needs few points and does not swing between them.", INFO)
+    "Use {model}: {rmse:.2f} m on points not used in its fit (the best has {best:.2f} m). {why}", INFO)
+RECOMMEND_PUSHBROOM = Message("A parametric model needs few points and does not oscillate between them.", INFO)
 RECOMMEND_RPC_BIAS = Message("The vendor's RPC holds the image's geometry and a few points remove its offset.", INFO)
 RECOMMEND_RATIONAL = Message(
-    "Of the models without a parametric base quotients are the soundest, but they need many, well spread points.", INFO)
+    "Without a parametric basis, quotients are the soundest models, but they need many, well spread points.", INFO)
 RECOMMEND_DLT = Message("It is the quotient of lowest order with one denominator and needs the fewest points.", INFO)
 RECOMMEND_POLYNOMIAL_3D = Message(
-    "Polynomials suit small areas only and swing between the points, so watch the check points.", INFO)
+    "Polynomials suit small areas only and oscillate between the points, so watch the check points.", INFO)
 RECOMMEND_POLYNOMIAL_2D = Message(
     "The terrain is flat enough for a plane model, which serves for small areas only.", INFO)
 NOTHING_TO_RECOMMEND = Message(

@@ -97,7 +97,7 @@ def test_too_little_measured_is_undecided_and_says_what_would_decide_it() -> Non
     assert found.accepted is None
     assert str(found.sentences[0]).startswith("Undecided by 'contract': ")
     assert "only 80.0% of the metres were measured" in str(found.sentences[0])
-    assert "figures of at least 10 of the 20 m that were not measured" in told(found)
+    assert "measuring at least 10 of the 20 m that were not measured" in told(found)
     assert "20.0 of 100.0 m of seam could not be measured" in told(found)
 
 
@@ -113,7 +113,7 @@ def test_pieces_too_coarse_for_what_may_fail_leave_it_open() -> None:
     """40 of 1600 m failed inside of a seam and 32 m may. Pieces of 20 m leave 16 m of that open, those of 2 m 1.6 m."""
     coarse = decide(delivery(seam([0.9] * 30 + [0.4] * 2 + [0.9] * 48, 20.0)), rules())
     assert (coarse.outcome, coarse.whole.failed_m) == (UNDECIDED, 40)
-    assert "a sum of pieces of 20 m is known to 16 m here, and 32 m may fail" in told(coarse)
+    assert "with pieces of 20 m the failed length is known only to 16 m, and 32 m may fail" in told(coarse)
     assert decide(delivery(seam([0.9] * 300 + [0.4] * 20 + [0.9] * 480, 2.0)), rules()).outcome is REJECTED
     whole_seam = seam([0.4] * 2, 20.0), seam([0.9] * 78, 20.0, seam_id="2", start=(0, 50), number=2)
     assert decide(delivery(*whole_seam), rules()).outcome is REJECTED  # it ends where the seam does
@@ -141,7 +141,7 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     found = decide(delivery(unclear, rest), rules(run=None))
     assert found.outcome is UNDECIDED
     assert found.whole.failed_m == 30  # by value, as anybody adds it up
-    assert "a verdict on the pieces whose intervals hold the limit (30 m, pieces: 3)" in told(found)
+    assert "a verdict on the pieces whose intervals include the limit (30 m, pieces: 3)" in told(found)
     outcome = found.outcomes[0]
     assert outcome.low < 0.02 < found.whole.failed_share < outcome.high
     assert decide(delivery(sure(unclear), rest), rules(run=None)).outcome is REJECTED
@@ -152,7 +152,7 @@ def test_layers_that_lack_seams_are_not_accepted() -> None:
     made = replace(delivery(seam([0.95] * 40)), layers=(layer,))
     found = decide(made, rules())
     assert found.outcome is UNDECIDED
-    assert "the layers lack 40 m of seam" in str(found.sentences[0])
+    assert "40 m of seam are missing" in str(found.sentences[0])
     lost = decide(replace(made, pieces=tuple(seam([0.4] * 40))), rules())
     assert lost.outcome is REJECTED
     for one in (found, lost, decide(replace(made, layers=(replace(layer, lacking_m=0.0),)), rules())):
@@ -177,7 +177,7 @@ def test_sheets_that_were_not_measured_alike_are_told() -> None:
     lengths = {"a": "10", "b": "25"}
     sheets = [DeliveredLayer(name, Seal.WHOLE, 0.0, {"piece_m": length}) for name, length in lengths.items()]
     found = decide(replace(delivery(seam([0.95] * 40)), layers=tuple(sheets)), rules())
-    assert "not measured alike: piece_m is 10, 25" in told(found)
+    assert "measured with different settings: piece_m is 10, 25" in told(found)
 
 
 @pytest.mark.parametrize(("piece", "limit", "accepted"), [
@@ -191,7 +191,7 @@ def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, lim
     if not accepted:
         assert f"pieces are up to {piece:.1f} m long, which can hide a longer one" in str(found.sentences[0])
         assert "pieces of 25 m or less" in told(found)
-        assert "figures of the rows" not in told(found)
+        assert "measuring the rows" not in told(found)
 
 
 @pytest.mark.parametrize(
@@ -256,7 +256,7 @@ def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | N
     assert (outcome.passed, outcome.value, found.outcome) == (None, None, UNDECIDED)
     assert found.longest_failure_m is None
     assert {one.longest_failure_m for one in (found.whole, *found.sheets)} == {None}
-    assert "can't be told from a sample" in str(found.sentences[0])
+    assert "can't be determined from a sample" in str(found.sentences[0])
     assert "a sample of 80 pieces" in told(found)
     assert "the layers of the whole scan" in told(found)
     assert "without a break: " not in told(found)
@@ -313,7 +313,7 @@ def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
         (rule,) = (outcome for outcome in found.outcomes if outcome.check == LONGEST_FAILURE)
         assert (rule.passed, rule.high) == (None, longest)
         assert found.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
-        assert "figures of the rows of pieces longer than 50 m" in told(found)
+        assert "measuring the rows of pieces longer than 50 m" in told(found)
 
 
 def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:
@@ -355,12 +355,12 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
     blank = replace(read, name="b", settings={}, is_blank=True)
     unknown = seam([None], sheet="b", start=(0, 99), number=100)
     for told, one in (
-        ("0.40% of the mosaic of a could not be read, such as around 10 20", replace(sound, layers=(read,))),
+        ("0.40% of the mosaic of a could not be read, for example around 10 20", replace(sound, layers=(read,))),
         ("sheets of which nothing was measured: 1 (b)", replace(sound, layers=(blank,))),
         ("sheets of which nothing was measured: 1 (b)", delivery(seam([0.95] * 100), unknown)),
         ("missing in the mosaic that was scanned: 1 (x)", with_sheet(sound, SheetState.LEFT_OUT)),
         ("whose pixels can't all be read: 1 (x)", with_sheet(sound, SheetState.DAMAGED)),
-        ("which nobody has looked at: 1 (x)", with_sheet(sound, SheetState.OVERLAPS)),
+        ("which nobody has checked: 1 (x)", with_sheet(sound, SheetState.OVERLAPS)),
     ):  # fmt: skip
         found = decide(one, rules())
         assert found.outcome is UNDECIDED

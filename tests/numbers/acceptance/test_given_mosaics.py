@@ -57,7 +57,7 @@ def test_a_layer_of_another_mosaic_than_the_given_decides_nothing(
     layers = [layer_of(f"seams {number}", mosaic) for number, mosaic in enumerate(scanned(*sheets))]
     made = replace(delivery(seam([0.95] * 40)), layers=tuple(layers))
     found = decide(replace(made, files=file_doubts(layers, given(*sheets), [], [])), rules())
-    words = f"layers of seams are of mosaics that are not given: 1 ({named})"
+    words = f"layers of seams whose mosaics are not given: 1 ({named})"
     assert found.outcome is (AcceptanceOutcome.UNDECIDED if named else AcceptanceOutcome.ACCEPTED)
     assert (words in str(found.sentences[0])) is bool(named)
     assert any("leave the layers of others out" in str(sentence) for sentence in found.sentences) is bool(named)

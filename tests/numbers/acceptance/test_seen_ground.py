@@ -40,7 +40,7 @@ def test_borders_that_no_seam_tells_of_leave_it_open(unseen: int, outcome: Accep
 def test_lines_along_which_nothing_changes_leave_it_open() -> None:
     found = decided(said(seams="given", unchanged_metres="60.0"))
     assert found.outcome is AcceptanceOutcome.UNDECIDED
-    assert "along 60 m of them the mosaic does not change" in str(found.sentences[0])
+    assert "along 60 m of them both sides show the same orthoimage" in str(found.sentences[0])
 
 
 def test_one_border_longer_than_a_failure_may_be_leaves_it_open() -> None:
@@ -56,7 +56,7 @@ def test_a_border_that_nothing_explains_counts_as_if_it_failed(hidden: str, acce
     found = decided(said(unseen_metres=hidden, unseen_longest="12.0", hidden_metres=hidden, hidden_longest="12.0",
                          hidden_at=PLACE))
     assert found.accepted is accepted
-    assert ("none explains the mosaic" in str(found.sentences[0])) == (accepted is None)
+    assert ("neither explains the mosaic" in str(found.sentences[0])) == (accepted is None)
 
 
 @pytest.mark.parametrize("seams", ["given", "found"])
@@ -64,14 +64,14 @@ def test_ground_that_no_orthoimage_explains_leaves_it_open_by_its_area(seams: st
     layer = DeliveredLayer("a", True, 0.5, said(seams=seams, unexplained="0.5"))
     found = decide(replace(delivery(seam(SOUND)), layers=(layer,)), rules())
     assert found.outcome is AcceptanceOutcome.UNDECIDED
-    assert "50% of the mosaic of a follow no orthoimage" in str(found.sentences[0])
+    assert "50% of the mosaic of a match no orthoimage" in str(found.sentences[0])
 
 
 def test_an_orthoimage_that_may_be_a_copy_leaves_it_open() -> None:
     found = decided(said(may_be_copies="extra.tif"))
     assert found.outcome is AcceptanceOutcome.UNDECIDED
     assert "they hide what it lost: extra.tif" in str(found.why)
-    assert "the whole orthoimages as they were rectified" in str(found.sentences[1])
+    assert "the complete orthoimages as rectified" in str(found.sentences[1])
 
 
 def test_sheets_that_were_scanned_apart_are_told() -> None:

@@ -41,7 +41,7 @@ def test_the_raster_the_window_and_gdals_words_are_told(damaged: str) -> None:
         OpenRaster(RasterRef(damaged)).read(DAMAGED)
     why = re.escape("JPEGLib:Premature end of JPEG file")
     assert re.fullmatch(
-        rf"damaged\.tif is damaged in columns 128 to 191, rows 256 to 319 \(GDAL: {why}\); copy it anew\.",
+        rf"damaged\.tif is damaged in columns 128 to 191, rows 256 to 319 \(GDAL: {why}\); copy it again\.",
         str(caught.value),
     )
 

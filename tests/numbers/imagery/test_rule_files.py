@@ -37,7 +37,7 @@ def test_very_many_keys_are_not_compared_with_each_other() -> None:
 
 @pytest.mark.parametrize("text", ["[" * 200_000, "9" * 100_000, f"[-{9}]".replace("9", "9" * 401)])
 def test_what_is_nested_or_counted_beyond_sense_is_a_sentence(tmp_path: Path, text: str) -> None:
-    with pytest.raises(SettingsError, match=r"are no JSON \(see line"):
+    with pytest.raises(SettingsError, match=r"are not valid JSON \(see line"):
         read(tmp_path, text.encode())
 
 

@@ -76,7 +76,7 @@ def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
             assert len(names) < 5, complaint
             continue
         assumed = made.evidence is OrientationEvidence.ASSUMED
-        assert assumed == any("How the photo lay" in str(notice) for notice in made.notices), names
+        assert assumed == any("The photo's orientation" in str(notice) for notice in made.notices), names
         assert assumed or farthest(made, bare) < 1, names
 
 
@@ -84,7 +84,7 @@ def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
 @pytest.mark.parametrize(("names", "model", "words"), [
     ("124", PlaneModel.AFFINE, None), ("2348", PlaneModel.AFFINE, None), ("1234", PlaneModel.PROJECTIVE, None),
     ("154", PlaneModel.AFFINE, "one line"), ("1827", PlaneModel.PROJECTIVE, "one line"),
-    ("56", PlaneModel.SIMILARITY, "only 2 places .* without positions 3 are needed"), ("", PlaneModel.AFFINE, "few"),
+    ("56", PlaneModel.SIMILARITY, "only 2 possible marks .* 3 are needed"), ("", PlaneModel.AFFINE, "few"),
 ])
 def test_what_becomes_of_a_subset(numbered: Scan, names: str, model: PlaneModel, words: str | None) -> None:
     if words is not None:

@@ -90,7 +90,7 @@ def test_the_range_of_a_set(images: list[LargestValue], high: float | None) -> N
 def test_16_bits_with_a_sign_have_no_range_of_their_own(make_raster: MakeRaster) -> None:
     """Any small positive values lie near the middle of -32768 to 32767."""
     result = checked(make_raster("a.tif", sheet(2000, 500, 3000).astype(np.int16)))
-    assert "values of type int16 have no range of their own" in reasons(result)["peak"]
+    assert "values of type int16 have no fixed range" in reasons(result)["peak"]
     assert decide_image(result).outcome is RadiometricOutcome.UNDECIDED
     assert checked(make_raster("b.tif", sheet(2000, 500, 3000).astype(np.int16)), rules=given(0, 4095)).available
 

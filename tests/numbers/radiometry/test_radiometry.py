@@ -133,7 +133,7 @@ def test_float_values_need_a_range_from_the_rules(make_raster: MakeRaster) -> No
     path = make_raster("a.tif", band)
     said = reasons(checked(path))
     assert len(said) == 6
-    assert "values of type float32 have no range of their own; give the range of values" in said["contrast"]
+    assert "values of type float32 have no fixed range; give the range of values" in said["contrast"]
     result = checked(path, rules=RuleSet("own", default_rules().rules, (0.0, 1.0)))
     assert figure(result, "contrast") == pytest.approx(band.std(), rel=1e-4)
     assert figure(result, "signal_to_noise") == pytest.approx(10, rel=0.1)

@@ -79,7 +79,7 @@ def test_a_rule_and_its_range(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        ("{", r"no JSON \(see line 1"),
+        ("{", r"not valid JSON \(see line 1"),
         ("[]", "holds no rules"),
         ({"rules": []}, "holds no rules"),
         ({"rules": ["contrast"]}, "holds no rules"),
@@ -92,7 +92,7 @@ def test_a_rule_and_its_range(tmp_path: Path) -> None:
         ({"rules": [GOOD, {**GOOD, "band": "red"}]}, "Rule 2 in rules.json: 'contrast' of red already has a rule"),
         ({"rules": [{**GOOD, "band": "infrared"}]}, "'band' has to be luminosity, each, or the name of a band"),
         ({"rules": [{**GOOD, "band": 3}]}, "'band' has to be luminosity, each, or the name of a band"),
-        ({"rules": [{"check": "colour_balance", "band": "red", "source": "s"}]}, "and has no 'band'"),
+        ({"rules": [{"check": "colour_balance", "band": "red", "source": "s"}]}, "so it has no 'band'"),
         ({"rules": [{**GOOD, "required": "no"}]}, "'required' has to be true or false"),
         ({"rules": [{**GOOD, "most": "20 %"}]}, "'most' has to be a number"),
         ({"rules": [{**GOOD, "least": -1}]}, "'least' has to be a number"),
@@ -116,6 +116,6 @@ def test_a_wrong_file_is_refused_in_one_sentence(tmp_path: Path, content: Any, w
 
 def test_files_that_are_not_there_or_no_text(tmp_path: Path) -> None:
     (tmp_path / "binary.json").write_bytes(b"\xff\xfe\x00")
-    for name, words in (("none.json", "No such file"), ("binary.json", "no text in UTF-8")):
+    for name, words in (("none.json", "No such file"), ("binary.json", "not text in UTF-8")):
         with pytest.raises(SettingsError, match=words):
             load_rules(tmp_path / name)

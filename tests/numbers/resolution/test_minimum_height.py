@@ -96,7 +96,7 @@ def test_tables_4a_and_4b_are_one_run_with_a_reference_each() -> None:
     assert [round(one.tolerance_percent or 0) for one in found] == [percent for *_, percent in both]
 
 
-@pytest.mark.parametrize(("words", "said"), [("DMC", "no reference height"), ("RMK 2000", "for RMK, but")])
+@pytest.mark.parametrize(("words", "said"), [("DMC", "not a reference height"), ("RMK 2000", "for RMK, but")])
 def test_a_reference_that_is_none_or_of_no_group_is_told(words: str, said: str) -> None:
     with pytest.raises(SettingsError, match=said):
         minimum_heights([Observation(3000, (30,), ("DMC",))], 30, read_references(words))

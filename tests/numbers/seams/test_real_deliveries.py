@@ -91,7 +91,7 @@ def test_seams_left_out_of_the_seamlines_leave_it_open(tmp_path: Path, data_fold
     del lines[left_out]
     found = decision(made, orthoimages, as_lines(seamlines, tmp_path / "some.gpkg", lines))
     assert found.accepted is None
-    assert "are in no figure (the longest around" in str(found.sentences[0])
+    assert "are not counted (the longest around" in str(found.sentences[0])
 
 
 @pytest.mark.release
@@ -119,4 +119,4 @@ def test_a_strip_cut_out_along_a_seam_leaves_it_open(tmp_path: Path, data_folder
     del dataset
     found = decision(made, orthoimages)
     assert found.accepted is None
-    assert "are in no figure (the longest around" in str(found.sentences[0])
+    assert "are not counted (the longest around" in str(found.sentences[0])

@@ -97,7 +97,7 @@ def test_the_system_that_is_given_holds_whatever_files_name(tmp_path: Path) -> N
     found = scan(block)
     assert kept(found) == pytest.approx(right)
     assert found.seam_metres == pytest.approx(LENGTH, abs=0.02)
-    with pytest.raises(SettingsError, match="'EPSG:0' is no coordinate reference system"):
+    with pytest.raises(SettingsError, match="'EPSG:0' is not a projected or geographic coordinate reference system"):
         open_block(wrong[0], wrong[1:], crs="EPSG:0")
 
 
@@ -155,5 +155,5 @@ def test_more_seams_than_outlines_allow_are_told_and_not_listed(tmp_path: Path) 
     found = scan(open_block(paths[0], paths[1:]))
     assert found.pieces == ()
     # Two squares of 102.4 m, and 0.0004 more on the ground.
-    (said,) = (str(notice) for notice in found.notices if "the orthoimages are 820 m around" in str(notice))
+    (said,) = (str(notice) for notice in found.notices if "outlines are only 820 m long" in str(notice))
     assert "as after warping by nearest neighbour" in said

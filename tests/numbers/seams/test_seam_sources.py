@@ -43,7 +43,7 @@ def test_a_source_with_gaps_takes_part_pixel_by_pixel(
     result = inspected(make_raster, image, [sources[0], without(sources[1], lacking)])
     assert result.source_count == 2
     assert templates(result.notices) == [seams_messages.SOURCE_IN_PART.template]
-    assert str(result.notices[0]) == "b.tif covers 70 % of the window and takes part there."
+    assert str(result.notices[0]) == "b.tif covers 70 % of the window and is used there."
     whole = inspected(make_raster, image, sources[:2])
     assert result.judgement.verdict is whole.judgement.verdict
     assert result.profile.kept[0] == pytest.approx(whole.profile.kept[0], abs=0.03)
@@ -148,7 +148,7 @@ def test_where_a_source_of_other_pixels_is_missed_its_pixel_size_is_said_first(
     assert str(both.reason) == (
         f"coarse.tif has pixels of 0.2 m and the mosaic of 0.1 m; give it at the mosaic's pixel size. {alone.reason}"
     )
-    assert "check their dates, and add the one missing" in str(alone.reason)
+    assert "check their dates, and add the missing one" in str(alone.reason)
 
 
 def test_where_all_are_resampled_the_verdict_says_so(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:

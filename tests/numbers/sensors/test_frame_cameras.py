@@ -240,9 +240,9 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": YAML.replace("60\n  sensor", "-1\n  sensor")}, "no camera that can be read"),
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[60, 80]\n  focal")},
      "60 x 80 pixels and the image 80 x 60, which is another shape"),
-    ({"camera.yaml": YAML + "  k6: 0.2\n"}, "distortion that is not known"),
-    ({"camera.yaml": YAML.replace("pinhole", "spherical")}, "distortion that is not known"),
-    ({"camera.yaml": YAML.replace("pinhole", "brown") + "  k1: -2\n"}, "shows no view at a part"),
+    ({"camera.yaml": YAML + "  k6: 0.2\n"}, "distortion that is not supported"),
+    ({"camera.yaml": YAML.replace("pinhole", "spherical")}, "distortion that is not supported"),
+    ({"camera.yaml": YAML.replace("pinhole", "brown") + "  k1: -2\n"}, "is not valid at a part"),
     ({"camera.yaml": YAML + YAML.replace("cam:", "two:")}, "several cameras (cam, two)"),
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "640\n  focal")}, "no camera that can be read"),
     ({"camera.yaml": YAML.replace("sensor_size: [80, 60]", "sensor_size: [60, 80]")}, "times as wide as it is high"),
@@ -250,13 +250,13 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": '{"type": "FeatureCollection", "features": []}'}, "no camera that can be read"),
     ({"camera.yaml": "<ExportAPERO/>"}, "no camera that can be read"),
     ({"camera.yaml": re.sub("<F>.*</F>", "<F>1e300</F>", AUTOCAL)}, "no camera that can be read"),
-    ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not known"),
+    ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not supported"),
     ({"places.csv": ""}, "no exterior orientation"),
     ({"places.csv": "filename,x,y\nphoto,1,2\n"}, "no exterior orientation"),
     ({"places.csv": TABLE.replace("1500", "high")}, "no exterior orientation"),
     ({"places.csv": TABLE.replace("1500", "nan")}, "no exterior orientation"),
-    ({"places.csv": TABLE.replace("photo", "other")}, "does not name the image photo.tif just once; it names other"),
-    ({"places.csv": TABLE + "photo,1,2,3,4,5,6\n"}, "just once"),
+    ({"places.csv": TABLE.replace("photo", "other")}, "does not name the image photo.tif exactly once; it names other"),
+    ({"places.csv": TABLE + "photo,1,2,3,4,5,6\n"}, "exactly once"),
     ({"places.csv": "{}"}, "no exterior orientation"),
     ({"places.csv": "<Externe><Centre>1 2 3</Centre></Externe>"}, "no exterior orientation"),
     ({"places.csv": ORIENTATION.format("1 0 0", "0 2 0", "0 0 1")}, "no exterior orientation"),
@@ -273,7 +273,7 @@ def test_what_can_t_be_used_is_said(folder: Path, files: dict[str, str], complai
 
 def test_without_pyyaml_it_is_named(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "yaml", None)
-    with pytest.raises(SeamInspectorError, match="PyYAML, which is not there"):
+    with pytest.raises(SeamInspectorError, match="PyYAML, which is not installed"):
         oriented(folder)
 
 

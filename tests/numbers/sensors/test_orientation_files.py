@@ -321,12 +321,12 @@ def test_the_reading_of_a_reconstruction_is_told(tmp_path: Path) -> None:
     """Alone it is in the plane at its reference, in a project in UTM, and exact beside its topocentric form."""
     path = odm(tmp_path) / "opensfm" / "reconstruction.json"
     (notice,) = exterior_of(path).notices
-    assert "is taken as in EPSG:32633 with the offset of coords.txt, where OpenDroneMap puts it" in str(notice)
+    assert "is read in EPSG:32633 with the offset of coords.txt, where OpenDroneMap puts it" in str(notice)
     path.with_name("reconstruction.topocentric.json").write_text(path.read_text())
     assert "Photos are placed by reconstruction.topocentric.json" in str(exterior_of(path).notices[0])
     alone = tmp_path / "reconstruction.json"
     alone.write_text(path.read_text())
-    assert "in the plane that touches the Earth at its reference" in str(exterior_of(alone).notices[0])
+    assert "in the plane tangent to the Earth at its reference" in str(exterior_of(alone).notices[0])
 
 
 @pytest.mark.parametrize("cameras", [False, True])

@@ -250,7 +250,7 @@ def test_uncovered_is_the_share_of_the_images_own_pixels(
 
 
 @pytest.mark.parametrize(
-    ("step", "words"), [(0.0008, "meshes of 89 m"), (0.00005, "bend straight lines"), (0.0002, "")]
+    ("step", "words"), [(0.0008, "a grid spacing of 89 m"), (0.00005, "bend straight lines"), (0.0002, "")]
 )
 def test_meshes_beyond_10_to_30_m_are_told(
     job: Callable[..., Ortho], tmp_path: Path, step: float, words: str
@@ -263,8 +263,8 @@ def test_meshes_beyond_10_to_30_m_are_told(
 
 
 @pytest.mark.parametrize(("given", "words"), [
-    ({"height": float("nan")}, "which no place on earth has"),
-    ({"height": float("inf")}, "which no place on earth has"),
+    ({"height": float("nan")}, "which is impossible on Earth"),
+    ({"height": float("inf")}, "which is impossible on Earth"),
     ({"height": 600.0, "pixel_size": float("nan")}, "give a positive number"),
     ({"height": 600.0, "pixel_size": float("inf")}, "give a positive number"),
 ])  # fmt: skip

@@ -41,11 +41,11 @@ def test_ordinary_points_pass_with_and_without_heights_and_a_little_beyond_the_i
 
 
 @pytest.mark.parametrize(("changed", "complaint"), [
-    ({"wkt": "EPSG:4326"}, "said to be in degrees"),
+    ({"wkt": "EPSG:4326"}, "the points are in degrees"),
     ({"ground": points().ground * [1e-7, 1e-7, 1]}, "pixel measures"),
-    ({"ground": points().ground * [1, 1, 3000]}, "which no place on earth is"),
+    ({"ground": points().ground * [1, 1, 3000]}, "which is impossible on Earth"),
     ({"image": points().image * [1, -1]}, "rows are negative"),
-    ({"image": points().image[:, ::-1]}, "columns and rows are interchanged"),
+    ({"image": points().image[:, ::-1]}, "columns and rows are swapped"),
     ({"image": points().image + [9000, 0]}, "20 points lie outside the image of 4000 x 3000 pixels"),
 ])  # fmt: skip
 def test_what_can_t_be_is_said(changed: dict[str, object], complaint: str) -> None:
@@ -60,7 +60,7 @@ def test_points_beyond_a_part_of_the_image_are_believed_where_its_rpc_sees_them(
     size = (int(np.median(given.image[:, 0])), sensor_scenes.ROWS)
     for shift in (0, [900, -1300]):  # as of a part that was cut out without a care for its RPC
         (notice,) = check_inside(replace(given, image=given.image - shift), size, RPC)
-        assert "where its RPC sees them" in str(notice)
+        assert "where its RPC places them" in str(notice)
     image = given.image.copy()
     image[given.image[:, 0].argmax()] += [0, 2000]
     with pytest.raises(SensorModelError, match="outside the image"):
@@ -94,7 +94,7 @@ def test_points_that_an_rpc_sees_with_a_shift_and_a_blunder_pass() -> None:
 @pytest.mark.parametrize(("changed", "complaint"), [
     ({"ground": seen_points().ground[:, [1, 0, 2]]}, "px away from the image; check that x and y"),
     ({"ground": seen_points().ground + [5, 0, 0]}, "their reference system"),
-    ({"image": seen_points().image[:, ::-1]}, "columns and rows are interchanged"),
+    ({"image": seen_points().image[:, ::-1]}, "columns and rows are swapped"),
     ({"image": [0, sensor_scenes.ROWS] + seen_points().image * [1, -1]}, "mirrored or turned image"),
     ({"image": [sensor_scenes.COLUMNS, 0] + seen_points().image * [-1, 1]}, "mirrored or turned image"),
 ])  # fmt: skip
@@ -140,7 +140,7 @@ def test_interchanged_points_are_told_on_a_small_part_of_a_scene() -> None:
     image = RPC.project(ground) + [7, -4]
     corner = image.min(axis=0)
     assert not check_against_rpc(sensor_scenes.points(image, ground), RPC)
-    with pytest.raises(SensorModelError, match="columns and rows are interchanged"):
+    with pytest.raises(SensorModelError, match="columns and rows are swapped"):
         check_against_rpc(sensor_scenes.points((image - corner)[:, ::-1] + corner, ground), RPC)
 
 

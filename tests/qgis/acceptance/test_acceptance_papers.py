@@ -112,7 +112,7 @@ def test_wrong_rasters_are_told_and_left_out(tmp_path: Path, mosaic: str, loss: 
     given = {"DEFECTS": str(tmp_path / "d.gpkg"), "REPORT": None, "QUALITY": str(tmp_path / "q.xml")}
     outcome = accept(**given, MOSAIC=[loss], LOSS=mosaic)
     assert any("loss.tif is a scan's picture of losses, not a mosaic" in said for said in outcome.log.warnings)
-    assert any("was not written by a scan as its picture of losses" in said for said in outcome.log.warnings)
+    assert any("is not the picture of losses of a scan" in said for said in outcome.log.warnings)
     assert "QE_CoverageResult" not in (tmp_path / "q.xml").read_text(encoding="utf-8")
     assert outcome.column("picture", "DEFECTS").count(None) == 2
 
@@ -126,7 +126,7 @@ def test_a_scan_without_some_orthoimages_is_told(tmp_path: Path, loss: str) -> N
     del dataset
     outcome = accept(LOSS=str(poor))
     assert any(
-        "found no orthoimage behind 14\u00a0% of the mosaic, most of it around 500010.0, 5400020.0" in said
+        "found no orthoimage for 14\u00a0% of the mosaic, most of it around 500010.0, 5400020.0" in said
         for said in outcome.log.warnings
     )
     assert any("the scan found the seams from the pixels" in said for said in outcome.log.warnings)
@@ -150,7 +150,7 @@ def test_the_cover_tells_what_the_scan_saw_beside_the_seams(tmp_path: Path, loss
     assert f"given: {total:.1f} m, found: {total + 390:.1f} m" in page
     assert "found and not given: 400.0 m, given and not found: 10.0 m" in page
     assert "500100.0, 5400200.0 (6 x 90 m); 500300.0, 5400400.0 (8 x 60 m)" in page
-    assert "1.2 % of what has texture; around 500010.0, 5400020.0 (12 x 30 m)" in page
+    assert "1.2 % of the ground with texture; around 500010.0, 5400020.0 (12 x 30 m)" in page
     assert "0.4 %; around 500001.0, 5400002.0 (3 x 4 m)" in page
     assert any("along at least 400" in said for said in outcome.log.warnings)
 

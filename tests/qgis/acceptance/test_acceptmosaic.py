@@ -87,8 +87,8 @@ def test_every_ready_file_decides(path: Path) -> None:
 
 def test_a_parameter_that_contradicts_the_rules_is_refused(tmp_path: Path) -> None:
     given = {"SEAMS": [seams([P] * 4)], "READY_RULES": "strict"}
-    assert_refused("acceptmosaic", "MAX_RUN is 30.* and the rules in strict say 25", MAX_RUN=30, **given)
-    assert_refused("acceptmosaic", "PLAN is iso2859 and the rules in strict say all", PLAN="iso2859", **given)
+    assert_refused("acceptmosaic", "MAX_RUN is 30.*, but the rules in strict say 25", MAX_RUN=30, **given)
+    assert_refused("acceptmosaic", "PLAN is iso2859, but the rules in strict say all", PLAN="iso2859", **given)
     assert decide(seams([P] * 4), READY_RULES="strict", MAX_RUN=25).complaint is None
     own = tmp_path / "own.json"
     own.write_text("{}")
@@ -99,7 +99,7 @@ def test_a_parameter_that_contradicts_the_rules_is_refused(tmp_path: Path) -> No
     ("rules", "words"),
     [
         ([{"check": "failed_share", "most": 0.02, "source": "x"}], "what a piece must keep"),
-        ([{"check": "kept", "least": 0.7, "source": "x"}], "nothing to decide by"),
+        ([{"check": "kept", "least": 0.7, "source": "x"}], "no rule to decide by"),
         ([{"check": "kept", "least": 0.7, "source": "x"}, {"check": "failed_share", "most": 2, "source": "x"}], "0.02"),
         ([{"check": "kept", "least": 0.7, "source": "x"}, {"check": "sampling", "aql": 3, "source": "x"}], "AQL '3'"),
         ([{"check": "kept", "least": 0.7, "source": "x"}] * 2, "two rules for 'kept'"),

@@ -75,7 +75,7 @@ def test_another_file_of_the_same_size_and_time_decides_nothing(scanned: Path, t
         made = decide(scanned)
         assert made.results["DECISION"] == "undecided"
         assert f"files were changed since they were scanned: 1 ({name})" in decision(made)
-        assert any("or a scan of those that are there now" in text for text in made.log.warnings)
+        assert any("or a new scan of the present files" in text for text in made.log.warnings)
     finally:
         shutil.copy2(tmp_path / name, scanned / name)
 
@@ -86,9 +86,9 @@ def test_another_mosaic_decides_nothing_whatever_the_scan_found(project: Path, t
         made = decide(project, MOSAIC=[str(other)], **limits)
         assert made.results["DECISION"] == "undecided"
         assert made.results.get("ACCEPTED") is None
-        assert "files are given that are not those that were scanned: bad.tif" in decision(made)
+        assert "the files given are not the ones that were scanned: bad.tif" in decision(made)
     renamed = shutil.move(other, tmp_path / "mosaic.tif")
-    assert "not those that were scanned: mosaic.tif" in decision(decide(project, MOSAIC=[str(renamed)]))
+    assert "not the ones that were scanned: mosaic.tif" in decision(decide(project, MOSAIC=[str(renamed)]))
 
 
 @pytest.mark.parametrize(("lost", "outcome"), [("mosaic.tif", "undecided"), ("west.tif", "accepted")])
@@ -96,8 +96,8 @@ def test_what_is_gone_is_told(project: Path, lost: str, outcome: str) -> None:
     (project / lost).unlink()
     made = decide(project)
     assert made.results["DECISION"] == outcome
-    words = "files of the scanned mosaic are not found any more: 1 (mosaic.tif)" if outcome == "undecided" else (
-        "Orthoimages that were scanned are not found any more: 1 (west.tif)"
+    words = "files of the scanned mosaic can no longer be found: 1 (mosaic.tif)" if outcome == "undecided" else (
+        "Orthoimages that were scanned can no longer be found: 1 (west.tif)"
     )
     assert any(words in text for text in made.log.infos + made.log.warnings)
 
@@ -150,7 +150,7 @@ def test_a_mosaic_is_all_of_its_files(scanned: Path, tmp_path: Path) -> None:
     show(mosaic)
     assert decide(tmp_path, MOSAIC=[str(mosaic)]).results["DECISION"] == "accepted"
     rewrite(tmp_path / "mosaic.ige")
-    for given, words in (({}, "were changed since"), ({"MOSAIC": [str(mosaic)]}, "not those that were scanned")):
+    for given, words in (({}, "were changed since"), ({"MOSAIC": [str(mosaic)]}, "not the ones that were scanned")):
         made = decide(tmp_path, **given)
         assert words in decision(made)
         assert "mosaic.ige" in decision(made)

@@ -28,7 +28,7 @@ def warned(outcome: Run, words: str) -> bool:
 
 def test_percent_is_no_share() -> None:
     given = pieces(3, kept_1=("double", [86.0, 50.0, 30.0]))
-    assert_refused("acceptmosaic", "kept_1 in s is 50 in the middle.* write 86 % as 0.86", SEAMS=[given])
+    assert_refused("acceptmosaic", "The median of kept_1 in s is 50.* write 86 % as 0.86", SEAMS=[given])
 
 
 def test_a_sheet_has_the_whole_name_of_its_file(tmp_path: Path) -> None:

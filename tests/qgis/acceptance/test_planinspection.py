@@ -44,7 +44,7 @@ def test_an_isolated_lot_has_a_sample_by_its_limiting_quality() -> None:
     assert any("ISO 2859-2:1985, isolated lot of 1200" in text for text in outcome.log.infos)
     decided = run("acceptmosaic", SEAMS=[outcome.layer()], PLAN="iso2859_2", LQ=8, DEFECTS=None, REPORT=None)
     assert decided.results["DECISION"] == "accepted"
-    assert "is '1.25'; known are 2.00" in str(plan(seams([P] * 40), PLAN="iso2859_2", LQ=1.25).complaint)
+    assert "is '1.25'; give one of 2.00" in str(plan(seams([P] * 40), PLAN="iso2859_2", LQ=1.25).complaint)
 
 
 def test_the_sample_is_decided_on() -> None:
@@ -61,7 +61,7 @@ def test_the_sample_is_decided_on() -> None:
     other = run("acceptmosaic", SEAMS=[sample], PLAN="iso2859", AQL="1.0", INSPECTION_LEVEL="III", **parameters)
     assert any("needs a sample of 125 pieces and 80 were" in text for text in other.log.infos) or failed > 3
     judged = run("acceptmosaic", SEAMS=[sample], **parameters)
-    assert any("these layers are a sample" in text for text in judged.log.warnings)
+    assert any("these layers are only a sample" in text for text in judged.log.warnings)
     assert judged.results.get("LONGEST_FAILURE") is None
     assert not any("without a break: " in text for text in (*judged.log.infos, *outcome.log.infos))
 

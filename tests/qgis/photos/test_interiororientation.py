@@ -143,7 +143,7 @@ def test_a_mark_measured_by_hand_takes_the_place_of_a_failed_one(blotted: PhotoS
 
 @pytest.mark.parametrize(("rows", "words"), [
     ("1,106,-106\n2,-106,-106\n", "too few marks: 2, and the affine model needs 3"),
-    ("1,106,-106\n2,-106,-106\n3,106,-106.1\n4,106,106\n", "'1' and '3' .* are at one place"),
+    ("1,106,-106\n2,-106,-106\n3,106,-106.1\n4,106,106\n", "'1' and '3' .* are at the same place"),
     ("1,0.106,-0.106\n2,-0.106,-0.106\n3,-0.106,0.106\n", "give millimetres"),
     ("1,10.6,-10.6\n2,-10.6,-10.6\n3,-10.6,10.6\n", "give millimetres"),
     ("1,106000,-106000\n2,-106000,-106000\n3,-106000,106000\n", "give millimetres"),

@@ -70,10 +70,10 @@ def test_a_name_that_turns_or_breaks_lines_is_made_plain(tmp_path: Path) -> None
 
 def test_the_stricter_rules_leave_it_open_without_grey_areas(sheets: dict[str, str]) -> None:
     word, why, _ = decided([sheets["good"]], READY_RULES="jrc_lpis_each_band")
-    assert (word, why) == ("undecided", "Not measurable and required: colour balance; in good.tif.")
+    assert (word, why) == ("undecided", "Required but not measurable: colour balance; in good.tif.")
     grey = windows((0, 0, 100, 100))
     word, why, log = decided([sheets["good"]], READY_RULES="jrc_lpis_each_band", GREY_AREAS=grey)
-    assert (word, why) == ("accepted", "All figures keep their limits.")
+    assert (word, why) == ("accepted", "All figures are within their limits.")
     assert any("Grey areas: 1, with 10000 px" in said for said in log.infos)
 
 
@@ -83,7 +83,7 @@ def test_a_guessed_range_accepts_nothing(sheets: dict[str, str], tmp_path: Path)
     page = report.read_text(encoding="utf-8")
     assert page.count("The largest value of all such images") == 2  # the notice, and once for all that it concerns
     assert word == "undecided"
-    assert "Not measurable and required: clipped at the bright end (luminosity), histogram peak" in why
+    assert "Required but not measurable: clipped at the bright end (luminosity), histogram peak" in why
     (said,) = log.warnings
     assert_sentence(said, "twelve.tif: what depends on the range of values is not judged: the files do not say")
     assert decided([sheets["twelve"]], VALUE_RANGE="0,4095")[0] == "rejected"

@@ -57,13 +57,13 @@ def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(scene: Scene, tmp_path: 
     gdal.Translate(copy, str(mosaic), creationOptions=["COMPRESS=LZW"])
     outcome = inspect(scene, MOSAIC=str(mosaic), SOURCES=[copy, west, east])
     (warning,) = outcome.log.warnings
-    assert_sentence(warning, "east_2.tif goes with the mosaic across its seams, so it is a copy")
+    assert_sentence(warning, "east_2.tif matches the mosaic on both sides of its seams, so it is a copy")
     assert {row["source"] for row in outcome.rows("PAIRS")} == {"west.tif", "east.tif", "composite"}
 
 
 def other_system(name: str) -> str:
     """What is said of a file that names another system than its layer (a pattern)."""
-    return rf"{name}.tif is taken in .*EPSG:{UTM33}.* not in that of its file, EPSG:2180"
+    return rf"{name}.tif is read in .*EPSG:{UTM33}.* not in that of its file, EPSG:2180"
 
 
 @pytest.mark.parametrize("step", ["inspectwindows", "model"])

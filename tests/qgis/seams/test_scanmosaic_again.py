@@ -93,10 +93,10 @@ def test_cancelled_it_keeps_what_is_done_and_goes_on(
     log = StopAt(share)
     stopped = scan(files, tmp_path, log)
     assert stopped.results == {}
-    assert any("goes on from here" in said for said in log.infos)
+    assert any("continues from here" in said for said in log.infos)
     assert sorted(path.name for path in tmp_path.iterdir()) == JOURNAL
     again = scan(files, tmp_path)
-    assert any("goes on where it stopped" in said for said in again.log.infos)
+    assert any("continues where it stopped" in said for said in again.log.infos)
     assert_like(tmp_path, whole)
 
 
@@ -165,11 +165,11 @@ def test_a_changed_setting_or_input_starts_anew_and_says_so(files: Files, tmp_pa
     results = tmp_path / "results"
     scan(own, results, StopAt(1.0))
     changed = scan(own, results, StopAt(1.0), CELL=64)
-    assert changed.log.warnings == ["The scan starts anew, since a setting changed since it stopped."]
+    assert changed.log.warnings == ["The scan starts from the beginning, as a setting changed since it stopped."]
     os.utime(own.west, ns=(1, 1))
     touched = scan(own, results, CELL=64)
     assert touched.log.warnings == [
-        "The scan starts anew, since the sources or one of their files changed since it stopped."
+        "The scan starts from the beginning, as the sources or one of their files changed since it stopped."
     ]
     assert touched.complaint is None
     assert not (results / "loss.tif.scan").exists()
@@ -188,10 +188,10 @@ def test_a_full_disk_keeps_the_blocks_that_are_done(
     with monkeypatch.context() as patched:
         patched.setattr(RecordFiles, "save", full)
         failed = scan(files, tmp_path)
-    assert_sentence(failed.complaint, r"\(No space left on device\). What was measured is kept \(blocks done: [1-9]")
+    assert_sentence(failed.complaint, r"\(No space left on device\). What was measured is saved \(blocks done: [1-9]")
     assert sorted(path.name for path in tmp_path.iterdir()) == JOURNAL
     again = scan(files, tmp_path)
-    assert any("goes on where it stopped" in said for said in again.log.infos)
+    assert any("continues where it stopped" in said for said in again.log.infos)
     assert_like(tmp_path, whole)
 
 

@@ -149,8 +149,8 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
         (  # in all of the window more is gone than beside the seam
             {"verdict": "reduced", "kept": (0.84,), "kept_low": 0.78, "kept_high": 0.91, "sharpness": 0.81,
              "loss": 3634.3, "cause": "resampled", "causes": "resampled; unclear; feathering"},
-            ("Reduced. 34 % of the window's detail lost (3,634 m²), 16 % of the rest along the seam: resampled. Keep "
-             "the pixel grid."),
+            ("Reduced. 34 % of the window's detail lost (3,634 m²), 16 % of the rest along the seam: resampled. "
+             "Don't resample it."),
         ),
         (  # what resampling took all over is no part of what the misfit did
             {"sharpness": 0.79, "loss": 3931.0, "cause": "resampled", "causes": "resampled; misregistration",

@@ -19,7 +19,7 @@ def test_the_ending_decides_on_the_format(tmp_path, name: str, start: bytes) -> 
 
 
 def test_another_ending_is_refused_by_a_sentence(tmp_path) -> None:
-    with pytest.raises(SettingsError, match=r"c\.doc is no PNG, SVG or PDF file"):
+    with pytest.raises(SettingsError, match=r"c\.doc is not a PNG, SVG or PDF file"):
         save_figure(_figure(), tmp_path / "c.doc")
 
 

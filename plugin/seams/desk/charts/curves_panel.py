@@ -245,4 +245,4 @@ def _why_nothing(session: Session, selected: Sequence[int]) -> str:
         return tr("Not inspected yet")
     if not row.is_compared and row.reason and not row.stale:
         return row.reason
-    return tr("The curves are not kept with the project. Inspect again to see them.")
+    return tr("The curves are not saved with the project. Inspect again to see them.")

@@ -249,10 +249,10 @@ class InputsPanel(QWidget):
         self.windows.setToolTip(tr("The polygon layer that holds the windows; a new one is made with the first window"))
         self.side = metres_box(imagery_limits.STANDARD_SIDE_M, 10, self.box)
         self.side.setDecimals(2)  # 15.4 m would need twice the pixels of 15.36 m, 512 of 3 cm
-        self.side.setToolTip(tr("Metres that a clicked or placed window spans at least"))
+        self.side.setToolTip(tr("Minimum side of a clicked or placed window, in metres"))
         self.side_px = QLabel(self.box)
         self.side_note = QLabel(self.box)
-        self.side_note.setToolTip(tr("Windows of the side that was given do not fit this mosaic, so it was changed"))
+        self.side_note.setToolTip(tr("Windows of the given side do not fit this mosaic, so the side was changed"))
         self.doubts = QLabel(self)
         self.doubts.setTextFormat(Qt.TextFormat.PlainText)
         self.doubts.setWordWrap(True)

@@ -30,8 +30,8 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("More"), parent)
         self.setToolTip(
-            tr("Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken "
-               "against, seam cells, how a whole mosaic is scanned")
+            tr("Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared "
+               "with, seam cells, how a whole mosaic is scanned")
         )
         references = (tr("the seam"), tr("the composite"), tr("the sources (paper)"))
         densities = (tr("along the seams"), tr("every pixel"))
@@ -55,8 +55,8 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
              tr("What decides the verdict: what is kept along the seam; the whole window against the hard cut of the "
                 "sources; or each source's whole clip, as in Pyka's papers")),
             ("min_kept", tr("Least &kept"), _share_box(limits.MAX_SIGNIFICANT_KEPT, self),
-             tr("By the seam, a loss is significant when by the best estimate at most this share of the finest "
-                "detail is kept along it, and that something is lost is sure")),
+             tr("By the seam, a loss is significant when by the best estimate at most this share of the finest detail "
+                "is kept along it, and some loss is certain")),
             ("max_ratio", tr("Largest &ratio"), _share_box(imagery_limits.MAX_SIGNIFICANT_RATIO, self),
              tr("By the sources or their composite, a loss is significant when the mosaic keeps at most this share of "
                 "their detail at level 1")),

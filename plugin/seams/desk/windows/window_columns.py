@@ -169,20 +169,20 @@ WINDOW_ID = TableColumn(
 )  # fmt: skip
 _VERDICT = TableColumn(
     "verdict", QT_TR_NOOP("verdict"),
-    QT_TR_NOOP("What was found, by the seam or by the inputs. Sorted by this column, the worst comes first."),
+    QT_TR_NOOP("The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first."),
     _verdict_text, lambda row: _SEVERITY.get(row.verdict),
 )  # fmt: skip
 _KEPT = TableColumn(
     "kept", QT_TR_NOOP("kept"),
     QT_TR_NOOP(
         "Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the "
-        "verdict was not taken by it."
+        "verdict is not based on it."
     ),
     lambda row: "" if (kept := judged_kept(row)) is None else f"{percent(kept)} %", judged_kept, _ALIGNED_RIGHT,
 )  # fmt: skip
 PAPER = TableColumn(
     "paper_verdict", QT_TR_NOOP("paper"),
-    QT_TR_NOOP("The paper's own flag, by ratio 1 against whole sources, whatever the verdict was taken by."),
+    QT_TR_NOOP("The paper's own flag, by ratio 1 against whole sources, whatever the verdict is based on."),
     lambda row: verdict_word(row.paper_verdict) if row.paper_verdict else "",
     lambda row: _SEVERITY.get(row.paper_verdict),
 )  # fmt: skip

@@ -255,7 +255,7 @@ class WindowsPanel(QWidget):
         for entry in (
             (tr("Zoom to window"), "mActionZoomToSelected", self._zoom,
              tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
-            (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows anew."), None),
+            (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows again."), None),
             None,
             (tr("Copy rows"), "mActionEditCopy", self.copy,
              tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),

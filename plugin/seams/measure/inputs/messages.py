@@ -14,20 +14,20 @@ OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a 
 COVERS_MOSAIC = Message("Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.", INFO)
 # sources that were made from the mosaic, and are given
 COPY_AMONG_SOURCES = Message(
-    "{name} goes with the mosaic across its seams, so it is a copy or an overview of it, or the mosaic that this one "
-    "was cut from. It would hide every loss and is left out of the sources.", WARNING
+    "{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that "
+    "this one was cut from. It would hide every loss and is left out of the sources.", WARNING
 )
 MAY_BE_COPY = Message(
-    "{name} is the mosaic itself wherever they were compared. It takes part, as it may be one of the orthoimages; if "
-    "it is a copy of the mosaic or of a part of it, it hides every loss there, so take it out of the sources.", WARNING
+    "{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; "
+    "if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.", WARNING
 )
 MAY_BE_ALTERED_COPY = Message(
     "{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from "
-    "the mosaic, it hides losses, so take it out of the sources.", INFO
+    "the mosaic, it hides losses, so remove it from the sources.", INFO
 )
 MADE_OF_OTHERS = Message(
     "{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It "
-    "hides losses, so take it out of the sources.", WARNING
+    "hides losses, so remove it from the sources.", WARNING
 )
 ONE_IMAGE_IN_PARTS = Message(
     "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "

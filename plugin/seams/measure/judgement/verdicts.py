@@ -24,7 +24,7 @@ class Verdict(str, Enum):
     """What a window's ratios say. The values are the words that tables hold."""
 
     SIGNIFICANT = "significant"
-    """At most the limit is left by the best estimate, and that something is lost is sure."""
+    """At most the limit is left by the best estimate, and some loss is certain."""
     REDUCED = "reduced"
     """Less is left than the sources have, surely."""
     PRESERVED = "preserved"
@@ -84,7 +84,7 @@ def judge_profile(
 ) -> tuple[Verdict, Message | None]:
     """The verdict by what is kept along a seam, and why there is none.
 
-    ``significant`` where the best estimate of kept_1 is at most ``min_kept`` and that something is lost is sure (its
+    ``significant`` where the best estimate of kept_1 is at most ``min_kept`` and some loss is certain (its
     interval ends below the limit, or half-way to 1 unless it is wide), ``reduced`` where it is surely below 1 or the
     whole ``is_blurred``, else ``preserved``; none where the interval says nothing, or holds all that there was although
     so little is kept. ``explained``: share of the pixels that the sources explain.

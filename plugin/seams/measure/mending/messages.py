@@ -15,15 +15,15 @@ IMAGES_UNLIKE = Message(
     "The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images."
 )
 IMAGES_OF_OTHER_GROUND = Message(
-    "The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date "
-    "do, or others where its tones are cut off at white or black; choose those that it was made from."
+    "The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, "
+    "or any where its tones are clipped at white or black; choose those that it was made from."
 )
 DETAIL_NOT_SHOWN = Message(
-    "{name} shows {share:.0%} of the fine detail that the mosaic has beside the seam (band {band}), so it can't be put "
-    "in its place; choose the images that it was made from."
+    "{name} has {share:.0%} of the mosaic's fine detail beside the seam (band {band}), so it can't replace the mosaic "
+    "there; choose the images that the mosaic was made from."
 )
 TONES_NOT_TOLD = Message(
-    "Near the seam there is too little ground that shows one orthoimage alone, so its tones can't be told."
+    "Near the seam there is too little ground that shows one orthoimage alone, so its tones can't be determined."
 )
 PART_NOT_COVERED = Message("One of the two orthoimages has no pixels along the new cut.")
 BANDS_LACK = Message("{name} lacks bands of the mosaic: {bands}.")
@@ -31,7 +31,7 @@ NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its
 
 CUT_NOT_MEASURED = Message("What the new cut keeps can't be measured, so its patch is left out.")
 NOT_ON_MOSAIC = Message("The seam does not lie on this mosaic; give the seams that a scan of it found.")
-SIDES_UNKNOWN = Message("The seam names no two of the given orthoimages; give those that the mosaic was made from.")
+SIDES_UNKNOWN = Message("The seam does not name two of the given orthoimages; give those the mosaic was made from.")
 
 # settings
 WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
@@ -43,7 +43,7 @@ NOT_OF_A_SCAN = Message(
 )
 NO_PIECES = Message("The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.")
 MENDING_STOPPED = Message(
-    "Mending was stopped; start it again with the same outputs, and it goes on where it was.", INFO
+    "Mending was stopped; start it again with the same outputs to continue.", INFO
 )
-MENDING_GOES_ON = Message("Mending goes on where it stopped; seams that are cut already: {done}.", INFO)
+MENDING_GOES_ON = Message("Mending continues where it stopped; seams that are cut already: {done}.", INFO)
 NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)

@@ -177,7 +177,7 @@ MEASURED = (
     WindowField(
         "causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None,
         heading=QT_TR_NOOP("all causes"), shown="causes",
-        help=QT_TR_NOOP("All that happened to the contrast, what took most first."),
+        help=QT_TR_NOOP("All that changed the contrast, the largest loss first."),
     ),
     WindowField("reference", "text", lambda result: result.reference),
     WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value, called=("paper",)),
@@ -211,7 +211,7 @@ MEASURED = (
         "visibility", "real", lambda result: result.visibility, heading=QT_TR_NOOP("visibility"), shown="tenths",
         most=MOST_VISIBLE,
         help=QT_TR_NOOP(
-            "How many times more was lost along the seam than an eye just notices side by side at 2x (just "
+            "How many times the loss along the seam exceeds what an eye just notices side by side at 2x (just "
             "noticeable differences, JND)."
         ),
     ),
@@ -243,8 +243,8 @@ MEASURED = (
         "loss", "real", lambda result: result.lost_m2,
         title=QT_TR_NOOP("loss (m2)"), heading=QT_TR_NOOP("loss"), shown="square metres",
         help=QT_TR_NOOP(
-            "The finest detail that is missing, along the seam or in the whole window, as so many square metres of the "
-            "window hold; 0 where no loss is sure."
+            "The finest detail that is missing, along the seam or in the whole window, given as the square metres of "
+            "the window that hold as much; 0 where no loss is certain."
         ),
     ),
     WindowField(

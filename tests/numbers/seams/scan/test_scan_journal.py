@@ -62,7 +62,7 @@ def test_what_was_saved_is_there(path: Path) -> None:
     journal.close()
     found, notice = reopened(path)
     assert found == {**RESULTS, "block 0 0": b"anew", "again block 0 2": b"lacks something"}
-    assert str(notice) == "The scan goes on where it stopped; blocks that are done already: 3."
+    assert str(notice) == "The scan continues where it stopped; blocks that are done already: 3."
     assert notice.level is INFO
 
 
@@ -80,7 +80,7 @@ def test_what_was_saved_is_there(path: Path) -> None:
 def test_what_changed_is_said_and_nothing_of_the_other_scan_is_kept(path: Path, other: str, what: str) -> None:
     found, notice = reopened(written(path), other)
     assert found == {}
-    assert str(notice) == f"The scan starts anew, since {what} changed since it stopped."
+    assert str(notice) == f"The scan starts from the beginning, as {what} changed since it stopped."
     assert notice.level is WARNING
     assert sentence(reopened(path)[1]) == messages.SCAN_ANEW.template  # the other one's is the journal's now
 
@@ -124,7 +124,7 @@ def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> N
             journal.save("block 1", b"y" * 200_000)
         journal.save("block 2", b"z" * 1000)  # a small one still finds room
     assert str(caught.value) == (
-        f"{path} can't be written (File too large). What was measured is kept (blocks done: 1); make room on "
+        f"{path} can't be written (File too large). What was measured is saved (blocks done: 1); make room on "
         "the disk and start the scan again with the same output to go on."
     )
     journal.save("block 1", b"y" * 200_000)

@@ -135,7 +135,7 @@ def test_what_can_not_be_read_is_told_and_not_called_unexplained(files: Path) ->
     found = scan(block_of(files))
     told = [str(notice) for notice in found.notices]
     assert any("mosaic.tif is damaged" in one or "pixels of mosaic.tif can't be read" in one for one in told)
-    assert any("of the mosaic could not be read, such as around" in one for one in told)
+    assert any("of the mosaic could not be read, for example around" in one for one in told)
     assert float(found.told["unread"]) == pytest.approx(BLOCK_PX / COLUMNS, abs=0.01)
     x, y = map(float, found.told["unread_at"].split())
     assert 500000 < x < 500000 + BLOCK_PX / 10

@@ -29,7 +29,7 @@ def test_the_folder_is_named_and_the_windows_move_at_the_first_saving(
     (home / "windows.gpkg").write_text("somebody else's")
     fids = [desk.add(), desk.add(SHARP_WINDOW)]
     assert desk.messages == [
-        "Windows are in your profile until the project is saved, then beside it. Now they are in {}."
+        "Windows are stored in your profile until the project is saved, then beside it. Now they are in {}."
         .format(tmp_path / "windows.gpkg")
     ]
     if is_edited:

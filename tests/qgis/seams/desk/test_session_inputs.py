@@ -208,7 +208,7 @@ def test_a_system_that_is_set_by_hand_is_taken_and_said_below_the_inputs(desk: D
     desk.set(desk.inputs(mosaic=layers[0].id(), sources=tuple(layer.id() for layer in layers[1:])))
     said = panel.doubts.text()
     for image in layers:
-        assert_sentence(said, rf"{image.name()} is taken in .*EPSG:32633.* not in that of its file, EPSG:2180")
+        assert_sentence(said, rf"{image.name()} is read in .*EPSG:32633.* not in that of its file, EPSG:2180")
     assert not panel.doubts.isHidden()
     block = desk.session.block()
     assert block is not None

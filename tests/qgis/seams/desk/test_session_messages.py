@@ -52,7 +52,7 @@ def test_a_window_that_is_no_rectangle_is_told_to_be_measured_as_one(desk: Desk)
     desk.session.inspect([1, 2])
     desk.wait()
     assert [message for message in desk.messages if "boxes around them" in message] == [
-        "Windows that are no rectangles along the mosaic's axes are measured in the boxes around them: 1."
+        "Windows that are not rectangles along the mosaic's axes are measured in the boxes around them: 1."
     ]
 
 

@@ -102,7 +102,7 @@ def test_a_line_with_one_image_on_both_sides_is_no_seam(tmp_path: Path, names: t
     within = [(fields, bytes(moved(wkb, one).ExportToWkb())) for fields, wkb in within if wkb is not None]
     request, _ = requested(one, [*features, *within])
     assert metres(request) == pytest.approx(SIDE * one.mosaic.ground_sample_distance)
-    with pytest.raises(SeamlineError, match="parts two orthoimages"):
+    with pytest.raises(SeamlineError, match="separates two orthoimages"):
         requested(one, within)
 
 

@@ -184,7 +184,7 @@ def test_a_raster_that_is_rewritten_while_it_is_scanned_is_told_and_all_is_measu
             scan.result(str(tmp_path / "loss.tif"))
     assert not (tmp_path / "loss.tif").exists()
     with whole_scan(request, tmp_path / "loss.tif") as scan:
-        assert "The scan starts anew" in str(scan.notice)
+        assert "The scan starts from the beginning" in str(scan.notice)
 
 
 def test_a_seam_beside_missing_pixels_is_no_worse_for_it(tmp_path: Path) -> None:

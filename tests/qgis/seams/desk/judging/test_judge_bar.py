@@ -155,7 +155,7 @@ def test_a_remark_takes_one_key_and_enter(bar: JudgeBar, session: WindowsSession
 def test_blind_tells_nothing_of_what_was_found(bar: JudgeBar, session: WindowsSession, judging: Judging) -> None:
     session.select([2])
     judging.change(is_blind=True)
-    assert bar.sentence() == "Window 2. What was found is hidden."
+    assert bar.sentence() == "Window 2. Results are hidden."
     assert bar._chip.isHidden()
     assert "significant" not in bar._sentence.toolTip().lower()
     assert "blind" in bar.operators.text()
