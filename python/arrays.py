@@ -63,8 +63,8 @@ def inspect_arrays(
         The images that it may have been made from, of the mosaic's rows and columns; a mapping has their names.
     pixel_size_m : float
         Metres on the ground that a pixel spans.
-    labels : (rows, columns) of int, optional
-        The number of the source that each pixel was taken from, where it is known; -1 elsewhere.
+    labels : array, optional
+        (rows, columns) of whole numbers: of the source that each pixel was taken from; -1 or masked where unknown.
     settings : InspectionSettings, optional
         The standard ones where None.
 
@@ -81,7 +81,7 @@ def inspect_arrays(
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))
         raster = describe_mosaic(ref)
         refs = [held.enter_context(_raster_of(source, name, pixel_size_m, raster)) for name, source in named.items()]
-        cells = () if labels is None else tuple(_cells(np.asarray(labels), list(named), raster))
+        cells = () if labels is None else tuple(_cells(_known(labels), list(named), raster))
         block, _ = make_block(raster, refs, (), cells)
         return inspect_window(block.window(raster.extent, settings))
 
@@ -122,14 +122,29 @@ def measure_noise(
     return band_noise.measure_noise(bands, names, wavelet, levels)
 
 
+def _in_order(image: Image, name: str) -> Image:
+    """An array with its rows first, a DataArray by its dimensions. Raises SettingsError where these are others."""
+    dimensions = getattr(image, "dims", None)
+    if dimensions is None:
+        return image
+    if not {"y", "x"} <= set(dimensions):
+        raise SettingsError(messages.OTHER_DIMENSIONS(name=name, dimensions=", ".join(map(str, dimensions))))
+    return image.transpose("y", "x", ...).values
+
+
+def _known(labels: Image) -> np.ndarray:
+    """Labels with -1 where they are masked."""
+    turned = np.ma.asanyarray(_in_order(labels, "labels"))
+    return np.asarray(np.ma.filled(turned, -1) if np.ma.isMaskedArray(turned) else turned)
+
+
 def _bands(image: Image, name: str) -> tuple[np.ndarray, np.ndarray | None]:
     """(bands, rows, columns), and (rows, columns) bool where any of them is masked."""
-    if {"y", "x"} <= set(getattr(image, "dims", ())):
-        nodata = image.attrs.get("_FillValue")
-        image = image.transpose("y", "x", ...).values
-        image = image if nodata is None else np.ma.masked_values(image, nodata) if image.dtype.kind == "f" else (
-            np.ma.masked_equal(image, nodata)
-        )
+    nodata = getattr(image, "attrs", {}).get("_FillValue")
+    image = _in_order(image, name)
+    if nodata is not None:
+        masked = np.ma.masked_values if image.dtype.kind == "f" else np.ma.masked_equal
+        image = masked(image, nodata)
     pixels = np.ma.getdata(np.ma.asanyarray(image))
     if pixels.dtype.kind not in "iuf" or pixels.ndim not in (2, 3) or not pixels.size:
         raise SettingsError(messages.NO_IMAGE(name=name, kind=str(pixels.dtype), shape=str(pixels.shape)))

@@ -128,8 +128,9 @@ def _inspect(asked: argparse.Namespace) -> int:
             save_text(text.getvalue(), Path(asked.output))
     for row in rows:
         numbers = [row[name] for name in ("kept_1", "kept_low", "kept_high")]
+        why = row["reason"] or row["causes"]
         kept = "" if None in numbers else ", {:.2f} kept ({:.2f} to {:.2f})".format(*numbers)
-        _say(f"{row['window_id']}: {row['verdict']}{kept}{': ' + row['reason'] if row['reason'] else ''}", sys.stdout)
+        _say(f"{row['window_id']}: {row['verdict']}{kept}{f': {why}' if why else ''}", sys.stdout)
     verdicts = {result.judgement.verdict for result in results}
     if Verdict.SIGNIFICANT in verdicts:
         return REJECTED

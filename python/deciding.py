@@ -35,7 +35,7 @@ def decide(
     mosaics : iterable of paths, optional
         The files that are delivered; where others were scanned nothing is decided.
     lot_size : int, optional
-        Pieces of the whole lot where a plan of sampling decides; None: those that are given.
+        Pieces of the whole lot where a plan of sampling decides; None or 0: those that are given.
     seed : int
         Of the sample that is drawn then.
 
@@ -60,5 +60,5 @@ def decide(
     delivery = make_delivery(rows, tables[first].rows.wkt if tables else "", notes, files)
     given, folders = [os.fspath(path) for path in mosaics], [os.path.dirname(path) for path in files.values()]
     return deciding.decide(
-        replace(delivery, files=file_doubts(delivery.layers, given, (), folders)), rules, lot_size, seed
+        replace(delivery, files=file_doubts(delivery.layers, given, (), folders)), rules, lot_size or None, seed
     )

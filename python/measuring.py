@@ -13,22 +13,18 @@ from typing import TYPE_CHECKING, Any, Callable
 from osgeo import ogr
 
 from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
-from ..plugin.imagery.file_identity import guarding, local_states, states_text
+from ..plugin.imagery.file_identity import guarding
 from ..plugin.imagery.gdal_calls import gdal_silenced
-from ..plugin.imagery.grids import Grid, middle_of
 from ..plugin.imagery.limits import check_type
-from ..plugin.imagery.lines import points_at, vertex_stations
 from ..plugin.imagery.messages import CANCELLED
-from ..plugin.imagery.rasters import Raster
 from ..plugin.imagery.records import GEOMETRY
-from ..plugin.imagery.seam_totals import METRES, MOSAIC_FILES
 from ..plugin.seams.measure.limits import FAILED
 from ..plugin.seams.measure.mending import messages as mending_messages
 from ..plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
 from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, Mending, MendRequest, mending
 from ..plugin.seams.measure.scan import whole_scan
-from ..plugin.seams.measure.scan.scan_result import JudgedPiece, ScanResult, seam_rows
+from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
 from ..plugin.seams.measure.scan.whole_scan import ScanRun, ScanSettings
 from ..plugin.seams.measure.window import inspection
 from ..plugin.seams.measure.window.inspection import Block, PathLike
@@ -37,7 +33,7 @@ from ..plugin.seams.measure.window.window_result import WindowResult
 from ..plugin.toolkit.executors import Crew, open_executor
 from . import messages
 from .outputs import GEOTIFF, VRT, writing
-from .scan_files import SEAMLINES, read_seams, rectangle
+from .scan_files import SEAMLINES, read_seams
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -75,6 +71,9 @@ def inspect_windows(
     cancelled, WorkersLostError when nobody is left to measure, SettingsError for settings out of their range and for
     what is no rectangle.
     """
+    check_type("windows", windows, Iterable)
+    if block is not None:
+        check_type("block", block, Block)
     requests: list[WindowRequest] = list(windows) if block is None else [
         block.window(rectangle, settings, number)
         for number, rectangle in enumerate(_rectangles(windows, block.mosaic.wkt), 1)
@@ -143,36 +142,7 @@ def scan(
         run = ScanRun(opened, ahead, _rising(progress or _silent), cancelled)
         result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(result.notices)
-    result = result if block.sheet is None else _within(result, block.mosaic.grid, block.sheet)
     return replace(result, told={**result.told, SEAMLINES: os.path.abspath(given)}) if given else result
-
-
-def _within(result: ScanResult, grid: Grid, sheet: Raster) -> ScanResult:
-    """What a scan tells of a sheet by itself: pieces and windows by their middles, what lies where cut to its outline.
-    ``grid``: of the sheet with its neighbours."""
-    xmin, ymin, xmax, ymax = sheet.extent
-    outline = rectangle(*sheet.extent)
-
-    def holds(x: float, y: float) -> bool:
-        return xmin <= x < xmax and ymin <= y < ymax
-
-    def is_inside(piece: JudgedPiece) -> bool:
-        line = piece.piece.vertices
-        along = vertex_stations(line)
-        return holds(*points_at(line, along, along[-1:] / 2)[0].tolist())
-
-    parts = ((polygon, ogr.CreateGeometryFromWkb(polygon.wkb).Intersection(outline)) for polygon in result.polygons)
-    inside = replace(
-        result,
-        pieces=tuple(filter(is_inside, result.pieces)),
-        stretches=tuple(filter(is_inside, result.stretches)),
-        worst=tuple(worst for worst in result.worst if holds(*middle_of(grid.window_extent(worst.window)))),
-        polygons=tuple(
-            replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()
-        ),
-    )
-    states = states_text(local_states([sheet.ref.path]).items())
-    return replace(inside, told={**result.told, METRES: repr(inside.seam_metres), MOSAIC_FILES: states})
 
 
 def mend(
@@ -270,7 +240,7 @@ def _rectangles(windows: Iterable[Any], wkt: str) -> Iterator[Any]:
             sides = row[GEOMETRY] if GEOMETRY in row else [row.get(name) for name in _SIDES]
         sides = getattr(sides, GEOMETRY, sides)  # of a row of geopandas
         if isinstance(sides, str):
-            with gdal_silenced(), suppress(RuntimeError):  # GDAL's, of words that are no WKT
+            with gdal_silenced(), suppress(RuntimeError, AttributeError):  # GDAL has no geometry of other words
                 xmin, xmax, ymin, ymax = ogr.CreateGeometryFromWkt(sides).GetEnvelope()
                 sides = xmin, ymin, xmax, ymax
         yield sides

@@ -9,6 +9,7 @@ NO_IMAGE = Message(
 BANDS_FIRST = Message(
     "{name} has the shape {shape}, bands first; give (rows, columns, bands): np.moveaxis({name}, 0, -1)."
 )
+OTHER_DIMENSIONS = Message("{name} has the dimensions {dimensions}; rename them to y and x.")
 NO_PIXEL_SIZE = Message("pixel_size_m is {value:g}; give the metres on the ground that a pixel spans, more than 0.")
 OTHER_SHAPE = Message("{name} has {columns} x {rows} pixels, the mosaic {wide} x {high}; give all on one pixel grid.")
 LABELS_OF_OTHERS = Message(

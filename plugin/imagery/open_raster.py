@@ -387,8 +387,7 @@ def _opened(ref: RasterRef) -> gdal.Dataset | None:
     if first is None or not ref.parts:
         return first
     _, width, _, _, _, height = first.GetGeoTransform()
-    parts = [*ref.paths[::-1]]
-    whole = gdal.BuildVRT("", parts, resolution="user", xRes=width, yRes=-height, outputBounds=ref.bounds)
+    whole = gdal.BuildVRT("", [*ref.paths[::-1]], resolution="user", xRes=width, yRes=-height, outputBounds=ref.bounds)
     whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
     return whole
 

@@ -113,8 +113,8 @@ SYSTEM = "system"
 """Key, among what stands beside rows, of the reference system of their lines, as WKT."""
 MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
 """Keys, among what stands beside rows, of which files were scanned, as ``file_identity`` writes them."""
-METRES = "metres"
-"""Key, among what stands beside rows and what a scan tells, of the length of all its pieces."""
+METRES, NEIGHBOURS = "metres", "neighbours"
+"""Keys, likewise and in what a scan tells, of the length of all its pieces, and of how many sheets it looked into."""
 _SEAL = "digest"
 _SEALED = (
     "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",

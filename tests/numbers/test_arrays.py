@@ -24,6 +24,18 @@ from tests.numbers.synthetic import orthoimage
 SIDE, PIXEL_M = 384, 0.1
 
 
+class DataArray:
+    """As much of xarray's as is asked for."""
+
+    def __init__(self, values: np.ndarray, dims: tuple[str, ...]) -> None:
+        self.values, self.dims, self.attrs = values, dims, dict[str, object]()
+
+    def transpose(self, *names: object) -> DataArray:
+        order = [name for name in names if name in self.dims]
+        order += [name for name in self.dims if name not in order]
+        return DataArray(self.values.transpose([self.dims.index(str(name)) for name in order]), tuple(map(str, order)))
+
+
 @pytest.fixture(scope="module")
 def images() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Two images, and their mixture over a linear feather of 48 px, (rows, columns, bands)."""
@@ -51,6 +63,23 @@ def test_types_and_masks_change_nothing_that_is_measured(images: tuple[np.ndarra
     for other in (mosaic.astype(np.int64), mosaic.astype(np.float32), masked):
         found = seam_profile(other, {"left": left, "right": right}, PIXEL_M)
         assert found.kept == pytest.approx(expected.kept, rel=0.02)
+
+
+def test_labels_are_turned_as_images_are_and_masked_ones_are_unknown(images: tuple[np.ndarray, ...]) -> None:
+    left, right, mosaic = images
+    labels = np.zeros((SIDE, SIDE), int)
+    labels[:, SIDE // 2 :] = 1
+    turned = DataArray(labels.T, ("x", "y"))
+    unknown = np.where(np.arange(SIDE)[:, np.newaxis] < 64, -1, labels)
+    masked = np.ma.masked_array(1 - labels * 0, unknown < 0) * labels
+    for given, expected in ((turned, labels), (masked, unknown)):
+        found = seam_profile(mosaic, [left, right], PIXEL_M, given)
+        assert found.kept == seam_profile(mosaic, [left, right], PIXEL_M, expected).kept
+    for other in (DataArray(labels, ("lat", "lon")), DataArray(labels, ("lon", "lat"))):
+        with pytest.raises(SettingsError, match="rename them to y and x"):
+            seam_profile(mosaic, [left, right], PIXEL_M, other)
+        with pytest.raises(SettingsError, match="rename them to y and x"):
+            clip_curves(other)
 
 
 def test_labels_say_where_the_seam_is(images: tuple[np.ndarray, ...]) -> None:

@@ -44,8 +44,12 @@ def test_sheets_with_their_neighbours_add_up_to_the_whole(folder: Path, tmp_path
         assert area <= 60 * 100 + 1
         assert str(folder / f"{name}.tif") in result.told[MOSAIC_FILES]
         assert result.told[MOSAIC_FILES].count(".tif") == 1
+        told = "; ".join(result.told.get(key, "") for key in ("unseen_at", "hidden_at"))
+        assert all(xmin - 8 <= float(place.split()[0]) <= xmax + 8 for place in told.split("; ") if place)
         write_scan(tmp_path / f"{name}.gpkg", result, opened)
     assert math.fsum(result.seam_metres for result in sheets.values()) == pytest.approx(whole.seam_metres, abs=1)
+    seen = [result.told.get("unseen_metres", "0") for result in sheets.values()]
+    assert math.fsum(map(float, seen)) == pytest.approx(float(whole.told.get("unseen_metres", "0")), abs=3)
     both = decide({name: tmp_path / f"{name}.gpkg" for name in sheets}, limit_rules()).whole
     alone = decide({"whole": whole}, limit_rules()).whole
     assert (both.measured_m, both.failed_m) == pytest.approx((alone.measured_m, alone.failed_m), abs=5)
@@ -71,3 +75,17 @@ def test_a_sheet_on_another_grid_is_refused(folder: Path, tmp_path: Path) -> Non
     gdal.Translate(str(coarse), str(folder / "east.tif"), widthPct=50, heightPct=50)
     with pytest.raises(SettingsError, match="does not lie on the pixel grid of west"):
         sheet(folder, "west", neighbours=[coarse])
+
+
+def test_a_sheet_whose_bands_stand_in_another_order_is_refused(folder: Path, tmp_path: Path) -> None:
+    turned = tmp_path / "turned.tif"
+    gdal.Translate(str(turned), str(folder / "east.tif"), bandList=[3, 2, 1])
+    with pytest.raises(SettingsError, match="does not lie on the pixel grid of west"):
+        sheet(folder, "west", neighbours=[turned])
+
+
+def test_a_sheet_in_another_system_is_refused(folder: Path, tmp_path: Path) -> None:
+    degrees = tmp_path / "degrees.tif"
+    gdal.Warp(str(degrees), str(folder / "east.tif"), dstSRS="EPSG:4326")
+    with pytest.raises(SettingsError, match="does not lie on the pixel grid of west"):
+        sheet(folder, "west", neighbours=[degrees])

@@ -22,7 +22,7 @@ import numpy as np
 
 from ...imagery.errors import Exceeding, Message, SettingsError, Stated
 from ...imagery.file_identity import states_in
-from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES, PieceState
+from ...imagery.seam_totals import MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES, PieceState
 from ...imagery.statistics import DECIDED
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
@@ -404,7 +404,8 @@ def _files(delivery: Delivery) -> Iterator[Message]:
         yield messages.FILES_AS_SCANNED(count=files.same)
     if files.mosaics > 1:
         yield messages.OF_MOSAICS(count=files.mosaics)
-    if (apart := len({scan[MOSAIC_FILES] for scan in settings if MOSAIC_FILES in scan})) > 1:
+    alone = [scan for scan in settings if MOSAIC_FILES in scan and NEIGHBOURS not in scan]
+    if (apart := len({scan[MOSAIC_FILES] for scan in alone})) > 1:
         yield messages.SCANNED_APART(count=apart)
     if files.gone_sources:
         yield messages.SOURCES_GONE(count=len(files.gone_sources), names=_first_names(files.gone_sources))

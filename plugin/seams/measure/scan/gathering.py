@@ -25,7 +25,7 @@ from ....imagery.seam_totals import PieceState
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
 from ..blocks.mosaic_reading import MosaicReading
-from ..blocks.scan_block import NOT_LOOKED
+from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
 from ..profile.seam_sums import StripProfile
 from ..seamlines.label_borders import LabelTile
@@ -108,9 +108,16 @@ class Gathering:
         for unread in self._reading.unread:
             first, last = (unread.row, unread.column), (unread.row + unread.height, unread.column + unread.width)
             self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
+        if request.counted is not None:  # what lies beside it is counted where it belongs
+            window, whole = request.counted, np.full_like(self._units, EMPTY)
+            starts, lengths = (window.row, window.column), (window.height, window.width)
+            place = tuple(slice(a // UNIT_PX, -(-(a + b) // UNIT_PX)) for a, b in zip(starts, lengths))
+            whole[place] = self._units[place]
+            self._units = whole
         crew.tell(_CUT)
         judged, notes, notices = self._judged(pieces, crew)
         ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], request.settings.piece_m)
+        judged = tuple(part for part in judged if request.counts(part.piece))
         notes.update(self._reading.told)
         if names := request.not_given:
             notes["not_given"] = ", ".join(names)
@@ -145,7 +152,8 @@ class Gathering:
         # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
         alike = {number for number in unchanged if judged[number].state is PieceState.NOT_MEASURED}
         named = {number for number in alike if pieces[number].left or pieces[number].right}
-        notes = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in named]):.1f}"}
+        counted = {number for number in named if request.counts(pieces[number])}
+        notes = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in counted]):.1f}"}
         within = metres([judged[number] for number in alike - named])
         seams = tuple(piece for number, piece in enumerate(judged) if number not in alike - named)
         return seams, notes, [messages.SEAMS_WITHIN_ONE(metres=within)] if within else []

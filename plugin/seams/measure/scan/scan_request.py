@@ -11,7 +11,7 @@ import numpy as np
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, RasterError, SeamlineError, SettingsError
 from ....imagery.grids import PixelWindow
-from ....imagery.lines import vertex_stations
+from ....imagery.lines import points_at, vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
@@ -52,6 +52,17 @@ class ScanRequest:
     settings: ScanSettings
     given: GivenSeams | None = None
     """Seams that are given; without them they are found from what is followed."""
+    counted: PixelWindow | None = None
+    """Pixels of the mosaic whose seams and ground are counted; None: all of it."""
+
+    def counts(self, piece: SeamPiece) -> bool:
+        """Whether the middle of a piece lies where seams are counted."""
+        if self.counted is None:
+            return True
+        along = vertex_stations(piece.vertices)
+        x, y = points_at(piece.vertices, along, along[-1:] / 2)[0].tolist()
+        column, row = self.mosaic.grid.column_at(x) - self.counted.column, self.mosaic.grid.row_at(y) - self.counted.row
+        return 0 <= column < self.counted.width and 0 <= row < self.counted.height
 
     @property
     def blocks(self) -> BlockGrid:

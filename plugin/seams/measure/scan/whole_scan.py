@@ -11,12 +11,15 @@ from itertools import chain
 from pathlib import Path
 from typing import Callable
 
+from osgeo import ogr
+
 from ....imagery.errors import CancelledError, Message, SettingsError
 from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import own_threads, rasters_kept
-from ....imagery.seam_totals import METRES, MOSAIC_FILES, SOURCE_FILES, SYSTEM
+from ....imagery.rasters import Raster
+from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES, SYSTEM
 from .. import messages
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_settings import ScanSettings
@@ -165,6 +168,7 @@ def scan(
         given = given_seams(features, block.mosaic.grid, settings.source_field, paths)
         notices += [] if lost is None else [lost]
     request, of_request = scan_request(block.mosaic, block.sources, settings, given)
+    request = replace(request, counted=block.sheet_window)
     notices += of_request
 
     def goes_on(share: float) -> bool:
@@ -183,4 +187,27 @@ def scan(
             if result is None:
                 raise CancelledError(messages.SCAN_STOPPED() if loss else CANCELLED())
             whole.finish()
+    result = result if block.sheet is None else _of_sheet(result, request, block.sheet)
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
+
+
+def _of_sheet(result: ScanResult, request: ScanRequest, sheet: Raster) -> ScanResult:
+    """What a scan tells of a sheet without its neighbours: pieces and windows by their middles, what lies where cut to
+    its outline."""
+    xmin, ymin, xmax, ymax = sheet.extent
+    outline = ogr.CreateGeometryFromWkt(
+        f"POLYGON (({xmin} {ymin},{xmax} {ymin},{xmax} {ymax},{xmin} {ymax},{xmin} {ymin}))"
+    )
+    parts = ((polygon, ogr.CreateGeometryFromWkb(polygon.wkb).Intersection(outline)) for polygon in result.polygons)
+    inside = replace(
+        result,
+        pieces=tuple(part for part in result.pieces if request.counts(part.piece)),
+        stretches=tuple(part for part in result.stretches if request.counts(part.piece)),
+        polygons=tuple(
+            replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()
+        ),
+    )
+    states = states_text(local_states([sheet.ref.path]).items())
+    count = str(len(request.mosaic.ref.parts))
+    of_sheet = {METRES: repr(inside.seam_metres), MOSAIC_FILES: states, NEIGHBOURS: count}
+    return replace(inside, told={**result.told, **of_sheet})

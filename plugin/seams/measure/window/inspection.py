@@ -12,7 +12,7 @@ from typing import Any, Callable, Union
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, SeamInspectorWarning, SettingsError, WindowError
 from ....imagery.grids import Extent, PixelWindow, extents_meet, snap_window, standard_side_px, standard_window
-from ....imagery.open_raster import describe_mosaic
+from ....imagery.open_raster import OpenRaster, describe_mosaic
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import known_wkt
@@ -49,6 +49,14 @@ class Block:
     """All files that ``open_block`` was given, those left out too: no result takes their place."""
     sheet: Raster | None = None
     """The mosaic without the neighbours that ``mosaic`` goes on in; None where it has none."""
+
+    @property
+    def sheet_window(self) -> PixelWindow | None:
+        """Pixels of the sheet among those of the mosaic; None where it has no neighbours."""
+        if self.sheet is None:
+            return None
+        grid, (xmin, _, _, ymax) = self.mosaic.grid, self.sheet.extent
+        return PixelWindow(round(grid.column_at(xmin)), round(grid.row_at(ymax)), self.sheet.columns, self.sheet.rows)
 
     @property
     def files(self) -> tuple[str, ...]:
@@ -155,15 +163,15 @@ def with_neighbours(sheet: Raster, neighbours: Iterable[str]) -> Raster:
     """
     grid, border = sheet.grid, NEIGHBOURS_PX
     around = grid.window_extent(PixelWindow(-border, -border, grid.columns + 2 * border, grid.rows + 2 * border))
-    parts, extents = [], [sheet.extent]
+    parts, extents, indices = [], [sheet.extent], OpenRaster(sheet.ref).roles.indices
     for path in neighbours:
         other = describe_mosaic(replace(sheet.ref, path=path))
-        if not extents_meet(other.extent, around) or other.ref.path == sheet.ref.path:
-            continue
-        if not have_same_grid(sheet, other):
+        has_same_bands = OpenRaster(other.ref).roles.indices == indices
+        if not has_same_bands or not have_same_grid(sheet, other):
             raise SettingsError(messages.NEIGHBOUR_OF_OTHER_GRID(name=other.ref.name, sheet=sheet.ref.name))
-        parts.append(other.ref.path)
-        extents.append(other.extent)
+        if extents_meet(other.extent, around) and other.ref.path != sheet.ref.path:
+            parts.append(other.ref.path)
+            extents.append(other.extent)
     if not parts:
         return sheet
     lefts, bottoms, rights, tops = zip(*extents)
