@@ -21,7 +21,7 @@ def play(desk: Desk) -> None:
     brighton, shots = Path(desk.parameters["brighton"]), Path(desk.parameters["screenshots"])
     unsuitable(desk, brighton, Path(desk.parameters["relatives"]), shots)
     desk.new_project()
-    questioned(desk, brighton, Path(desk.parameters["stranger"]), shots)
+    with_stranger(desk, brighton, Path(desk.parameters["stranger"]))
     desk.new_project()
     many(desk, brighton)
     desk.new_project()
@@ -50,23 +50,12 @@ def unsuitable(desk: Desk, brighton: Path, relatives: Path, shots: Path) -> None
     desk.screenshot(shots / "inputs_reasons.png")
 
 
-def questioned(desk: Desk, brighton: Path, stranger: Path, shots: Path) -> None:
-    """A source that the mosaic follows nowhere is asked about when windows were inspected."""
+def with_stranger(desk: Desk, brighton: Path, stranger: Path) -> None:
+    """An image that the mosaic follows nowhere is suggested: its header and its place are those of a source."""
     desk.load_rasters([*sorted(brighton.glob("DJI*.tif")), stranger, brighton / f"{MOSAIC}.tif"])
     desk.load_seamlines(brighton / "seamlines.gpkg")
     desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic suggested and opened")
-    inputs = desk.dock.inputs
     desk.report["with_stranger"] = sources_of(desk)
-    inputs.side.setValue(7.6)
-    inputs.more.boxes["spacing_m"].setValue(6)
-    desk.dock.place.trigger()
-    desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
-    desk.dock.inspect.trigger()
-    desk.wait_for_work(200)
-    desk.report["doubts"] = inputs.doubts.text()
-    desk.session.select([desk.session.windows()[0].fid])
-    desk.pause(1)
-    desk.screenshot(shots / "inputs_doubts.png")
 
 
 def many(desk: Desk, brighton: Path) -> None:
