@@ -22,6 +22,7 @@ from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
 from ..plugin.seams.measure.scan.scan_request import ScanRequest
 from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, ScanResult, seam_notes
+from ..plugin.seams.measure.scan.whole_scan import rectangle
 from ..plugin.seams.measure.window.inspection import Block, PathLike
 from . import messages
 from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, writing
@@ -83,13 +84,6 @@ def _write(
         feature.SetGeometry(outline)
         layer.CreateFeature(feature)
     return layer
-
-
-def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
-    """A rectangle as a polygon."""
-    return ogr.CreateGeometryFromWkt(
-        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
-    )
 
 
 def read_seams(path: PathLike) -> SeamTable:

@@ -191,13 +191,17 @@ def scan(
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
 
 
+def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometry:
+    """A rectangle as a polygon."""
+    return ogr.CreateGeometryFromWkt(
+        f"POLYGON (({xmin!r} {ymin!r},{xmax!r} {ymin!r},{xmax!r} {ymax!r},{xmin!r} {ymax!r},{xmin!r} {ymin!r}))"
+    )
+
+
 def _of_sheet(result: ScanResult, request: ScanRequest, sheet: Raster) -> ScanResult:
     """What a scan tells of a sheet without its neighbours: pieces and windows by their middles, what lies where cut to
     its outline."""
-    xmin, ymin, xmax, ymax = sheet.extent
-    outline = ogr.CreateGeometryFromWkt(
-        f"POLYGON (({xmin} {ymin},{xmax} {ymin},{xmax} {ymax},{xmin} {ymax},{xmin} {ymin}))"
-    )
+    outline = rectangle(*sheet.extent)
     parts = ((polygon, ogr.CreateGeometryFromWkb(polygon.wkb).Intersection(outline)) for polygon in result.polygons)
     inside = replace(
         result,
