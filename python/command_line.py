@@ -66,10 +66,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
     logging.basicConfig(format="%(message)s", level=logging.ERROR if asked.quiet else logging.WARNING)
-    asked.run = {
-        "executor": asked.scheduler or None, "progress": _shown if sys.stderr.isatty() and not asked.quiet else _silent,
-        "cancelled": stopped.is_set,
-    }  # fmt: skip
+    shown = _shown if sys.stderr.isatty() and not asked.quiet else None
+    asked.run = {"executor": asked.scheduler or None, "progress": shown, "cancelled": stopped.is_set}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore" if asked.quiet else "always", SeamInspectorWarning)
         warnings.showwarning = lambda message, *_, **__: _say(str(message))
@@ -245,10 +243,6 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
 
 def _shown(share: float) -> None:
     _say(f"\r{share:4.0%}", end="\n" if share >= 1 else "")
-
-
-def _silent(share: float) -> None:
-    """Nobody watches."""
 
 
 def _say(words: object, file: TextIO | None = None, end: str = "\n") -> None:

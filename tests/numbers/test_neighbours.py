@@ -89,3 +89,15 @@ def test_a_sheet_in_another_system_is_refused(folder: Path, tmp_path: Path) -> N
     gdal.Warp(str(degrees), str(folder / "east.tif"), dstSRS="EPSG:4326")
     with pytest.raises(SettingsError, match="does not lie on the pixel grid of west"):
         sheet(folder, "west", neighbours=[degrees])
+
+
+def test_seams_without_orthoimages_count_in_the_sheet_that_holds_them(folder: Path) -> None:
+    lines, sheets = folder / "seamlines.gpkg", [folder / "west.tif", folder / "east.tif"]
+    results = [scan(open_block(path, neighbours=sheets), seamlines=lines) for path in sheets]
+    whole = scan(open_block(folder / "mosaic.tif"), seamlines=lines)
+    assert math.fsum(result.seam_metres for result in results) == pytest.approx(whole.seam_metres, abs=1)
+    for path, result in zip(sheets, results):
+        xmin, _, xmax, _ = OpenRaster(path).raster.extent
+        assert 0 < len(result.worst) <= len(result.pieces)
+        for piece in (*result.pieces, *result.stretches):
+            assert xmin - piece.piece.length_m / 2 < piece.piece.vertices[0][0] < xmax + piece.piece.length_m / 2

@@ -87,6 +87,9 @@ class LoneScanning:
             with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
                 self._draw(raster, pieces, settings.cell_px)
                 raster.close([])
+        pieces, stretches = (
+            [judged for judged in of_kind if self._request.counts(judged.piece)] for of_kind in (pieces, stretches)
+        )
         worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
         notices += (*self._reading.notices, *without_verdict(pieces))
         notes = {"orthoimages": "none", **self._reading.told}

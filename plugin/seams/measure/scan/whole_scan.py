@@ -187,7 +187,7 @@ def scan(
             if result is None:
                 raise CancelledError(messages.SCAN_STOPPED() if loss else CANCELLED())
             whole.finish()
-    result = result if block.sheet is None else _of_sheet(result, request, block.sheet)
+    result = result if block.sheet is None else _of_sheet(result, block.sheet, len(block.mosaic.ref.parts))
     return replace(result, notices=tuple(dict.fromkeys((*notices, *result.notices))))
 
 
@@ -198,20 +198,12 @@ def rectangle(xmin: float, ymin: float, xmax: float, ymax: float) -> ogr.Geometr
     )
 
 
-def _of_sheet(result: ScanResult, request: ScanRequest, sheet: Raster) -> ScanResult:
-    """What a scan tells of a sheet without its neighbours: pieces and windows by their middles, what lies where cut to
-    its outline."""
+def _of_sheet(result: ScanResult, sheet: Raster, neighbours: int) -> ScanResult:
+    """What a scan tells of a sheet whose pieces alone it counted, with what lies where cut to the sheet's outline."""
     outline = rectangle(*sheet.extent)
     parts = ((polygon, ogr.CreateGeometryFromWkb(polygon.wkb).Intersection(outline)) for polygon in result.polygons)
-    inside = replace(
-        result,
-        pieces=tuple(part for part in result.pieces if request.counts(part.piece)),
-        stretches=tuple(part for part in result.stretches if request.counts(part.piece)),
-        polygons=tuple(
-            replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()
-        ),
+    polygons = tuple(
+        replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()
     )
     states = states_text(local_states([sheet.ref.path]).items())
-    count = str(len(request.mosaic.ref.parts))
-    of_sheet = {METRES: repr(inside.seam_metres), MOSAIC_FILES: states, NEIGHBOURS: count}
-    return replace(inside, told={**result.told, **of_sheet})
+    return replace(result, polygons=polygons, told={**result.told, MOSAIC_FILES: states, NEIGHBOURS: str(neighbours)})

@@ -12,7 +12,7 @@ from typing import Any, Callable, Union
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, SeamInspectorWarning, SettingsError, WindowError
 from ....imagery.grids import Extent, PixelWindow, extents_meet, snap_window, standard_side_px, standard_window
-from ....imagery.open_raster import OpenRaster, describe_mosaic
+from ....imagery.open_raster import OpenRaster, describe_mosaic, placed
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import known_wkt
@@ -165,9 +165,9 @@ def with_neighbours(sheet: Raster, neighbours: Iterable[str]) -> Raster:
     around = grid.window_extent(PixelWindow(-border, -border, grid.columns + 2 * border, grid.rows + 2 * border))
     parts, extents, indices = [], [sheet.extent], OpenRaster(sheet.ref).roles.indices
     for path in neighbours:
-        other = describe_mosaic(replace(sheet.ref, path=path))
-        has_same_bands = OpenRaster(other.ref).roles.indices == indices
-        if not has_same_bands or not have_same_grid(sheet, other):
+        opened = OpenRaster(replace(sheet.ref, path=path))
+        other = placed(opened.raster)
+        if opened.roles.indices != indices or not have_same_grid(sheet, other):
             raise SettingsError(messages.NEIGHBOUR_OF_OTHER_GRID(name=other.ref.name, sheet=sheet.ref.name))
         if extents_meet(other.extent, around) and other.ref.path != sheet.ref.path:
             parts.append(other.ref.path)
