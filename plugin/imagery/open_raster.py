@@ -192,6 +192,7 @@ class OpenRaster:
             int(bits) if bits else None,
             self._is_lossy,
             self._is_turned,
+            self.roles.indices,
         )
 
     @property

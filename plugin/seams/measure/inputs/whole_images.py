@@ -102,8 +102,11 @@ def _part(mosaic: Raster, source: Source, pool: RasterPool) -> Raster | None:
 
 
 def have_same_grid(first: Raster, second: Raster) -> bool:
-    """Whether the pixels of two rasters lie on one grid and hold the same bands."""
-    if (first.band_names, first.data_type, first.wkt) != (second.band_names, second.data_type, second.wkt):
+    """Whether the pixels of two rasters lie on one grid and hold the same bands in the same order."""
+    held, others = (
+        (raster.band_names, raster.band_order, raster.data_type, raster.wkt) for raster in (first, second)
+    )
+    if held != others:
         return False
     grid, other = first.grid, second.grid
     column, row = grid.column_at(other.left), grid.row_at(other.top)

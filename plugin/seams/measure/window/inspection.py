@@ -163,11 +163,10 @@ def with_neighbours(sheet: Raster, neighbours: Iterable[str]) -> Raster:
     """
     grid, border = sheet.grid, NEIGHBOURS_PX
     around = grid.window_extent(PixelWindow(-border, -border, grid.columns + 2 * border, grid.rows + 2 * border))
-    parts, extents, indices = [], [sheet.extent], OpenRaster(sheet.ref).roles.indices
+    parts, extents = [], [sheet.extent]
     for path in neighbours:
-        opened = OpenRaster(replace(sheet.ref, path=path))
-        other = placed(opened.raster)
-        if opened.roles.indices != indices or not have_same_grid(sheet, other):
+        other = placed(OpenRaster(replace(sheet.ref, path=path)).raster)
+        if not have_same_grid(sheet, other):
             raise SettingsError(messages.NEIGHBOUR_OF_OTHER_GRID(name=other.ref.name, sheet=sheet.ref.name))
         if extents_meet(other.extent, around) and other.ref.path != sheet.ref.path:
             parts.append(other.ref.path)

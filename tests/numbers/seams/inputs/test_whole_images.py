@@ -111,6 +111,15 @@ def test_images_of_one_ground_and_places_stay_apart(photos: list[str], make_rast
     assert joined(mosaic, paths) == [(Path(path).name,) for path in paths]
 
 
+def test_parts_with_another_order_of_bands_stay_apart(make_raster: MakeRaster, tmp_path: Path) -> None:
+    """Of parts as one the bands of all are read by their numbers in the first."""
+    mosaic = make_raster("mosaic.tif", orthoimage((SIDE, SIDE), seed=1))
+    first, second = parts_of(mosaic, tmp_path, 400, SIDE + 32, 32)
+    turned = gdal.Translate(str(tmp_path / "turned.tif"), second, bandList=[3, 2, 1]).GetDescription()
+    assert joined(mosaic, [first, second]) == [(Path(first).name, Path(second).name)]
+    assert joined(mosaic, [first, turned]) == [(Path(first).name,), ("turned.tif",)]
+
+
 @pytest.mark.release
 def test_many_sources_over_all_of_a_mosaic_are_told_apart(make_raster: MakeRaster) -> None:
     """Each is followed in one cell of a patchwork only."""
