@@ -181,7 +181,7 @@ class _Comparison:
                 patch = self._read(mosaic.ref, window)
                 coarse = patch.averaged(AVERAGED_PX)
                 differences = coarse.differences(coarse.valid)
-                if coarse.valid.mean() >= LEAST_SHARED and (detail := float(differences @ differences)) > 0:
+                if (detail := float(differences @ differences)) > 0 and coarse.valid.mean() >= LEAST_SHARED:
                     patches.append((detail, window, patch))
         richer = (max(patches[k : k + 2], key=lambda patch: patch[0]) for k in range(0, len(patches), 2))
         self._places = [(window, patch) for _, window, patch in richer]

@@ -257,6 +257,14 @@ def test_ground_without_content_proves_nothing(make_raster: MakeRaster) -> None:
     assert told(mosaic, [other]) == (["other.tif"], {})
 
 
+@pytest.mark.parametrize("side", [1, 2])
+@pytest.mark.filterwarnings("error")
+def test_a_mosaic_of_a_few_pixels_proves_nothing(paths: list[str], tmp_path: Path, side: int) -> None:
+    few = str(tmp_path / "few.tif")
+    gdal.Translate(few, paths[2], srcWin=[16, 16, side, side])
+    assert told(few, paths[:2]) == (["a.tif", "b.tif"], {})
+
+
 def test_one_that_can_not_be_read_is_left_to_the_scan(paths: list[str]) -> None:
     raster = describe_mosaic(RasterRef(paths[2]))
     os.truncate(paths[0], 3000)
