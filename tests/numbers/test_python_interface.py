@@ -13,6 +13,7 @@ import sys
 import warnings
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -193,11 +194,15 @@ def test_progress_never_runs_backwards(block: Block, folder: Path, tmp_path: Pat
         assert shares[-1] == 1
 
 
-def test_a_decision_is_the_same_after_a_journey(block: Block, folder: Path) -> None:
-    """Into another process and back: also where its sentences say by how much a limit is exceeded."""
-    result = seam_inspector.scan(block, seamlines=folder / "seamlines.gpkg")
-    decision = seam_inspector.decide({"a": result}, seam_inspector.limit_rules(max_share=0.0001))
-    back = pickle.loads(pickle.dumps(decision))
+def test_results_are_the_same_after_a_journey(block: Block, scanned: ScanResult, tmp_path: Path) -> None:
+    """Into another process and back: also where sentences say by how much a limit is exceeded."""
+    decision = seam_inspector.decide({"a": scanned}, seam_inspector.limit_rules(max_share=0.0001))
+    results = [scanned, decision, tuple(mend(block, scanned, tmp_path / "mended.vrt"))]
+    travelled = pickle.loads(pickle.dumps(results))
+    assert travelled == results
+    assert [*map(hash, travelled)] == [*map(hash, results)]
+    assert replace(scanned, pieces=scanned.pieces[1:]) != scanned
+    back = travelled[1]
     assert [str(sentence) for sentence in back.sentences] == [str(sentence) for sentence in decision.sentences]
     assert "%" in " ".join(map(str, decision.sentences))
 

@@ -23,7 +23,7 @@ class AcceptanceOutcome(Enum):
     UNDECIDED = "undecided"  # none is broken as far as can be told, and of one at least it can't be told
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class DecidedPiece:
     """A piece of seam, held against the least that it must keep."""
 
@@ -109,7 +109,7 @@ class PlanOutcome:
     nonconforming: int  # inspected items that failed
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Decision:
     """What is done with a delivery, and why."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property, lru_cache
 
@@ -18,7 +18,7 @@ from ...imagery.seam_totals import KeptBeside
 from . import messages
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class DeliveredPiece:
     """A piece of seam as the scan measured it."""
 
@@ -33,7 +33,7 @@ class DeliveredPiece:
     band_width_m: float | None  # full width of the band in which less than 0.9 is kept
     verdict: str  # the scan's word; empty where there is none
     reason: str  # why the scan has no verdict
-    vertices: np.ndarray  # (n, 2) x and y in the delivery's reference system
+    vertices: np.ndarray = field(compare=False)  # (n, 2) x and y in the delivery's reference system
     left_source: str = ""  # the orthoimage on the left hand
     right_source: str = ""
     left_date: str = ""  # when the orthoimage on the left hand was taken, as the layer has it
@@ -132,12 +132,12 @@ class SheetState(Enum):
         return next((state for state in cls if state.value == word), cls.SHOWN)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class SheetOutline:
     """The outline of a sheet, of which there may be no seam."""
 
     name: str
-    rings: tuple[np.ndarray, ...]  # (n, 2) x and y each, in the delivery's reference system
+    rings: tuple[np.ndarray, ...] = field(compare=False)  # (n, 2) x and y each, in the delivery's reference system
     findings: tuple[str, ...] = ()  # what 'Check a delivery' found wrong with its file, in words
     state: SheetState = SheetState.SHOWN  # what the same check says of its part in the mosaic of all sheets
 
@@ -157,7 +157,7 @@ class DeliveredLayer:
     name: str
     seal: Seal  # anything but a whole one, where it is asked for, and nothing is accepted
     lacking_m: float  # metres that the scan had, or that lie between stations, and the layer does not have
-    settings: Mapping[str, str]  # how its seams were measured, as far as the layer says
+    settings: Mapping[str, str] = field(hash=False)  # how its seams were measured, as far as the layer says
     digest: str = ""  # SHA-256 of its rows, as RowTotals has it
     hidden_m: float = 0.0  # metres that the scan failed, and that its rows don't fail any more
     is_blank: bool = False  # whether it has no piece of seam, and not as a scan that found none left it

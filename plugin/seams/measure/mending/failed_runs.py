@@ -23,7 +23,7 @@ FIELDS = ("seam_id", "station", "left_source", "right_source", "length", "kept_1
 """Fields of the layer that a scan writes."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class SeamRun:
     """A piece of seam as a scan tells of it, or several that follow each other and are cut anew as one."""
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from osgeo import ogr
@@ -88,7 +88,7 @@ class RunRequest:
     """Width of the blend as the settings have it."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class MendedRun:
     """What became of it."""
 
@@ -97,11 +97,11 @@ class MendedRun:
     """Key of the request."""
     reason: Message | None = None
     """Why it stays as it is."""
-    vertices: np.ndarray | None = None
+    vertices: np.ndarray | None = field(default=None, compare=False)
     """(n, 2) float64 map units: the new cut."""
     window: PixelWindow | None = None
     """Window of its patch, on the mosaic's grid."""
-    patch: np.ndarray | None = None
+    patch: np.ndarray | None = field(default=None, compare=False)
     """(n,) uint8: its file, as ``patch_file`` makes it."""
     steps: tuple[float | None, float | None] = (None, None)
     """Steps of tone, across the old seam and across the new cut, DN."""

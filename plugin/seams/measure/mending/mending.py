@@ -105,7 +105,7 @@ class MendRequest:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class MendedSeam:
     """One run with what became of it."""
 

@@ -33,7 +33,7 @@ MOST_GRAIN = 1.5 / 255
 LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class JudgedPiece:
     """One feature of SEAMS."""
 
@@ -216,7 +216,7 @@ def _fitting(
             return None
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class ScanResult:
     """What a scan tells."""
 
@@ -230,7 +230,7 @@ class ScanResult:
     """What pieces keep together that are too short to be judged one by one, as without orthoimages."""
     notices: tuple[Message, ...] = ()
     """What was left out, assumed or could not be judged."""
-    told: Mapping[str, str] = field(default_factory=dict)
+    told: Mapping[str, str] = field(default_factory=dict, hash=False)
     """What its layers and its picture say of it beside the settings: whether ``seams`` were ``given`` or ``found``;
     which share of the textured ground is ``unexplained``, and the metres of ``unexplained_border`` around it; which
     share of the mosaic within its outline has no pixels (``nodata_inside``); ``unseen_metres`` of border between two

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Union
 
 import numpy as np
@@ -39,7 +39,7 @@ class SidedSeam:
         return float(vertex_stations(self.vertices)[-1])
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class SeamPiece:
     """A stretch of a seam that is measured as one."""
 
@@ -49,7 +49,7 @@ class SeamPiece:
     """Its start, metres along the seam as it was given."""
     length_m: float
     """Metres on the ground."""
-    vertices: np.ndarray
+    vertices: np.ndarray = field(compare=False)
     """(n, 2) float64 map units, n >= 2."""
     left: Side
     """The source on the left hand of who walks along the vertices."""
