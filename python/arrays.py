@@ -42,7 +42,8 @@ def seam_profile(
 ) -> SeamProfile | None:
     """What a mosaic kept of its sources along its seams, all of them arrays on one pixel grid.
 
-    The ``profile`` of ``inspect_arrays``, which takes the same arguments and says why there is none.
+    The ``profile`` of ``inspect_arrays``, which takes the same arguments; where it is None, as without a seam or with
+    pixels missing in the mosaic, the ``judgement.reason`` there says why.
     """
     return inspect_arrays(mosaic, sources, pixel_size_m, labels, settings).profile
 
@@ -53,14 +54,16 @@ def inspect_arrays(
 ) -> WindowResult:
     """Inspect arrays as ``inspect_window`` does a window of files.
 
-    Sides are trimmed to a multiple of ``2 ** levels``, at least 64 px. NaN and masked pixels are no measurements.
+    Sides are trimmed to a multiple of ``2 ** levels``, at least 64 px. NaN and masked pixels are no measurements: a
+    source takes part where it has others, a mosaic with more than 0.1 % of them is ``not_comparable``.
 
     Parameters
     ----------
     mosaic : array
         (rows, columns) or (rows, columns, bands); three bands or more begin with red, green and blue.
     sources : sequence or mapping of arrays
-        The images that it may have been made from, of the mosaic's rows and columns; a mapping has their names.
+        The images that it may have been made from, of the mosaic's rows and columns; a mapping has their names, else
+        they are called ``source_0`` and so on.
     pixel_size_m : float
         Metres on the ground that a pixel spans.
     labels : array, optional
@@ -81,7 +84,7 @@ def inspect_arrays(
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))
         raster = describe_mosaic(ref)
         refs = [held.enter_context(_raster_of(source, name, pixel_size_m, raster)) for name, source in named.items()]
-        cells = () if labels is None else tuple(_cells(_known(labels), list(named), raster))
+        cells = () if labels is None else tuple(_cells(_known(labels), [ref.path for ref in refs], raster))
         block, _ = make_block(raster, refs, (), cells)
         return inspect_window(block.window(raster.extent, settings))
 
@@ -180,7 +183,7 @@ def _raster_of(image: Image, name: str, pixel_size_m: float, mosaic: Raster | No
     count, rows, columns = bands.shape
     if mosaic is not None:
         _check_sides(name, (rows, columns), mosaic)
-    path = f"/vsimem/{uuid4().hex}/{name}.tif"
+    path = f"/vsimem/{uuid4().hex}/{name}"
     kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.dtype.type)
     try:
         with gdal_silenced(), gdal_settings(GDAL_TIFF_INTERNAL_MASK="YES"):
@@ -204,14 +207,14 @@ def _check_sides(name: str, shape: tuple[int, ...], mosaic: Raster) -> None:
         ))  # fmt: skip
 
 
-def _cells(labels: np.ndarray, names: Sequence[str], mosaic: Raster) -> Iterator[Cell]:
-    """The polygons of the labels, each named by its source."""
+def _cells(labels: np.ndarray, paths: Sequence[str], mosaic: Raster) -> Iterator[Cell]:
+    """The polygons of the labels, each with the path of its source."""
     _check_sides("labels", labels.shape, mosaic)
     if labels.dtype.kind not in "biuf" or (labels != np.rint(labels)).any():  # NaN is unlike itself
         raise SettingsError(messages.LABELS_NOT_WHOLE(kind=str(labels.dtype)))
-    other = labels[(labels < -1) | (labels >= len(names))]
+    other = labels[(labels < -1) | (labels >= len(paths))]
     if other.size:
-        raise SettingsError(messages.LABELS_OF_OTHERS(number=other[0], count=len(names), most=len(names) - 1))
+        raise SettingsError(messages.LABELS_OF_OTHERS(number=other[0], count=len(paths), most=len(paths) - 1))
     raster = gdal_array.OpenArray(np.ascontiguousarray(labels, np.int32))
     raster.SetGeoTransform(mosaic.placement)
     features = (gdal.GetDriverByName("Memory") or gdal.GetDriverByName("MEM")).Create("", 0, 0, 0, gdal.GDT_Unknown)
@@ -222,4 +225,4 @@ def _cells(labels: np.ndarray, names: Sequence[str], mosaic: Raster) -> Iterator
         outline, number = feature.GetGeometryRef(), feature["number"]
         if number >= 0:
             xmin, xmax, ymin, ymax = outline.GetEnvelope()
-            yield Cell(f"{names[number]}.tif", bytes(outline.ExportToWkb(ogr.wkbNDR)), (xmin, ymin, xmax, ymax))
+            yield Cell(paths[number], bytes(outline.ExportToWkb(ogr.wkbNDR)), (xmin, ymin, xmax, ymax))

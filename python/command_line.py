@@ -24,10 +24,9 @@ from ..plugin.acceptance.measure.acceptance_rules import (
     load_acceptance_rules,
 )
 from ..plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
-from ..plugin.acceptance.measure.delivered_rows import NoSeamsError
 from ..plugin.imagery.atomic_files import save_text
 from ..plugin.imagery.documents import plugin_version
-from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning, SeamsElsewhereError
+from ..plugin.imagery.errors import SeamInspectorError, SeamInspectorWarning
 from ..plugin.imagery.limits import DEFAULT_LEVELS
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
@@ -36,8 +35,7 @@ from ..plugin.seams.measure.mending.mending import LEFT, metres
 from ..plugin.seams.measure.window.inspection import Block, open_block
 from ..plugin.seams.measure.window.window_request import InspectionSettings
 from ..plugin.seams.measure.window.window_tables import window_rows
-from . import messages
-from .deciding import decide
+from .deciding import NoSeamsError, decide
 from .measuring import inspect_windows, mend, scan
 from .outputs import GEOPACKAGE, GEOTIFF, PAGE, TABLE, writing
 from .report_page import save_report
@@ -50,8 +48,8 @@ _CODES = {
     AcceptanceOutcome.ACCEPTED: ACCEPTED, AcceptanceOutcome.REJECTED: REJECTED, AcceptanceOutcome.UNDECIDED: UNDECIDED,
 }
 _CODES_IN_WORDS = "Exit codes: 0 accepted, 1 rejected, 2 undecided, 3 error."
-
-
+_WINDOW_CODES = "Exit codes: 0 no loss is significant, 1 one is, 2 none is and a window can't be compared, 3 error."
+_MENDING_CODES = "Exit codes: 0 all wanted seams are cut anew, 1 some stay as they were, 3 error."
 _LIMITS = {"min_kept": "min_kept", "max_share": "max_share", "max_run": "max_run_m", "min_measured": "min_measured"}
 """Arguments of ``limit_rules`` by the names of options."""
 
@@ -74,12 +72,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         code = ERROR
         try:
             code = int(asked.command(asked))
-        except NoSeamsError:
+        except NoSeamsError as error:
             code = UNDECIDED
-            _say(messages.NO_SEAM_TO_DECIDE_ON(), sys.stdout)
-        except SeamsElsewhereError as error:
-            code = UNDECIDED
-            _say(f"Undecided: {error}", sys.stdout)
+            _say(f"Undecided. {error}", sys.stdout)
         except SeamInspectorError as error:
             _say(f"seam-inspector: {error}")
         except Exception:  # any other exit code than 3 would be a decision
@@ -98,7 +93,7 @@ def _scan(asked: argparse.Namespace) -> int:
     settings = ScanSettings(density=asked.density, piece_m=asked.piece, levels=asked.levels)
     with _guarded(asked, block.paths):
         result = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
-        write_scan(asked.output, result, block, settings)
+        write_scan(asked.output, result, block)
         return _decided(asked, decide({Path(asked.mosaic).stem: asked.output}, rules, mosaics=[asked.mosaic]))
 
 
@@ -179,12 +174,14 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser() -> argparse.ArgumentParser:
     words = "Measure the detail that a mosaic lost along its seams."
-    parser = _Parser("seam-inspector", description=words, epilog=_CODES_IN_WORDS)
+    parser = _Parser("seam-inspector", description=words, epilog="COMMAND --help tells options and exit codes.")
     parser.add_argument("--version", action="version", version=plugin_version())
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
 
-    def command(name: str, call: Any, words: str, is_measuring: bool = True) -> argparse.ArgumentParser:
-        made = commands.add_parser(name, help=words, description=words, epilog=_CODES_IN_WORDS)
+    def command(
+        name: str, call: Any, words: str, codes: str = _CODES_IN_WORDS, is_measuring: bool = True
+    ) -> argparse.ArgumentParser:
+        made = commands.add_parser(name, help=words, description=words, epilog=codes)
         made.set_defaults(command=call, scheduler="")
         made.add_argument("-q", "--quiet", action="store_true", help="tell nothing but the result and errors")
         if is_measuring:
@@ -208,8 +205,8 @@ def _parser() -> argparse.ArgumentParser:
     scanning.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
     add_reach(scanning)
     _add_limits(scanning)
-    meaning = "Inspect windows: 1 where a loss is significant, 2 where one can't be compared."
-    window, middle = command("inspect", _inspect, meaning), "a window's middle, as often as there are"
+    window = command("inspect", _inspect, "Inspect windows.", _WINDOW_CODES)
+    middle = "a window's middle, as often as there are"
     window.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
     window.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
     window.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share to be kept")
@@ -221,7 +218,7 @@ def _parser() -> argparse.ArgumentParser:
     accepting.add_argument("--lot-size", type=int, metavar="PIECES", help="of the whole lot, where a sample decides")
     accepting.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="of the sample that is drawn")
     _add_limits(accepting)
-    mending = command("mend", _mend, "Cut failed seams anew: 1 where some stay as they were.")
+    mending = command("mend", _mend, "Cut failed seams anew.", _MENDING_CODES)
     mending.add_argument("--seams", required=True, help="GeoPackage of the scan")
     mending.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
     mending.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")

@@ -19,6 +19,10 @@ from . import messages
 from .scan_files import SeamTable, read_seams
 
 
+class NoSeamsError(SettingsError):
+    """No sheet has a seam, so that there is nothing to decide on."""
+
+
 def decide(
     sheets: Mapping[str, ScanResult | PathLike], rules: AcceptanceRules, *, mosaics: Iterable[PathLike] = (),
     lot_size: int | None = None, seed: int = 0,
@@ -29,21 +33,23 @@ def decide(
     ----------
     sheets : mapping
         By the name of each sheet what ``scan`` found in it, or the GeoPackage that holds that, which has to be as the
-        scan left it; all in one reference system. A sheet without any seam leaves the decision open: leave it out.
+        scan left it; all in one reference system. One without any seam counts for nothing beside others.
     rules : AcceptanceRules
         Of ``limit_rules`` or ``load_acceptance_rules``.
     mosaics : iterable of paths, optional
         The files that are delivered; where others were scanned nothing is decided.
     lot_size : int, optional
-        Pieces of the whole lot where a plan of sampling decides; None or 0: those that are given.
+        Pieces of the whole lot, for rules with a plan of sampling; None or 0: those that are given.
     seed : int
         Of the sample that is drawn then.
 
     What is left out or doubtful is told by a SeamInspectorWarning each. Raises SettingsError for a delivery without
-    any seams, sheets in different systems, a file that holds no scan, or a lot size that can't be.
+    any seams, sheets in different systems, a file that holds no scan, or a lot size that can't be or without a plan.
     """
     check_type("sheets", sheets, Mapping)
     check_type("rules", rules, AcceptanceRules)
+    if (lot_size or seed) and rules.sampling is None:
+        raise SettingsError(messages.LOT_WITHOUT_PLAN(rules=rules.name))
     mosaics = [mosaics] if isinstance(mosaics, PATH_TYPES) else mosaics
     for name, sheet in sheets.items():
         check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
@@ -56,6 +62,8 @@ def decide(
     for name, table in tables.items():
         if not same_system(table.rows.wkt, tables[first].rows.wkt):
             raise SettingsError(messages.NOT_IN_ONE_SYSTEM(name=name, first=first))
+    if tables and not any(table.rows for table in tables.values()):
+        raise NoSeamsError(messages.NO_SEAM_TO_DECIDE_ON())
     rows, notes = ({name: getattr(table, part) for name, table in tables.items()} for part in ("rows", "notes"))
     delivery = make_delivery(rows, tables[first].rows.wkt if tables else "", notes, files)
     given, folders = [os.fspath(path) for path in mosaics], [os.path.dirname(path) for path in files.values()]

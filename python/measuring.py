@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import logging
 import os
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import Executor
 from contextlib import suppress
@@ -12,10 +13,10 @@ from typing import TYPE_CHECKING, Any, Callable
 
 from osgeo import ogr
 
-from ..plugin.imagery.errors import CancelledError, Level, Message, SettingsError
+from ..plugin.imagery.errors import CancelledError, Level, Message, SeamInspectorWarning, SettingsError
 from ..plugin.imagery.file_identity import guarding
 from ..plugin.imagery.gdal_calls import gdal_silenced
-from ..plugin.imagery.limits import check_type
+from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.messages import CANCELLED
 from ..plugin.imagery.records import GEOMETRY
 from ..plugin.seams.measure.limits import FAILED
@@ -55,7 +56,8 @@ def inspect_windows(
     windows : iterable
         What ``Block.window`` makes; or with a ``block`` rectangles, numbered from 1: (xmin, ymin, xmax, ymax) in the
         mosaic's reference system, geometries of shapely, rows with a ``geometry`` or with these four names, a
-        GeoSeries or a GeoDataFrame, which are moved to the mosaic's system.
+        GeoSeries or a GeoDataFrame, which are moved to the mosaic's system; a SeamInspectorWarning tells where they
+        name none and are taken in that.
     block : Block, optional
         The mosaic that rectangles lie on.
     settings : InspectionSettings, optional
@@ -74,6 +76,8 @@ def inspect_windows(
     check_type("windows", windows, Iterable)
     if block is not None:
         check_type("block", block, Block)
+        if getattr(windows, "crs", "") is None:  # of geopandas
+            warnings.warn(str(messages.WITHOUT_SYSTEM()), SeamInspectorWarning, stacklevel=2)
     requests: list[WindowRequest] = list(windows) if block is None else [
         block.window(rectangle, settings, number)
         for number, rectangle in enumerate(_rectangles(windows, block.mosaic.wkt), 1)
@@ -122,7 +126,8 @@ def scan(
         The standard ones where None.
     seamlines : path, optional
         A vector file of lines, or of polygons that are filled from one source each, as ``file.gpkg|layername=name``
-        where it has several layers; without it seams are found from the pixels.
+        where it has several layers; without it seams are found from the pixels. One that names no reference system
+        lies in the mosaic's; where none of its seams lies on the mosaic, nothing is measured: 0 m, and a notice.
     loss : path, optional
         A GeoTIFF for the picture of losses; a scan that was stopped goes on when it is started again with the same.
     executor, progress, cancelled : optional
@@ -134,6 +139,8 @@ def scan(
     cancelled, WorkersLostError when nobody is left to measure.
     """
     check_type("block", block, Block)
+    check_type("seamlines", seamlines, *PATH_TYPES)
+    check_type("loss", loss, *PATH_TYPES)
     cancelled = cancelled or _goes_on
     given = os.fspath(seamlines).partition("|")[0]
     outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
@@ -175,6 +182,9 @@ def mend(
     left to measure.
     """
     check_type("block", block, Block)
+    check_type("seams", seams, ScanResult, *PATH_TYPES)
+    check_type("mended", mended, *PATH_TYPES)
+    check_type("patches", patches, *PATH_TYPES)
     cancelled = cancelled or _goes_on
     place = Path(os.fspath(mended))
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")

@@ -25,12 +25,15 @@ NOT_FINITE = Message("image holds NaN, infinite or masked pixels; cut a part wit
 NAMES_TWICE = Message("names has {name} twice; give each band a name of its own.")
 NAMES_COUNT = Message("names has {given} names for {count} bands; give one for each.")
 NOT_IN_ONE_SYSTEM = Message("{name} lies in another reference system than {first}; decide on each by itself.")
-NO_SEAM_TO_DECIDE_ON = Message("Undecided: there is no seam to decide on; no report is written.")
+NO_SEAM_TO_DECIDE_ON = Message("There is no seam to decide on: no sheet has any.")
+SCAN_OF_ANOTHER = Message("The scan is of another mosaic than {name}; give the block that was scanned.")
+LOT_WITHOUT_PLAN = Message("A lot size or seed is for a plan of sampling, and '{rules}' has none; leave both out.")
 NO_LAYER_OF_SEAMS = Message("{path} has no layer of seams written by a scan; give the GeoPackage of a scan.")
 OTHER_ENDING = Message("'{output}' is written as {ending}; give {path} that ending.")
 HOLDS_OTHER_DATA = Message(
     "'{output}' would be written over {path}, which holds other data than such a run writes; choose another file."
 )
+WITHOUT_SYSTEM = Message("The windows name no reference system, so they are taken in the mosaic's.")
 RECTANGLES_WITHOUT_BLOCK = Message(
     "Rectangles lie on a mosaic; give its block, too: inspect_windows(rectangles, block)."
 )

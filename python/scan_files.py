@@ -13,14 +13,14 @@ from osgeo import gdal, ogr, osr
 from ..plugin.imagery import messages as imagery_messages
 from ..plugin.imagery.atomic_files import whole_file
 from ..plugin.imagery.errors import SettingsError
+from ..plugin.imagery.file_identity import known_states, states_in
 from ..plugin.imagery.gdal_calls import gdal_silenced, gdal_writing
 from ..plugin.imagery.gdal_paths import FEATURES, open_dataset
+from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.lines import line_wkt
 from ..plugin.imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
-from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
-from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
+from ..plugin.imagery.seam_totals import MOSAIC_FILES, TOTALS_DOMAIN
 from ..plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
-from ..plugin.seams.measure.scan.scan_request import ScanRequest
 from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, ScanResult, seam_notes
 from ..plugin.seams.measure.scan.whole_scan import rectangle
 from ..plugin.seams.measure.window.inspection import Block, PathLike
@@ -42,30 +42,37 @@ class SeamTable:
     """What its scan tells beside them, the seal among it."""
 
 
-def write_scan(path: PathLike, result: ScanResult, block: Block, settings: ScanSettings | None = None) -> None:
+def write_scan(path: PathLike, result: ScanResult, block: Block) -> None:
     """Write what a scan found as a GeoPackage: the tables ``seams``, ``source_cells`` and ``worst_windows``.
 
-    The file, ``.gpkg``, is there whole or not at all, over no input and nothing but another scan. ``settings``: those
-    of the scan. Raises SettingsError where it can't be.
+    The file, ``.gpkg``, is there whole or not at all, over no input and nothing but another scan. ``block``: that was
+    scanned. Raises SettingsError where it can't be, or another mosaic was scanned.
     """
-    settings, place, wkt = settings or ScanSettings(), Path(os.fspath(path)), block.mosaic.wkt
-    names = ScanRequest(block.mosaic, block.sources, settings).source_names
-    outlines = (ogr.CreateGeometryFromWkt(line_wkt(feature.piece.vertices)) for feature in result.features)
-    failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
+    for name, value, kinds in (("path", path, PATH_TYPES), ("result", result, (ScanResult,)), ("block", block, (Block,))):
+        check_type(name, value, *kinds)
+    place, mosaic = Path(os.fspath(path)), block.sheet or block.mosaic
     read = filter(None, (*block.paths, *block.files, result.told.get(SEAMLINES, "")))
-    outputs = {"output": (os.fspath(path), GEOPACKAGE)}
-    with writing(outputs, read), whole_file(place) as unfinished, gdal_writing(failure):
-        made = gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown)
-        _write(made, WORST, ogr.wkbPolygon, wkt, PLACED_COLUMNS, result.worst, (
-            rectangle(*block.mosaic.grid.window_extent(worst.window)) for worst in result.worst
-        ))  # fmt: skip
-        seams = _write(made, SEAMS, ogr.wkbLineString, wkt, SEAM_COLUMNS, result.features, outlines, settings.levels)
-        cells = [names[polygon.source] for polygon in result.polygons]
-        _write(made, CELLS, ogr.wkbMultiPolygon, wkt, CELL_COLUMNS, cells, (
-            ogr.CreateGeometryFromWkb(polygon.wkb) for polygon in result.polygons
-        ))  # fmt: skip
-        seams.SetMetadata(seam_notes(result, settings, wkt), TOTALS_DOMAIN)
-        del seams, made
+    failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
+    with writing({"output": (os.fspath(path), GEOPACKAGE)}, read):
+        scanned = [file for file, _ in states_in(result.told.get(MOSAIC_FILES, ""))]
+        if scanned != [*known_states(mosaic.ref.paths, ask=False)]:
+            raise SettingsError(messages.SCAN_OF_ANOTHER(name=mosaic.ref.name))
+        with whole_file(place) as unfinished, gdal_writing(failure):
+            _write_tables(gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown), result, block)
+
+
+def _write_tables(made: gdal.Dataset, result: ScanResult, block: Block) -> None:
+    wkt, grid = block.mosaic.wkt, block.mosaic.grid
+    lines = (ogr.CreateGeometryFromWkt(line_wkt(feature.piece.vertices)) for feature in result.features)
+    windows = (rectangle(*grid.window_extent(worst.window)) for worst in result.worst)
+    polygons = (ogr.CreateGeometryFromWkb(polygon.wkb) for polygon in result.polygons)
+    cells = [result.sources[polygon.source] for polygon in result.polygons]
+    _write(made, WORST, ogr.wkbPolygon, wkt, PLACED_COLUMNS, result.worst, windows)
+    seams = _write(
+        made, SEAMS, ogr.wkbLineString, wkt, SEAM_COLUMNS, result.features, lines, int(result.told["levels"])
+    )
+    _write(made, CELLS, ogr.wkbMultiPolygon, wkt, CELL_COLUMNS, cells, polygons)
+    seams.SetMetadata(seam_notes(result), TOTALS_DOMAIN)
 
 
 def _write(

@@ -176,7 +176,7 @@ class SeamlineError(SeamInspectorError):
 
 
 class SeamsElsewhereError(SeamlineError):
-    """Seamlines none of which lies on the mosaic."""
+    """Seamlines none of which is a seam of the mosaic."""
 
 
 class WindowLayerError(SeamInspectorError):

@@ -61,7 +61,9 @@ def check_type(name: str, value: object, *types: type) -> None:
     is_endless = isinstance(value, Real) and not math.isfinite(value)
     if is_endless or not any(isinstance(value, kind) for kind, _ in allowed):
         words = " / ".join(word for _, word in allowed)
-        raise SettingsError(messages.NOT_OF_TYPE(name=name, value=reprlib.repr(value), expected=words))
+        is_short = value is None or isinstance(value, (str, Real, tuple, list))
+        shown = reprlib.repr(value) if is_short else type(value).__name__
+        raise SettingsError(messages.NOT_OF_TYPE(name=name, value=shown, expected=words))
 
 
 def check_settings(settings: object, kind: type) -> None:

@@ -53,6 +53,7 @@ MUCH_FINER = Message(
     "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to them first."
 )
 SOURCE_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
+TABLE_WITHOUT_LINES = Message("The table has no lines; make a frame of it by to_dataframe().")
 # reference systems
 EXTENT_NOT_TRANSFORMED = Message(
     "An extent can't be transformed to the mosaic's coordinate reference system; check the layers' systems."

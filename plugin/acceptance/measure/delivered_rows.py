@@ -40,10 +40,6 @@ _LACKING_M = 0.05  # below it lengths are rounded
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
 
 
-class NoSeamsError(SettingsError):
-    """No sheet has a seam, so that there is nothing to decide on."""
-
-
 SeamRow = Mapping[str, object]
 _NUMBERS, _SIDES = ("kept_low", "kept_high", "band_width"), ("left_source", "right_source", "left_date", "right_date")
 
@@ -135,7 +131,7 @@ class LayerDoubts:
         seal = self._seal(totals, notes, wkt) if scanned is not None else Seal.MISSING if is_asked else Seal.NOT_ASKED
         return DeliveredLayer(
             self.sheet, seal, lacking, settings, totals.digest, hidden if hidden > _LACKING_M else 0.0,
-            not self.pieces and seal is not Seal.WHOLE,
+            not self.pieces and (seal not in (Seal.WHOLE, Seal.NOT_ASKED) or total != 0),
         )  # fmt: skip
 
     def _seal(self, totals: SeamTotals, notes: Mapping[str, str], wkt: str) -> Seal:
@@ -258,7 +254,7 @@ def make_delivery(
     (``ScanResult.told``); without it nothing is known of seams that are in no row, and gaps between pieces of a seam
     count as pieces that lack. ``sealed``: sheets that have to be as their scans sealed them, by what is ``told``.
 
-    A sheet without rows leaves the decision open: leave one without seams out.
+    A sheet without rows leaves the decision open, unless its scan tells of 0 metres.
 
     What is left out or doubtful is told by a SeamInspectorWarning each. Raises SettingsError where there is no piece, a
     sheet has no ``kept_1``, or values there are no shares.
@@ -267,8 +263,7 @@ def make_delivery(
     lines = {sheet: [_vertices(row) for row in rows] for sheet, rows in given.items()}
     first = next((line for of_sheet in lines.values() for line in of_sheet if len(line)), None)
     if first is None:
-        is_seamless = bool(given) and not any(given.values())
-        raise (NoSeamsError if is_seamless else SettingsError)(messages.LAYERS_EMPTY())
+        raise SettingsError(messages.LAYERS_EMPTY())
     as_scanned, own_wkt = lines, wkt
     if wkt and is_geographic(wkt):
         target = utm_wkt(*first[0].tolist())

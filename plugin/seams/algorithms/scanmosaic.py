@@ -192,7 +192,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         for name, destination in made.items():
             if destination in lost:
                 raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name))
-        if not run.note(made[SEAMS], TOTALS_DOMAIN, seam_notes(result, request.settings, request.mosaic.wkt)):
+        if not run.note(made[SEAMS], TOTALS_DOMAIN, seam_notes(result)):
             run.tell(messages.SEAMS_WITHOUT_SEAL())
         return made
 

@@ -269,6 +269,7 @@ SEAM_FILE_NOT_READ = Message(
     "No seamlines can be read from {path}; check that it is a vector file, and the name of its layer."
 )
 SEAM_FIELD_MISSING = Message("The seamline layer has no field '{field}'; choose one of its fields: {known}.")
+SEAMS_WITHOUT_SYSTEM = Message("{path} names no reference system, so it is taken in the mosaic's.", WARNING)
 SEAMS_ELSEWHERE = Message(
     "None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both."
 )

@@ -64,7 +64,7 @@ def _cells(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, Q
     for polygon in result.polygons:
         outline = QgsGeometry()
         outline.fromWkb(polygon.wkb)
-        yield request.source_names[polygon.source], outline
+        yield result.sources[polygon.source], outline
 
 
 def _worst(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
@@ -98,5 +98,5 @@ def write_scan_file(path: Path, result: ScanResult, request: ScanRequest) -> Non
             error = write_table(unfinished, layer.name, fields, layer.geometry, request.mosaic.wkt, rows)
             if error is not None:
                 raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error))
-        notes = seam_notes(result, request.settings, request.mosaic.wkt)
+        notes = seam_notes(result)
         write_layer_notes(str(unfinished), TOTALS_DOMAIN, notes, SEAMS.name)

@@ -98,12 +98,12 @@ class Gathering:
     def _result(self, crew: _Crew, raster: LossRaster | None) -> ScanResult:
         request, grid = self._request, self._request.mosaic.grid
         known = given_polygons(request)
-        borders = self._borders(raster, crew, not (request.seams and known))
+        borders = self._borders(raster, crew, not (request.given and known))
         polygons = known or tuple(polygons_of(borders))
-        pieces = list(request.pieces) if request.seams else cut_in_pieces(
+        pieces = list(request.pieces) if request.given else cut_in_pieces(
             seams_of(borders), request.settings.piece_m, grid
         )
-        too_many = () if request.seams else tuple(_more_than_outlines(request, pieces))
+        too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
         pieces = [] if too_many else pieces
         for unread in self._reading.unread:
             first, last = (unread.row, unread.column), (unread.row + unread.height, unread.column + unread.width)
@@ -130,11 +130,13 @@ class Gathering:
             raster.close([request.source_names[number] for number in self._shown], settings)
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         notices = [*self._reading.notices, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
-        if not (pieces or request.seams or too_many):
+        if not (pieces or request.given or too_many):
             followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
         crew.tell(1.0)
-        return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), notes)
+        return ScanResult(
+            judged, polygons, tuple(worst), (), tuple(notices), notes, tuple(request.source_names)
+        )
 
     def _judged(
         self, pieces: Sequence[SeamPiece], crew: _Crew
@@ -147,7 +149,7 @@ class Gathering:
                         request.mosaic.ground_sample_distance)
             for figures in measured
         )
-        if not request.seams:
+        if not request.given:
             return judged, {"seams": "found"}, []
         # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
         alike = {number for number in unchanged if judged[number].state is PieceState.NOT_MEASURED}
@@ -236,7 +238,7 @@ class Gathering:
         around = around_pieces(own_pieces, self._blocks.grid, 2 * REACH_PX)
         return PiecesRequest(
             self._journal.files, own_pieces, numbers, index.near(around, 0.0), self._blocks,
-            self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, bool(self._request.seams),
+            self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, self._request.given is not None,
         )
 
 

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import Message, RasterError, SeamlineError, SettingsError
+from ....imagery.errors import Message, RasterError, SeamsElsewhereError, SettingsError
 from ....imagery.grids import PixelWindow
 from ....imagery.lines import points_at, vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
@@ -128,7 +128,7 @@ class ScanRequest:
     @cached_property
     def seam_squares(self) -> SeamSquares | None:
         """What the seamlines call for; None without them."""
-        if not self.seams:
+        if self.given is None:
             return None
         corridor_px = self.settings.corridor_m / self.mosaic.ground_sample_distance
         return SeamSquares(self.seams, self.blocks, corridor_px)
@@ -219,13 +219,13 @@ def _why_unreadable(refs: Iterable[RasterRef]) -> Message | None:
 
 def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRaster) -> tuple[SidedSeam, ...]:
     """The given seams that part two orthoimages, ``numbers`` by their names, as far as the mosaic has pixels on both
-    sides or on none: what runs along the border of its pixels is an outline. Raises SeamlineError where none is left.
+    sides or on none: what runs along the border of its pixels is an outline. Raises SeamsElsewhereError where none is left.
     """
     parting = tuple(
         part for seam in given.seams if not _is_in_one(seam, given, numbers) for part in _off_border(seam, mosaic)
     )
     if not parting:
-        raise SeamlineError(messages.SEAMS_PART_NOTHING())
+        raise SeamsElsewhereError(messages.SEAMS_PART_NOTHING())
     return parting
 
 
@@ -302,7 +302,7 @@ def scan_request(
     if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
     _check_readable(mosaic, meeting)
-    if given is not None:
+    if given is not None and given.seams:
         with RasterPool(most=1) as pool:
             seams = parting_seams(given, request.named[0], pool.open(mosaic.ref))
         request = replace(request, given=replace(given, seams=seams))

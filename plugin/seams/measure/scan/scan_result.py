@@ -19,7 +19,6 @@ from ....imagery.rasters import Raster
 from ....imagery.records import GEOMETRY, Column, Row, TableRows, names_of, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from .. import messages
-from ..blocks.scan_settings import ScanSettings
 from ..following.likely_source import MIN_FIT, MIN_TEXTURE
 from ..judgement.verdicts import MAX_KEPT_LOW, Verdict, judge_profile
 from ..planning.window_placing import PlacedWindow, WindowIndex
@@ -223,7 +222,7 @@ class ScanResult:
     pieces: tuple[JudgedPiece, ...]
     """All seams, piece by piece."""
     polygons: tuple[SourcePolygon, ...]
-    """The source that each part came from; numbers of the request's sources."""
+    """The source that each part came from, by its number in ``sources``."""
     worst: tuple[PlacedWindow, ...]
     """The least kept places, the least first."""
     stretches: tuple[JudgedPiece, ...] = ()
@@ -231,7 +230,7 @@ class ScanResult:
     notices: tuple[Message, ...] = ()
     """What was left out, assumed or could not be judged."""
     told: Mapping[str, str] = field(default_factory=dict, hash=False)
-    """What its layers and its picture say of it beside the settings: whether ``seams`` were ``given`` or ``found``;
+    """What its layers and its picture say of it: the settings; whether ``seams`` were ``given`` or ``found``;
     which share of the textured ground is ``unexplained``, and the metres of ``unexplained_border`` around it; which
     share of the mosaic within its outline has no pixels (``nodata_inside``); ``unseen_metres`` of border between two
     orthoimages that no seam tells of, ``hidden_metres`` of these along which nothing explains the mosaic, the longest
@@ -242,6 +241,8 @@ class ScanResult:
     ``unread_at`` a place in it; which files were scanned, by ``mosaic_files`` and ``source_files``; sources that
     ``may_be_copies`` of the mosaic, and those that seamlines name and were ``not_given``; the ``metres`` of all pieces.
     Figures of 0 are left out, but for ``unexplained``, ``metres`` and the reference ``system``."""
+    sources: tuple[str, ...] = ()
+    """Names of the orthoimages, parts of one image as one, by the numbers of ``polygons``."""
 
     @property
     def features(self) -> tuple[JudgedPiece, ...]:
@@ -311,12 +312,9 @@ def seam_rows(result: ScanResult) -> TableRows:
     return rows
 
 
-def seam_notes(result: ScanResult, settings: ScanSettings, wkt: str) -> dict[str, str]:
-    """What stands beside the rows of SEAMS: how and of what they were measured, their totals, and the seal.
-
-    ``wkt``: the mosaic's reference system.
-    """
-    notes = {"version": plugin_version(), **settings.told, **result.told, SYSTEM: wkt}
+def seam_notes(result: ScanResult) -> dict[str, str]:
+    """What stands beside the rows of SEAMS: how and of what they were measured, their totals, and the seal."""
+    notes = {"version": plugin_version(), **result.told}
     lines = (feature.piece.vertices for feature in result.features)
     return sealed_notes(notes, zip(_field_rows(result.features), lines))
 

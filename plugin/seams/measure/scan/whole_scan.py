@@ -13,7 +13,7 @@ from typing import Callable
 
 from osgeo import ogr
 
-from ....imagery.errors import CancelledError, Message, SettingsError
+from ....imagery.errors import CancelledError, Message, SeamsElsewhereError, SettingsError
 from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
 from ....imagery.messages import CANCELLED
@@ -23,7 +23,7 @@ from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SOURCE_FIL
 from .. import messages
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_settings import ScanSettings
-from ..seamlines.given_seams import given_seams
+from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
 from ..while_measuring import measuring
 from ..window.inspection import Block, PathLike
@@ -94,7 +94,10 @@ class WholeScan:
         dates = self.request.dates
         files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
         return result and replace(
-            result, told={**result.told, SYSTEM: self.request.mosaic.wkt, METRES: repr(result.seam_metres), **files},
+            result, told={
+                **self.request.settings.told, **result.told,
+                SYSTEM: self.request.mosaic.wkt, METRES: repr(result.seam_metres), **files,
+            },
             pieces=tuple(dated(piece, dates) for piece in result.pieces),
             stretches=tuple(dated(stretch, dates) for stretch in result.stretches),
         )
@@ -161,13 +164,17 @@ def scan(
     """
     path, settings, run = os.fspath(seamlines), settings or ScanSettings(), run or ScanRun()
     ScanSettings.check(settings)
-    given, notices = None, []
+    given, notices = None, list[Message]()
     if path:
-        features, lost = read_seam_features(path, block.mosaic.wkt)
+        features, notices = read_seam_features(path, block.mosaic.wkt)
         paths = [source.ref.path for source in block.sources]
-        given = given_seams(features, block.mosaic.grid, settings.source_field, paths)
-        notices += [] if lost is None else [lost]
-    request, of_request = scan_request(block.mosaic, block.sources, settings, given)
+    try:
+        if path:
+            given = given_seams(features, block.mosaic.grid, settings.source_field, paths)
+        request, of_request = scan_request(block.mosaic, block.sources, settings, given)
+    except SeamsElsewhereError as error:  # a sheet without any, of a mosaic that has some
+        given = GivenSeams((), (), (error.message.as_warning(),))
+        request, of_request = scan_request(block.mosaic, block.sources, settings, given)
     request = replace(request, counted=block.sheet_window)
     notices += of_request
 
@@ -205,5 +212,5 @@ def _of_sheet(result: ScanResult, sheet: Raster, neighbours: int) -> ScanResult:
     polygons = tuple(
         replace(polygon, wkb=bytes(part.ExportToWkb(ogr.wkbNDR))) for polygon, part in parts if not part.IsEmpty()
     )
-    states = states_text(local_states([sheet.ref.path]).items())
+    states = states_text(known_states([sheet.ref.path]).items())
     return replace(result, polygons=polygons, told={**result.told, MOSAIC_FILES: states, NEIGHBOURS: str(neighbours)})

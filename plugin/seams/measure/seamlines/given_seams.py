@@ -10,7 +10,7 @@ from osgeo import ogr
 
 from ....imagery import lines as seamlines
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import Message, SeamlineError
+from ....imagery.errors import Message, SeamlineError, SeamsElsewhereError
 from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.grids import Grid
 from .. import messages
@@ -41,8 +41,8 @@ def given_seams(
 
     ``source_field``: see ``seam_fields``. ``paths``: of the sources; a name that fits several of them tells nothing.
     Borders between polygons of one source are no seams, and what lies between two overlapping or gaping polygons has
-    none. Raises SettingsError when the layer has no such field, SeamlineError
-    when it is empty, lies elsewhere, spans far more than a mosaic can, or holds no seam.
+    none. Raises SettingsError when the layer has no such field, SeamsElsewhereError when it lies elsewhere or the
+    mosaic in one polygon, SeamlineError when it is empty, spans far more than a mosaic can, or holds no seam.
     """
     held = list(features)
     rows = [attributes for attributes, _ in held]
@@ -61,6 +61,8 @@ def given_seams(
         return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
 
     seams = sorted(network.seams(), key=longest_first)
+    if not seams and not pieces.lines and len({*pieces.ring_owners}) == 1:
+        raise SeamsElsewhereError(messages.SEAMS_PART_NOTHING())
     if not seams:
         raise SeamlineError(
             imagery_messages.SEAMLINES_APART() if pieces.rings else imagery_messages.SEAMLINES_TOO_SHORT()

@@ -275,11 +275,12 @@ def _extent(geometry: ogr.Geometry) -> Extent:
 
 
 _LAYER = "|layername="  # as QGIS writes which layer of a file is meant
+_UNDEFINED = "Undefined"  # geographic or Cartesian system: what a GeoPackage names where it has none
 _DATES = (ogr.OFTDate, ogr.OFTDateTime)
 
 
-def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message | None]:
-    """Attributes and outlines of a vector file in a reference system, and how many can't be transformed.
+def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], list[Message]]:
+    """Attributes and outlines of a vector file in a reference system, and what is to be told of that.
 
     ``path`` is ``file`` or ``file|layername=name``; without a name the first layer counts. Raises SeamlineError when
     there is no such layer, RasterError for a path that must not be opened.
@@ -294,7 +295,8 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
                 raise SeamlineError(messages.SEAM_FILE_NOT_READ(path=path))
             raise SeamlineError(imagery_messages.NOT_FOUND(path=file))
         system = layer.GetSpatialRef()
-        own_wkt = wkt if system is None else str(system.ExportToWkt())
+        has_system = system is not None and not system.GetName().startswith(_UNDEFINED)
+        own_wkt = str(system.ExportToWkt()) if has_system else wkt
         features: list[SeamFeature] = []
         lost = 0
         for feature in layer:
@@ -307,7 +309,10 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
             kinds = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
             attributes = {kind.GetName(): _value(feature, number, kind.GetType()) for number, kind in enumerate(kinds)}
             features.append((attributes, None if placed is None else bytes(placed.ExportToWkb(ogr.wkbNDR))))
-    return features, lost_features(lost, features)
+    of_lost = lost_features(lost, features)
+    return features, [
+        *([] if has_system else [messages.SEAMS_WITHOUT_SYSTEM(path=path)]), *([] if of_lost is None else [of_lost])
+    ]
 
 
 def lost_features(lost: int, others: Sequence[SeamFeature]) -> Message | None:

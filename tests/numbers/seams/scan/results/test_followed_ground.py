@@ -11,6 +11,7 @@ from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
 from seam_inspector.plugin.seams.measure.blocks.scan_block import EMPTY, LACKING, NOT_LOOKED
+from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.followed_ground import FollowedGround
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam
@@ -126,7 +127,7 @@ def test_a_strip_so_narrow_that_its_sides_are_told_is_measured_and_fails(tmp_pat
 def test_a_sound_mosaic_and_a_feathered_one_hide_nothing(tmp_path: Path, given: bool, feather: int) -> None:
     one = scene(tmp_path, blended(*images(), beside(SEAM, feather)), images())
     told = result_of(tmp_path, one, (given_seam(one, SEAM),) if given else ()).told
-    aside = "mosaic_files", "source_files", "metres", "system"
+    aside = "mosaic_files", "source_files", "metres", "system", *ScanSettings().told
     seen = {name: text for name, text in told.items() if name not in aside}
     assert seen == {"seams": "given" if given else "found", "unexplained": "0.0000"} | (
         {"unchanged_metres": "0.0"} if given else {}
