@@ -47,9 +47,9 @@ ACCEPTED, REJECTED, UNDECIDED = 0, 1, 2
 _CODES = {
     AcceptanceOutcome.ACCEPTED: ACCEPTED, AcceptanceOutcome.REJECTED: REJECTED, AcceptanceOutcome.UNDECIDED: UNDECIDED,
 }
-_CODES_IN_WORDS = "Exit codes: 0 accepted, 1 rejected, 2 undecided, 3 error."
-_WINDOW_CODES = "Exit codes: 0 no loss is significant, 1 one is, 2 none is and a window can't be compared, 3 error."
-_MENDING_CODES = "Exit codes: 0 all wanted seams are cut anew, 1 some stay as they were, 3 error."
+_DECISIONS = "0 accepted; 1 rejected; 2 undecided; 3 error"
+_VERDICTS = "0 no loss is significant; 1 a loss is significant; 2 none is, and a window can't be compared; 3 error"
+_CUTS = "0 all wanted seams are cut anew; 1 some stay as they were; 3 error"
 _LIMITS = {"min_kept": "min_kept", "max_share": "max_share", "max_run": "max_run_m", "min_measured": "min_measured"}
 """Arguments of ``limit_rules`` by the names of options."""
 
@@ -179,9 +179,9 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
 
     def command(
-        name: str, call: Any, words: str, codes: str = _CODES_IN_WORDS, is_measuring: bool = True
+        name: str, call: Any, words: str, codes: str = _DECISIONS, is_measuring: bool = True
     ) -> argparse.ArgumentParser:
-        made = commands.add_parser(name, help=words, description=words, epilog=codes)
+        made = commands.add_parser(name, help=words, description=words, epilog=f"Exit codes: {codes}.")
         made.set_defaults(command=call, scheduler="")
         made.add_argument("-q", "--quiet", action="store_true", help="tell nothing but the result and errors")
         if is_measuring:
@@ -205,7 +205,7 @@ def _parser() -> argparse.ArgumentParser:
     scanning.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
     add_reach(scanning)
     _add_limits(scanning)
-    window = command("inspect", _inspect, "Inspect windows.", _WINDOW_CODES)
+    window = command("inspect", _inspect, "Inspect windows.", _VERDICTS)
     middle = "a window's middle, as often as there are"
     window.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
     window.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
@@ -218,7 +218,7 @@ def _parser() -> argparse.ArgumentParser:
     accepting.add_argument("--lot-size", type=int, metavar="PIECES", help="of the whole lot, where a sample decides")
     accepting.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="of the sample that is drawn")
     _add_limits(accepting)
-    mending = command("mend", _mend, "Cut failed seams anew.", _MENDING_CODES)
+    mending = command("mend", _mend, "Cut failed seams anew.", _CUTS)
     mending.add_argument("--seams", required=True, help="GeoPackage of the scan")
     mending.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
     mending.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")

@@ -93,11 +93,11 @@ class TableRows(list[Row]):
         return pandas.DataFrame(self, columns=None if self else self.names)
 
     def to_geodataframe(self) -> Any:
-        """The table as a ``geopandas.GeoDataFrame``, its lines as geometries. Raises SettingsError where it has none."""
-        import geopandas
-
+        """The table as a ``geopandas.GeoDataFrame``, its lines as geometries. Raises SettingsError without lines."""
         if GEOMETRY not in (self[0] if self else self.names):
             raise SettingsError(messages.TABLE_WITHOUT_LINES())
+        import geopandas
+
         frame = self.to_dataframe()
         lines = geopandas.GeoSeries.from_wkt(frame[GEOMETRY]) if len(frame) else []
         return geopandas.GeoDataFrame(frame, geometry=lines, crs=self.wkt or None)

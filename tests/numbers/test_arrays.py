@@ -92,6 +92,23 @@ def test_labels_say_where_the_seam_is(images: tuple[np.ndarray, ...]) -> None:
     assert not [path for path in gdal.ReadDir("/vsimem/") or () if gdal.ReadDir(f"/vsimem/{path}")]
 
 
+def test_a_mosaic_with_missing_pixels_says_why_it_is_not_measured(images: tuple[np.ndarray, ...]) -> None:
+    left, right, mosaic = images
+    holed = np.where(np.arange(SIDE)[:, np.newaxis] < 30, np.nan, mosaic)
+    result = inspect_arrays(holed, [left, right], PIXEL_M)
+    assert str(result.judgement.reason).startswith("7.81% of the pixels of mosaic are invalid")
+    assert seam_profile(holed, [left, right], PIXEL_M) is None
+
+
+def test_arrays_are_called_as_they_were_given(images: tuple[np.ndarray, ...]) -> None:
+    left, right, mosaic = images
+    sources, labels = {"flight.1": left, "flight.2": right}, np.repeat([[0, 1]], SIDE // 2, axis=1) + np.zeros((SIDE, 1))
+    result = inspect_arrays(mosaic, sources, PIXEL_M, labels)
+    assert [clip.raster for clip in result.clips] == ["mosaic", *sources]
+    assert result.profile.kept == inspect_arrays(mosaic, [left, right], PIXEL_M, labels).profile.kept
+    assert result.profile.kept != inspect_arrays(mosaic, sources, PIXEL_M).profile.kept
+
+
 def test_bands_have_names(images: tuple[np.ndarray, ...]) -> None:
     assert "band_1" in clip_curves(images[0][..., 0])
     assert list(measure_noise(images[0])) == ["luminance", "red", "green", "blue"]

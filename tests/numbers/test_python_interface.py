@@ -48,6 +48,7 @@ from seam_inspector import (
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery
 from seam_inspector.plugin.imagery.lines import line_wkt
+from seam_inspector.python import command_line
 
 from tests.made_once import the_small_block
 from tools import python_pages
@@ -250,6 +251,11 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
         (lambda block: limit_rules(min_kept="0.7"), "min_kept is '0.7'"),
         (lambda block: seam_inspector.decide({"a": None}, limit_rules()), r"sheets\['a'\] is None"),
         (lambda block: seam_inspector.decide([block], limit_rules()), "give Mapping"),
+        (lambda block: seam_inspector.decide({}, limit_rules(), lot_size=90), "lot size or seed is for a plan"),
+        (lambda block: scan(block, seamlines=block), "seamlines is Block; give str"),
+        (lambda block: mend(block, block, "mended.vrt"), "seams is Block; give ScanResult"),
+        (lambda block: write_scan("seams.gpkg", ScanResult((), (), ()), block), "of another mosaic than mosaic.tif"),
+        (lambda block: window_rows([]).to_geodataframe(), "has no lines"),
     ],
 )
 def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], object], words: str) -> None:
@@ -378,6 +384,59 @@ def test_seamlines_may_lie_in_another_system_and_have_dates(folder: Path, tmp_pa
     assert {piece.left_date for piece in found.pieces} == {"2019-07-04"}
 
 
+def test_what_names_no_system_lies_in_that_of_the_mosaic(block: Block, folder: Path, tmp_path: Path) -> None:
+    class Places(list):  # type: ignore[type-arg]
+        crs = None
+
+    with pytest.warns(SeamInspectorWarning, match="The windows name no reference system"):
+        (result,) = inspect_windows(Places([block.mosaic.extent]), block)
+    assert result.window.width == block.mosaic.columns // 8 * 8
+    lines = f"{folder}/seamlines.gpkg"
+    gdal.VectorTranslate(f"{tmp_path}/lines.gpkg", lines, options="seamlines -a_srs None")
+    gdal.VectorTranslate(f"{tmp_path}/lines.shp", lines, options="seamlines -a_srs None")
+    for name in ("lines.gpkg", "lines.shp"):
+        found = scan(open_block(folder / "mosaic.tif"), seamlines=tmp_path / name)
+        assert f"{name} names no reference system" in str(found.notices[0])
+        assert 250 < found.seam_metres < 320
+
+
+def test_a_sheet_without_any_seam_counts_for_nothing_beside_others(block: Block, folder: Path, tmp_path: Path) -> None:
+    gdal.Translate(f"{tmp_path}/sheet.tif", block.mosaic.ref.path, srcWin=[0, 0, 100, 100])
+    sheet = open_block(tmp_path / "sheet.tif", [source.ref.path for source in block.sources], keep_copies=True)
+    seamlines = f"{folder}/seamlines.gpkg|layername="
+    full = scan(block, seamlines=f"{seamlines}seamlines")
+    for layer, words in (("seamlines", "None of the 7 features"), ("cells", "within one orthoimage")):
+        empty = scan(sheet, seamlines=f"{seamlines}{layer}")
+        write_scan(tmp_path / f"{layer}.gpkg", empty, sheet)
+        assert (empty.seam_metres, empty.told["seams"], len(empty.polygons)) == (0, "given", 1)
+        assert words in str(empty.notices[0])
+        assert empty.to_dataframe().empty
+        for given in (empty, tmp_path / f"{layer}.gpkg"):
+            rules = limit_rules(0.01, 1, 500, 0)
+            with pytest.warns(SeamInspectorWarning, match="empty is empty"):
+                assert seam_inspector.decide({"full": full, "empty": given}, rules).accepted
+            with pytest.raises(SettingsError, match="no seam to decide on"):
+                seam_inspector.decide({"empty": given}, rules)
+
+
+def test_what_is_written_is_what_was_scanned(block: Block, tmp_path: Path) -> None:
+    """Whatever the block says: parts of one orthoimage were scanned as one, and with which settings the scan knows."""
+    first, *others = (source.ref.path for source in block.sources)
+    size, parts = gdal.Open(first), [f"{tmp_path}/{name}.tif" for name in "ab"]
+    for path, row in zip(parts, (0, 300)):
+        gdal.Translate(path, size, srcWin=[0, row, size.RasterXSize, (400, size.RasterYSize - 300)[row > 0]])
+    opened = open_block(block.mosaic.ref.path, [*parts, *others])
+    result = scan(opened, ScanSettings(levels=4, piece_m=20))
+    write_scan(tmp_path / "seams.gpkg", result, opened)
+    written = gdal.OpenEx(f"{tmp_path}/seams.gpkg")
+    names = [feature["source"] for feature in written.GetLayerByName("source_cells")]
+    assert names == ["a.tif", *(Path(path).name for path in others)]
+    assert "kept_4" in [field.GetName() for field in written.GetLayerByName("seams").schema]
+    assert written.GetLayerByName("seams").GetMetadata("SEAM_INSPECTOR")["piece_m"] == "20"
+    with pytest.raises(SettingsError, match=r"another mosaic than strip1_0141\.tif"):
+        write_scan(tmp_path / "other.gpkg", result, open_block(first))
+
+
 def piece(kept: object, number: int, **others: object) -> dict[str, object]:
     line = f"LINESTRING ({25 * number} 0, {25 * number + 25} 0)"
     return {"seam_id": 1.0, "station": 25.0 * number, "length": 25.0, "kept_1": kept, "geometry": line, **others}
@@ -427,6 +486,18 @@ def test_a_delivery_in_degrees_is_moved_to_metres() -> None:
 def test_limits_that_cannot_be_are_refused(limits: dict[str, float]) -> None:
     with pytest.raises(SeamInspectorError, match=next(iter(limits))):
         limit_rules(**limits)
+
+
+@pytest.mark.parametrize(("command", "column"), [("scan", 1), ("accept", 1), ("inspect", 2), ("mend", 3)])
+def test_the_help_of_a_command_has_the_exit_codes_of_the_page(
+    capsys: pytest.CaptureFixture[str], command: str, column: int
+) -> None:
+    rows = re.findall(r"^\| (\d) \| (.*) \| (.*) \|(.*)\|$", python_pages.COMMANDS.read_text("utf-8"), re.MULTILINE)
+    codes = [f"{row[0]} {row[column].strip()}" for row in rows if row[column].strip()]
+    assert len(codes) in (3, 4)
+    with pytest.raises(SystemExit, match="0"):
+        command_line.main([command, "--help"])
+    assert " ".join(capsys.readouterr().out.split()).endswith(f"Exit codes: {'; '.join(codes)}.")
 
 
 @pytest.mark.slow
