@@ -186,7 +186,7 @@ def _parser() -> argparse.ArgumentParser:
         made.add_argument("-q", "--quiet", action="store_true", help="tell nothing but the result and errors")
         if is_measuring:
             made.add_argument("mosaic", metavar="MOSAIC")
-            made.add_argument("sources", metavar="SOURCE", nargs="*", help="its orthoimages")
+            made.add_argument("sources", metavar="SOURCE", nargs="*", default=(), help="its orthoimages")
             made.add_argument("--scheduler", default="", help="address of a Dask scheduler, as tcp://host:8786")
             made.add_argument("--crs", default="", help="reference system of all rasters, as EPSG:2180")
             made.add_argument("--keep-copies", action="store_true", help="use sources that look like copies")

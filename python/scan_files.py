@@ -48,8 +48,9 @@ def write_scan(path: PathLike, result: ScanResult, block: Block) -> None:
     The file, ``.gpkg``, is there whole or not at all, over no input and nothing but another scan. ``block``: that was
     scanned. Raises SettingsError where it can't be, or another mosaic was scanned.
     """
-    for name, value, kinds in (("path", path, PATH_TYPES), ("result", result, (ScanResult,)), ("block", block, (Block,))):
-        check_type(name, value, *kinds)
+    check_type("path", path, *PATH_TYPES)
+    check_type("result", result, ScanResult)
+    check_type("block", block, Block)
     place, mosaic = Path(os.fspath(path)), block.sheet or block.mosaic
     read = filter(None, (*block.paths, *block.files, result.told.get(SEAMLINES, "")))
     failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
@@ -58,10 +59,11 @@ def write_scan(path: PathLike, result: ScanResult, block: Block) -> None:
         if scanned != [*known_states(mosaic.ref.paths, ask=False)]:
             raise SettingsError(messages.SCAN_OF_ANOTHER(name=mosaic.ref.name))
         with whole_file(place) as unfinished, gdal_writing(failure):
-            _write_tables(gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown), result, block)
+            _write_tables(str(unfinished), result, block)
 
 
-def _write_tables(made: gdal.Dataset, result: ScanResult, block: Block) -> None:
+def _write_tables(path: str, result: ScanResult, block: Block) -> None:
+    made = gdal.GetDriverByName("GPKG").Create(path, 0, 0, 0, gdal.GDT_Unknown)
     wkt, grid = block.mosaic.wkt, block.mosaic.grid
     lines = (ogr.CreateGeometryFromWkt(line_wkt(feature.piece.vertices)) for feature in result.features)
     windows = (rectangle(*grid.window_extent(worst.window)) for worst in result.worst)

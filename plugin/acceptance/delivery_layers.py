@@ -147,7 +147,7 @@ def read_delivery(
             drawn = whole_number(row["sample"])
             pieces.append(piece if drawn is None else replace(piece, sample_number=drawn))
             lots.add(whole_number(row["lot_size"]) or 0)
-        notices += doubts.told()
+        notices += doubts.told(layer.scan)
         read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs), "kept_1" in layer.fields))
     size = max(lots, default=0) or None if any(piece.sample_number for piece in pieces) else None
     delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), size, read)

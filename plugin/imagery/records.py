@@ -61,19 +61,21 @@ class Column(Generic[Result]):
         return [value.item() if isinstance(value, np.generic) else value for value in listed]  # fields take no numpy's
 
 
-def names_of(columns: Sequence[Column[Any]], levels: int = 0) -> list[str]:
-    """Names of all fields of a table."""
-    return [name for column in columns for name in column.names(levels)]
+def kinds_of(columns: Sequence[Column[Any]], levels: int = 0) -> dict[str, str]:
+    """Kinds of all fields of a table by their names."""
+    return {name: column.kind for column in columns for name in column.names(levels)}
 
 
 def rows_of(columns: Sequence[Column[Result]], results: Iterable[Result], levels: int = 0) -> Iterator[Row]:
     """Each result as a row, sentences in English."""
-    names = names_of(columns, levels)
+    names = kinds_of(columns, levels)
     for result in results:
         values = [value for column in columns for value in column.values(result, levels)]
         yield {name: str(value) if isinstance(value, Message) else value for name, value in zip(names, values)}
 
 
+REAL = "real"
+_DTYPES = {"integer": "int64", REAL: "float64", "text": "object"}
 GEOMETRY = "geometry"
 """In plain rows, where a layer has lines: the line as WKT."""
 
@@ -81,20 +83,22 @@ GEOMETRY = "geometry"
 class TableRows(list[Row]):
     """Rows of a table; frames of pandas and geopandas, where these are installed."""
 
-    def __init__(self, rows: Iterable[Row] = (), wkt: str = "", names: Sequence[str] = ()) -> None:
-        """``wkt``: the reference system of the rows' lines; empty where they have none. ``names``: of the fields."""
+    def __init__(self, rows: Iterable[Row] = (), wkt: str = "", kinds: Mapping[str, str] | None = None) -> None:
+        """``wkt``: the reference system of the rows' lines; empty where they have none. ``kinds``: of the fields."""
         super().__init__(rows)
-        self.wkt, self.names = wkt, names
+        self.wkt, self.kinds = wkt, kinds or {}
 
     def to_dataframe(self) -> Any:
         """The table as a ``pandas.DataFrame``."""
         import pandas
 
-        return pandas.DataFrame(self, columns=None if self else self.names)
+        frame = pandas.DataFrame(self, columns=None if self else [*self.kinds])
+        # Also without any number in it, so that frames of many results have one type together.
+        return frame.astype({name: _DTYPES[kind] for name, kind in self.kinds.items() if kind == REAL or not self})
 
     def to_geodataframe(self) -> Any:
         """The table as a ``geopandas.GeoDataFrame``, its lines as geometries. Raises SettingsError without lines."""
-        if GEOMETRY not in (self[0] if self else self.names):
+        if GEOMETRY not in (self[0] if self else self.kinds):
             raise SettingsError(messages.TABLE_WITHOUT_LINES())
         import geopandas
 

@@ -92,7 +92,7 @@ def test_a_sheet_without_any_seam_is_undecided(folder: Path, shell: dict[str, st
         ["scan", sheet, *sources, "-o", f"{tmp_path}/seams.gpkg"], ["accept", f"{tmp_path}/seams.gpkg"],
     ):  # fmt: skip
         run = subprocess.run(["seam-inspector", *command], env=shell, capture_output=True, text=True, check=False)
-        assert (run.returncode, run.stdout.startswith("Undecided: there is no seam")) == (2, True), run.stderr
+        assert (run.returncode, run.stdout.startswith("Undecided. There is no seam")) == (2, True), run.stderr
 
 
 def test_a_table_or_page_of_something_else_stays(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:

@@ -152,8 +152,8 @@ class LayerDoubts:
                 if (gap := following - station - length) > length / 2:
                     yield gap
 
-    def told(self) -> Iterator[Message]:
-        """Raises SettingsError where the layer's ``kept_1`` are no shares."""
+    def told(self, notes: Mapping[str, str]) -> Iterator[Message]:
+        """What is doubtful, by what stands beside rows, too. Raises SettingsError where ``kept_1`` are no shares."""
         if self.kept and (middle := float(np.median(self.kept))) > MOST_KEPT:
             raise SettingsError(messages.KEPT_NO_SHARES(name=self.sheet, value=middle))
         if self.words:
@@ -167,7 +167,7 @@ class LayerDoubts:
             yield messages.LENGTHS_DIFFER(count=len(self.lengths), name=self.sheet, length=length, line=line)
         if self.without_line:
             yield messages.PIECES_WITHOUT_LENGTH(name=self.sheet, count=self.without_line)
-        if not self.rows:
+        if not self.rows and _number(notes.get(METRES)) != 0:
             yield messages.LAYER_EMPTY(name=self.sheet)
 
 
@@ -281,8 +281,8 @@ def make_delivery(
             drawn_m = float(vertex_stations(line)[-1]) * unit_m if len(line) else 0.0
             if (piece := doubts.piece(sheet, row, line, drawn_m, scanned)) is not None:
                 pieces.append(piece)
-        notices += doubts.told()
         said = (told or {}).get(sheet, {})
+        notices += doubts.told(said)
         layers.append(replace(doubts.layer(said, own_wkt, sheet in sealed), settings=said))
     delivery, doubled = united_delivery(pieces, wkt, layers=layers)
     for notice in [*notices, *doubled]:

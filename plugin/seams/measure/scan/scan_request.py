@@ -219,7 +219,7 @@ def _why_unreadable(refs: Iterable[RasterRef]) -> Message | None:
 
 def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRaster) -> tuple[SidedSeam, ...]:
     """The given seams that part two orthoimages, ``numbers`` by their names, as far as the mosaic has pixels on both
-    sides or on none: what runs along the border of its pixels is an outline. Raises SeamsElsewhereError where none is left.
+    sides or on none: what runs along the border of its pixels is an outline. Raises SeamsElsewhereError without any.
     """
     parting = tuple(
         part for seam in given.seams if not _is_in_one(seam, given, numbers) for part in _off_border(seam, mosaic)

@@ -16,7 +16,7 @@ from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_wind
 from ....imagery.lines import line_wkt, points_at, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
-from ....imagery.records import GEOMETRY, Column, Row, TableRows, names_of, rows_of
+from ....imagery.records import GEOMETRY, Column, Row, TableRows, kinds_of, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from .. import messages
 from ..following.likely_source import MIN_FIT, MIN_TEXTURE
@@ -305,8 +305,8 @@ def seam_rows(result: ScanResult) -> TableRows:
     The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
     mosaic's reference system.
     """
-    features, names = result.features, [*names_of(SEAM_COLUMNS, _levels(result.features)), GEOMETRY]
-    rows = TableRows(wkt=result.told.get(SYSTEM, ""), names=names)
+    features, kinds = result.features, {**kinds_of(SEAM_COLUMNS, _levels(result.features)), GEOMETRY: "text"}
+    rows = TableRows(wkt=result.told.get(SYSTEM, ""), kinds=kinds)
     for row, feature in zip(_field_rows(features), features):
         rows.append({**row, GEOMETRY: line_wkt(feature.piece.vertices)})
     return rows

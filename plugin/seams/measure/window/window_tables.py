@@ -18,7 +18,7 @@ from ....imagery.records import (
     Column,
     NotUnderstoodError,
     TableRows,
-    names_of,
+    kinds_of,
     record_of,
     rows_of,
     sentences_of,
@@ -345,7 +345,7 @@ def pair_rows(results: Iterable[WindowResult]) -> TableRows:
 
 
 def _table(columns: Sequence[Column[Any]], results: Iterable[object], levels: int = 0) -> TableRows:
-    return TableRows(rows_of(columns, results, levels), names=names_of(columns, levels))
+    return TableRows(rows_of(columns, results, levels), kinds=kinds_of(columns, levels))
 
 
 def bins_of(result: WindowResult) -> Iterator[ProfileRow]:
