@@ -42,8 +42,7 @@ def seam_profile(
 ) -> SeamProfile | None:
     """What a mosaic kept of its sources along its seams, all of them arrays on one pixel grid.
 
-    The ``profile`` of ``inspect_arrays``, which takes the same arguments; where it is None, as without a seam or with
-    pixels missing in the mosaic, the ``judgement.reason`` there says why.
+    The ``profile`` of ``inspect_arrays``, whose ``judgement.reason`` says why where it is None, as without a seam.
     """
     return inspect_arrays(mosaic, sources, pixel_size_m, labels, settings).profile
 
@@ -62,8 +61,7 @@ def inspect_arrays(
     mosaic : array
         (rows, columns) or (rows, columns, bands); three bands or more begin with red, green and blue.
     sources : sequence or mapping of arrays
-        The images that it may have been made from, of the mosaic's rows and columns; a mapping has their names, else
-        they are called ``source_0`` and so on.
+        The images that it may have been made from, of the mosaic's rows and columns; a mapping has their names.
     pixel_size_m : float
         Metres on the ground that a pixel spans.
     labels : array, optional

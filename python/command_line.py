@@ -15,14 +15,7 @@ from pathlib import Path
 from threading import Event
 from typing import Any, NoReturn, TextIO
 
-from ..plugin.acceptance.measure.acceptance_rules import (
-    FAILED_SHARE,
-    LONGEST_FAILURE,
-    MEASURED_SHARE,
-    AcceptanceRules,
-    limit_rules,
-    load_acceptance_rules,
-)
+from ..plugin.acceptance.measure.acceptance_rules import CHECKS, AcceptanceRules, limit_rules, load_acceptance_rules
 from ..plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
 from ..plugin.imagery.atomic_files import save_text
 from ..plugin.imagery.documents import plugin_version
@@ -44,14 +37,12 @@ from .start import ERROR
 
 ACCEPTED, REJECTED, UNDECIDED = 0, 1, 2
 """Exit codes, beside ERROR."""
-_CODES = {
-    AcceptanceOutcome.ACCEPTED: ACCEPTED, AcceptanceOutcome.REJECTED: REJECTED, AcceptanceOutcome.UNDECIDED: UNDECIDED,
-}
+_CODES = dict(zip(AcceptanceOutcome, (ACCEPTED, REJECTED, UNDECIDED)))
 _DECISIONS = "0 accepted; 1 rejected; 2 undecided; 3 error"
 _VERDICTS = "0 no loss is significant; 1 a loss is significant; 2 none is, and a window can't be compared; 3 error"
 _CUTS = "0 all wanted seams are cut anew; 1 some stay as they were; 3 error"
-_LIMITS = {"min_kept": "min_kept", "max_share": "max_share", "max_run": "max_run_m", "min_measured": "min_measured"}
-"""Arguments of ``limit_rules`` by the names of options."""
+_LIMITS = ("min_kept", "max_share", "max_run_m", "min_measured")
+"""Arguments of ``limit_rules``, in the order of ``CHECKS``."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -152,8 +143,7 @@ def _decided(asked: argparse.Namespace, decision: Decision) -> int:
 def _rules(asked: argparse.Namespace) -> AcceptanceRules:
     if asked.rules:
         return load_acceptance_rules(asked.rules)
-    given = {to: getattr(asked, name) for name, to in _LIMITS.items()}
-    return limit_rules(**{to: value for to, value in given.items() if value is not None})
+    return limit_rules(**{name: value for name in _LIMITS if (value := getattr(asked, name)) is not None})
 
 
 def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
@@ -178,9 +168,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=plugin_version())
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
 
-    def command(
-        name: str, call: Any, words: str, codes: str = _DECISIONS, is_measuring: bool = True
-    ) -> argparse.ArgumentParser:
+    def command(name: str, call: Any, words: str, codes: str = _DECISIONS, is_measuring: bool = True) -> _Parser:
         made = commands.add_parser(name, help=words, description=words, epilog=f"Exit codes: {codes}.")
         made.set_defaults(command=call, scheduler="")
         made.add_argument("-q", "--quiet", action="store_true", help="tell nothing but the result and errors")
@@ -205,8 +193,7 @@ def _parser() -> argparse.ArgumentParser:
     scanning.add_argument("--piece", type=float, default=STANDARD_PIECE_M, metavar="METRES", help="of a piece of seam")
     add_reach(scanning)
     _add_limits(scanning)
-    window = command("inspect", _inspect, "Inspect windows.", _VERDICTS)
-    middle = "a window's middle, as often as there are"
+    window, middle = command("inspect", _inspect, "Inspect windows.", _VERDICTS), "a window's middle, once for each"
     window.add_argument("--at", nargs=2, type=float, action="append", required=True, metavar=("X", "Y"), help=middle)
     window.add_argument("--side", type=float, default=100.0, metavar="METRES", help="the least side of a window")
     window.add_argument("--min-kept", type=float, default=InspectionSettings().min_kept, help="share to be kept")
@@ -230,12 +217,10 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
     standard = limit_rules()
     parser.add_argument("--report", help="page of HTML for the decision")
     parser.add_argument("--rules", default="", help="JSON file of rules, in the place of the limits below")
-    for name, usual, unit in (
-        ("--min-kept", standard.least_kept, "SHARE"), ("--max-share", standard.limit(FAILED_SHARE), "SHARE"),
-        ("--max-run", standard.limit(LONGEST_FAILURE), "METRES"),
-        ("--min-measured", standard.limit(MEASURED_SHARE), "SHARE"),
-    ):  # fmt: skip
-        parser.add_argument(name, type=float, metavar=unit, help=f"{usual:g} unless given")
+    usual = standard.least_kept, *map(standard.limit, CHECKS[1 : len(_LIMITS)])
+    for name, value, unit in zip(_LIMITS, usual, ("SHARE", "SHARE", "METRES", "SHARE")):
+        option = "--" + name.removesuffix("_m").replace("_", "-")
+        parser.add_argument(option, dest=name, type=float, metavar=unit, help=f"{value:g} unless given")
 
 
 def _shown(share: float) -> None:

@@ -16,7 +16,7 @@ from ..plugin.imagery.reference_systems import same_system
 from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
 from ..plugin.seams.measure.window.inspection import PathLike
 from . import messages
-from .scan_files import SeamTable, read_seams
+from .scan_files import read_seams
 
 
 class NoSeamsError(SettingsError):
@@ -55,17 +55,18 @@ def decide(
         check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
     files = {name: os.fspath(sheet) for name, sheet in sheets.items() if not isinstance(sheet, ScanResult)}
     tables = {
-        name: SeamTable(seam_rows(sheet), dict(sheet.told)) if isinstance(sheet, ScanResult) else read_seams(sheet)
+        name: (seam_rows(sheet), dict(sheet.told)) if isinstance(sheet, ScanResult) else read_seams(sheet)
         for name, sheet in sheets.items()
     }
-    first = next(iter(tables), "")
-    for name, table in tables.items():
-        if not same_system(table.rows.wkt, tables[first].rows.wkt):
+    rows = {name: table for name, (table, _) in tables.items()}
+    notes = {name: beside for name, (_, beside) in tables.items()}
+    first, wkt = next(((name, table.wkt) for name, table in rows.items()), ("", ""))
+    for name, table in rows.items():
+        if not same_system(table.wkt, wkt):
             raise SettingsError(messages.NOT_IN_ONE_SYSTEM(name=name, first=first))
-    if tables and not any(table.rows for table in tables.values()):
+    if rows and not any(rows.values()):
         raise NoSeamsError(messages.NO_SEAM_TO_DECIDE_ON())
-    rows, notes = ({name: getattr(table, part) for name, table in tables.items()} for part in ("rows", "notes"))
-    delivery = make_delivery(rows, tables[first].rows.wkt if tables else "", notes, files)
+    delivery = make_delivery(rows, wkt, notes, files)
     given, folders = [os.fspath(path) for path in mosaics], [os.path.dirname(path) for path in files.values()]
     return deciding.decide(
         replace(delivery, files=file_doubts(delivery.layers, given, (), folders)), rules, lot_size or None, seed

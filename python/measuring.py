@@ -84,15 +84,11 @@ def inspect_windows(
     ]
     if not all(isinstance(request, WindowRequest) for request in requests):
         raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
-    return _inspected(requests, executor, progress or _silent, cancelled or _goes_on)
+    return _inspected(requests, executor, progress or _nobody, cancelled or _nobody)
 
 
-def _silent(share: float) -> None:
-    """Nobody watches."""
-
-
-def _goes_on() -> bool:
-    """Nobody cancels."""
+def _nobody(*_share: float) -> bool:
+    """Nobody watches, and nobody cancels."""
     return False
 
 
@@ -141,12 +137,12 @@ def scan(
     check_type("block", block, Block)
     check_type("seamlines", seamlines, *PATH_TYPES)
     check_type("loss", loss, *PATH_TYPES)
-    cancelled = cancelled or _goes_on
+    cancelled = cancelled or _nobody
     given = os.fspath(seamlines).partition("|")[0]
     outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
     read = filter(None, (*block.paths, *block.files, given))
     with writing(outputs, read), open_executor(executor, cancelled) as (opened, ahead):
-        run = ScanRun(opened, ahead, _rising(progress or _silent), cancelled)
+        run = ScanRun(opened, ahead, _rising(progress or _nobody), cancelled)
         result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(result.notices)
     return replace(result, told={**result.told, SEAMLINES: os.path.abspath(given)}) if given else result
@@ -185,22 +181,22 @@ def mend(
     check_type("seams", seams, ScanResult, *PATH_TYPES)
     check_type("mended", mended, *PATH_TYPES)
     check_type("patches", patches, *PATH_TYPES)
-    cancelled = cancelled or _goes_on
-    place = Path(os.fspath(mended))
+    cancelled = cancelled or _nobody
+    name = os.fspath(mended)
+    place = Path(name)
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
     made = {"patches": folder}
     if not Path(folder).suffix:
         made = {path.name: str(path) for path in Path(folder).glob("patch_*")}
     read = [*block.paths, *block.files]
     read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
-    name = os.fspath(mended)
     with guarding({"mended": name, **made}, read), writing({"mended": (name, VRT)}, ()):
-        rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams).rows
+        rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams)[0]
         features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
         pieces = tuple(given_pieces(features, FIELDS, which))
         request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings or MendSettings())
         with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
-            return _mended(job, crew, _rising(progress or _silent), cancelled)
+            return _mended(job, crew, _rising(progress or _nobody), cancelled)
 
 
 def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:

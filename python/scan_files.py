@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -30,16 +29,6 @@ from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, writing
 SEAMLINES = "seamlines_file"
 """Key, among what a scan tells, of the file of seams that it was given."""
 _KINDS = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
-
-
-@dataclass(frozen=True, eq=False)
-class SeamTable:
-    """The table of seams that a scan left in a file."""
-
-    rows: TableRows
-    """Rows as ``seam_rows`` makes them."""
-    notes: dict[str, str]
-    """What its scan tells beside them, the seal among it."""
 
 
 def write_scan(path: PathLike, result: ScanResult, block: Block) -> None:
@@ -95,9 +84,9 @@ def _write(
     return layer
 
 
-def read_seams(path: PathLike) -> SeamTable:
-    """The table of seams in a file that a scan wrote, here or in QGIS; ``file|layername=name`` where it is called
-    otherwise. Raises SettingsError where there is none."""
+def read_seams(path: PathLike) -> tuple[TableRows, dict[str, str]]:
+    """The table of seams in a file that a scan wrote, here or in QGIS, with what it tells beside them, the seal among
+    it; ``file|layername=name`` where it is called otherwise. Raises SettingsError where there is none."""
     file, _, name = os.fspath(path).partition("|layername=")
     with gdal_silenced():
         opened = open_dataset(file, FEATURES)
@@ -110,4 +99,4 @@ def read_seams(path: PathLike) -> SeamTable:
             points = None if (outline := feature.GetGeometryRef()) is None else outline.GetPoints(2)
             rows.append({**row, GEOMETRY: line_wkt(np.array(points)) if points else ""})  # to the last digit
         wkt = "" if system is None else system.ExportToWkt()
-        return SeamTable(TableRows(rows, wkt), dict(layer.GetMetadata(TOTALS_DOMAIN) or {}))
+        return TableRows(rows, wkt), dict(layer.GetMetadata(TOTALS_DOMAIN) or {})

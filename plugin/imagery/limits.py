@@ -61,8 +61,7 @@ def check_type(name: str, value: object, *types: type) -> None:
     is_endless = isinstance(value, Real) and not math.isfinite(value)
     if is_endless or not any(isinstance(value, kind) for kind, _ in allowed):
         words = " / ".join(word for _, word in allowed)
-        is_short = value is None or isinstance(value, (str, Real))
-        shown = reprlib.repr(value) if is_short else type(value).__name__
+        shown = reprlib.repr(value) if isinstance(value, (str, Real, type(None))) else type(value).__name__
         raise SettingsError(messages.NOT_OF_TYPE(name=name, value=shown, expected=words))
 
 

@@ -190,9 +190,7 @@ class OpenRaster:
             self.roles.names,
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,
-            self._is_lossy,
-            self._is_turned,
-            self.roles.indices,
+            self._is_lossy, self._is_turned, self.roles.indices,
         )
 
     @property

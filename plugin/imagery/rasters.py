@@ -47,21 +47,12 @@ class RasterRef:
     @property
     def name(self) -> str:
         """File name without its folder; of an image in parts that of its first one."""
-        return _file_name(self.path)
+        return os.path.basename(self.path) or self.path
 
     @property
     def paths(self) -> tuple[str, ...]:
         """Paths of all its parts."""
         return self.path, *self.parts
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Likewise."""
-        return tuple(map(_file_name, self.paths))
-
-
-def _file_name(path: str) -> str:
-    return os.path.basename(path) or path
 
 
 def _from_anywhere(path: str) -> str:

@@ -74,8 +74,7 @@ def rows_of(columns: Sequence[Column[Result]], results: Iterable[Result], levels
         yield {name: str(value) if isinstance(value, Message) else value for name, value in zip(names, values)}
 
 
-REAL = "real"
-_DTYPES = {"integer": "int64", REAL: "float64", "text": "object"}
+_DTYPES = {"integer": "int64", "real": "float64", "text": "object"}
 GEOMETRY = "geometry"
 """In plain rows, where a layer has lines: the line as WKT."""
 
@@ -94,7 +93,7 @@ class TableRows(list[Row]):
 
         frame = pandas.DataFrame(self, columns=None if self else [*self.kinds])
         # Also without any number in it, so that frames of many results have one type together.
-        return frame.astype({name: _DTYPES[kind] for name, kind in self.kinds.items() if kind == REAL or not self})
+        return frame.astype({name: _DTYPES[kind] for name, kind in self.kinds.items() if kind == "real" or not self})
 
     def to_geodataframe(self) -> Any:
         """The table as a ``geopandas.GeoDataFrame``, its lines as geometries. Raises SettingsError without lines."""

@@ -134,9 +134,7 @@ class Gathering:
             followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
         crew.tell(1.0)
-        return ScanResult(
-            judged, polygons, tuple(worst), (), tuple(notices), notes, tuple(request.source_names)
-        )
+        return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), notes, tuple(request.source_names))
 
     def _judged(
         self, pieces: Sequence[SeamPiece], crew: _Crew

@@ -14,7 +14,7 @@ from typing import Callable
 from osgeo import ogr
 
 from ....imagery.errors import CancelledError, Message, SeamsElsewhereError, SettingsError
-from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
+from ....imagery.file_identity import FileState, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import own_threads, rasters_kept
@@ -92,12 +92,10 @@ class WholeScan:
         with rasters_kept(), measuring(), own_threads(executor, ahead) as crew:
             result = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
-        files = {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
+        notes = {**self.request.settings.told, SYSTEM: self.request.mosaic.wkt}
+        notes |= {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
         return result and replace(
-            result, told={
-                **self.request.settings.told, **result.told,
-                SYSTEM: self.request.mosaic.wkt, METRES: repr(result.seam_metres), **files,
-            },
+            result, told={**notes, **result.told, METRES: repr(result.seam_metres)},
             pieces=tuple(dated(piece, dates) for piece in result.pieces),
             stretches=tuple(dated(stretch, dates) for stretch in result.stretches),
         )
@@ -153,14 +151,9 @@ def scan(
 ) -> ScanResult:
     """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.
 
-    ``settings``: the standard ones where None. ``seamlines``: a vector file of lines, or of polygons that are filled
-    from one source each, as ``file.gpkg|layername=name`` where it has several layers; without it seams are found from
-    the pixels. ``loss``: a GeoTIFF for the picture of losses; a scan that was stopped goes on when it is started again
-    with the same one. ``run``: in one thread per core where None.
-
-    What was left out or assumed stands in the result's ``notices``. Raises SettingsError when the inputs make no scan,
-    or the picture would be written over one of them, SeamlineError for seamlines that are none, RasterError when the
-    picture can't be written, CancelledError when cancelled.
+    ``seamlines``: a vector file, without which seams are found; ``loss``: a GeoTIFF for the picture of losses, over
+    nothing that is read; ``run``: in one thread per core where None. Raises SettingsError when the inputs make no scan,
+    SeamlineError for seamlines that are none, RasterError when the picture can't be written, CancelledError.
     """
     path, settings, run = os.fspath(seamlines), settings or ScanSettings(), run or ScanRun()
     ScanSettings.check(settings)
@@ -182,8 +175,7 @@ def scan(
         run.progress(MEASURED + (1 - MEASURED) * share)
         return not run.cancelled()
 
-    read = *block.paths, *block.files, *([path.partition("|")[0]] if path else ())
-    with guarding({"loss": os.fspath(loss)} if loss else {}, read), tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
         with whole_scan(request, output) as whole, own_threads(run.executor, run.ahead) as opened:
             notices += [whole.notice] if whole.notice else []

@@ -309,10 +309,8 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], list[Mes
             kinds = [feature.GetFieldDefnRef(number) for number in range(feature.GetFieldCount())]
             attributes = {kind.GetName(): _value(feature, number, kind.GetType()) for number, kind in enumerate(kinds)}
             features.append((attributes, None if placed is None else bytes(placed.ExportToWkb(ogr.wkbNDR))))
-    of_lost = lost_features(lost, features)
-    return features, [
-        *([] if has_system else [messages.SEAMS_WITHOUT_SYSTEM(path=path)]), *([] if of_lost is None else [of_lost])
-    ]
+    notices = [None if has_system else messages.SEAMS_WITHOUT_SYSTEM(path=path), lost_features(lost, features)]
+    return features, [notice for notice in notices if notice is not None]
 
 
 def lost_features(lost: int, others: Sequence[SeamFeature]) -> Message | None:

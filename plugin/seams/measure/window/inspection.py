@@ -186,9 +186,7 @@ def make_block(
     """A mosaic with its sources, each once, and notices about those left out.
 
     ``sources`` are opened for their footprints; ``indexed`` ones come with theirs and are not. The mosaic
-    itself among the sources is dropped.
-
-    Raises SettingsError when no source is named at all.
+    itself among the sources is dropped. Raises SettingsError when no source is named at all.
     """
     kept, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
     block = Block(mosaic, tuple(kept), tuple(cells))
@@ -250,8 +248,7 @@ def inspect_windows(
     """``inspect_window`` for many, in their order, each as soon as it is ready.
 
     ``executor``: where they are measured, a thread per core where None; ``ahead``: how many it should have under way,
-    twice this machine's cores where 0. A window that fails in a way nobody foresaw is ``not_comparable`` for that
-    reason.
+    twice this machine's cores where 0. One that fails in a way nobody foresaw is ``not_comparable`` for that.
     """
     with measuring(), own_threads(executor, ahead) as opened:  # memory is kept from one window to the next
         yield from in_order(requests, inspect_window, not_comparable, Workers(*opened, cancelled))

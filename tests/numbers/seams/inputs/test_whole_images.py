@@ -55,7 +55,7 @@ def joined(mosaic: str, paths: Sequence[str]) -> list[tuple[str, ...]]:
     """The names of what is one."""
     raster = describe_mosaic(RasterRef(mosaic))
     sources, _ = gather_sources(map(RasterRef, paths), (), raster.wkt, raster.ref)
-    return [one.ref.names for one in whole_images(raster, sources)[0]]
+    return [tuple(Path(path).name for path in one.ref.paths) for one in whole_images(raster, sources)[0]]
 
 
 @pytest.mark.slow
