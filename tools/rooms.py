@@ -36,7 +36,7 @@ BOUNDS = {
     "plugin/imagery": Measures(5485, 1, 0),
     "plugin/seams/measure": Measures(18529, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
-    "plugin/acceptance": Measures(6487, 1, 0),
+    "plugin/acceptance": Measures(6482, 1, 0),
     "plugin/toolkit": Measures(4934, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),
@@ -44,8 +44,8 @@ BOUNDS = {
     "plugin/photos": Measures(3522, 0, 0),
     "plugin/sensors": Measures(5647, 0, 0),
     "plugin": Measures(378, 1, 1),
-    "python": Measures(1050, 0, 0),
-    "tests": Measures(49296, 791, 53),
+    "python": Measures(1049, 0, 0),
+    "tests": Measures(49296, 788, 53),
 }
 """What each room may have; the most particular one holds for a file."""
 

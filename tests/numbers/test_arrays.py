@@ -102,8 +102,7 @@ def test_a_mosaic_with_missing_pixels_says_why_it_is_not_measured(images: tuple[
 
 def test_arrays_are_called_as_they_were_given(images: tuple[np.ndarray, ...]) -> None:
     left, right, mosaic = images
-    sources, labels = {"flight.1": left, "flight.2": right}, np.zeros((SIDE, SIDE))
-    labels[:, SIDE // 2 :] = 1
+    sources, labels = {"flight.1": left, "flight.2": right}, np.indices((SIDE, SIDE))[1] // (SIDE // 2)
     result = inspect_arrays(mosaic, sources, PIXEL_M, labels)
     assert [clip.raster for clip in result.clips] == ["mosaic", *sources]
     assert result.profile.kept == inspect_arrays(mosaic, [left, right], PIXEL_M, labels).profile.kept

@@ -83,18 +83,6 @@ def test_the_shell_of_the_page_runs(folder: Path, shell: dict[str, str], heading
     assert "Traceback" not in run.stderr
 
 
-def test_a_sheet_without_any_seam_is_undecided(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
-    from osgeo import gdal
-
-    sources, sheet = sorted(map(str, folder.glob("block/strip*.tif"))), str(tmp_path / "sheet.tif")
-    gdal.Translate(sheet, str(folder / "block" / "mosaic.tif"), srcWin=[0, 0, 64, 64])
-    for command in (
-        ["scan", sheet, *sources, "-o", f"{tmp_path}/seams.gpkg"], ["accept", f"{tmp_path}/seams.gpkg"],
-    ):  # fmt: skip
-        run = subprocess.run(["seam-inspector", *command], env=shell, capture_output=True, text=True, check=False)
-        assert (run.returncode, run.stdout.startswith("Undecided. There is no seam")) == (2, True), run.stderr
-
-
 def test_a_table_or_page_of_something_else_stays(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
     sources, mosaic = sorted(map(str, folder.glob("block/strip*.tif"))), str(folder / "block" / "mosaic.tif")
     notes, page, table = tmp_path / "notes.csv", tmp_path / "page.html", tmp_path / "windows.csv"
@@ -149,6 +137,9 @@ def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tm
     assert code("accept", seams) == 2
     assert code("accept", seams, "--rules", str(STRICT)) == 2
     assert code("inspect", mosaic, *sources, "--at", "0", "0") == 2
+    gdal.Translate(f"{tmp_path}/sheet.tif", mosaic, srcWin=[0, 0, 64, 64])
+    assert code("scan", f"{tmp_path}/sheet.tif", *sources, "-o", f"{tmp_path}/sheet.gpkg") == 2
+    assert code("accept", f"{tmp_path}/sheet.gpkg") == 2
     for wrong in (
         ["scan", mosaic, *sources, "-o", mosaic], ["scan", str(tmp_path / "none.tif"), "-o", seams], ["accept", mosaic],
         ["scan", mosaic, *sources, "-o", seams, "--piece", "0"], [], ["accept", seams, "--min-kept", "7"],

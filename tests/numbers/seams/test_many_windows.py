@@ -9,23 +9,14 @@ from typing import Any
 
 import numpy as np
 import pytest
-from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, inspect_windows, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
-from tests.numbers.seams.inspecting import (
-    FAR_AWAY,
-    SIZE,
-    MakeRaster,
-    assert_not_comparable,
-    block_of,
-    inspect,
-    mosaic_of,
-    softened,
-)
+from tests.numbers.conftest import MakeRaster
+from tests.numbers.seams.inspecting import SIZE, assert_not_comparable, block_of, inspect, mosaic_of, softened
 from tests.numbers.synthetic import orthoimage, texture
 
 
@@ -128,18 +119,6 @@ def test_cancelling_does_not_wait_for_windows_that_are_not_ready(block: Block) -
     assert list(inspect_windows(Requests(block, 50), executor, 3, cancelled)) == []
     assert len(executor.futures) == 3
     assert all(future.cancelled() for future in executor.futures)
-
-
-def test_requests_and_results_cross_processes(block: Block) -> None:
-    outside = window_request(block, 99, FAR_AWAY, InspectionSettings())
-    for request in (*Requests(block, 2), outside):
-        there = pickle.loads(pickle.dumps(request))
-        assert there == request
-        result = inspect_window(there)
-        back: WindowResult = pickle.loads(pickle.dumps(result))
-        assert back == result == inspect_window(request)
-        assert str(back.judgement.reason) == str(result.judgement.reason)
-        assert not any(isinstance(value, gdal.Dataset) for value in vars(request).values())
 
 
 def test_a_result_is_small_whatever_the_window(make_raster: MakeRaster) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsVectorLayer
+from qgis.core import QgsVectorLayer
 
 from tests.numbers.synthetic import texture, write_raster
 from tests.qgis.scenes import layer, line, saved
@@ -97,17 +97,3 @@ def seam_layer() -> QgsVectorLayer:
     return layer("LineString", [
         line(*zip(seam_column(seam)[rows].tolist(), (rows + 0.5).tolist())) for seam in range(STRIPS - 1)
     ])
-
-
-def cell_layer(names: Sequence[str]) -> QgsVectorLayer:
-    """The strips as polygons that name their orthoimages."""
-    rows = np.append(np.arange(0, ROWS, 4), ROWS)
-    sides = [np.zeros(ROWS + 1), *(np.append(item := seam_column(seam), item[-1]) for seam in range(STRIPS - 1)),
-             np.full(ROWS + 1, float(SHAPE[1]))]
-    outlines = []
-    for left, right in zip(sides, sides[1:]):
-        down = list(zip(left[rows].tolist(), rows.tolist()))
-        up = list(zip(right[rows][::-1].tolist(), rows[::-1].tolist()))
-        ring = line(*down, *up, down[0]).asPolyline()
-        outlines.append(QgsGeometry.fromPolygonXY([ring]))
-    return layer("Polygon", outlines, source=("string", list(names)))

@@ -112,7 +112,7 @@ def test_images_of_one_ground_and_places_stay_apart(photos: list[str], make_rast
 
 
 def test_parts_with_another_order_of_bands_stay_apart(make_raster: MakeRaster, tmp_path: Path) -> None:
-    """Of parts as one the bands of all are read by their numbers in the first."""
+    """The bands of parts that are one image are read by their numbers in the first of them."""
     mosaic = make_raster("mosaic.tif", orthoimage((SIDE, SIDE), seed=1))
     first, second = parts_of(mosaic, tmp_path, 400, SIDE + 32, 32)
     turned = gdal.Translate(str(tmp_path / "turned.tif"), second, bandList=[3, 2, 1]).GetDescription()
