@@ -10265,13 +10265,13 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="42"/>
-        <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
-        <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
+        <source>The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them.</source>
+        <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj linie mozaikowania tak, jak je zapisuje skanowanie ortofotomapy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="44"/>
-        <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
-        <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
+        <source>The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.</source>
+        <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj linie mozaikowania tak, jak je zapisuje skanowanie ortofotomapy.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="46"/>
@@ -11650,8 +11650,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="393"/>
-        <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without SEAMLINES.</source>
-        <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez SEAMLINES.</translation>
+        <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
+        <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="398"/>
@@ -12222,8 +12222,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="359"/>
-        <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or the mosaic as it was before.</source>
-        <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać SEAMLINES albo ortofotomapę sprzed przekształcenia.</translation>
+        <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or the mosaic as it was before.</source>
+        <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="85"/>
@@ -12437,7 +12437,7 @@
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="50"/>
-        <source>A {given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
+        <source>{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>

@@ -47,7 +47,7 @@ DASK_VERSIONS = Message(
     "Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on "
     "the scheduler, the workers and here.")
 NO_EXECUTOR = Message(
-    "A {given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.")
+    "{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.")
 EXECUTOR_LOST = Message("The executor was shut down or lost its workers; open a new one, then run this again.")
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
 SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; restart it and its workers, then run this again.")

@@ -357,7 +357,7 @@ SCAN_LAYER_NOT_WRITTEN = Message(
 )
 MORE_SEAMS_THAN_OUTLINES = Message(
     "{metres:.0f} m of seam were found, but the orthoimages' outlines are only {around:.0f} m long: the mosaic seems "
-    "to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give SEAMLINES, or "
+    "to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or "
     "the mosaic as it was before.", WARNING
 )
 SCAN_WITHOUT_SEAMS = Message(
@@ -392,7 +392,7 @@ MOSAIC_UNEXPLAINED = Message(
 BORDERS_WITHOUT_SEAM = Message(
     "The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest "
     "{longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check "
-    "it, and give the missing seamlines or scan without SEAMLINES.", WARNING
+    "it, and give the missing seamlines or scan without seamlines.", WARNING
 )
 MOSAIC_UNREAD = Message(
     "{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. "

@@ -39,9 +39,9 @@ NO_WIDTH = Message("The corridor is {value:g} m wide; give more than 0.")
 NO_BLEND = Message("A blend of {value:g} pixels can't be made; give a whole number of 0 to {most}.")
 # the whole
 NOT_OF_A_SCAN = Message(
-    "The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes."
+    "The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them."
 )
-NO_PIECES = Message("The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.")
+NO_PIECES = Message("The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.")
 MENDING_STOPPED = Message(
     "Mending was stopped; start it again with the same outputs to continue.", INFO
 )
