@@ -75,8 +75,7 @@ def inspect_arrays(
     imagery_limits.check_type("sources", sources, Iterable)
     if pixel_size_m <= 0:
         raise SettingsError(messages.NO_PIXEL_SIZE(value=pixel_size_m))
-    is_named = isinstance(sources, Mapping)
-    named = dict(sources if is_named else ((f"source_{i}", source) for i, source in enumerate(sources)))
+    named = dict(sources) if isinstance(sources, Mapping) else {f"source_{i}": image for i, image in enumerate(sources)}
     with ExitStack() as held:
         held.callback(close_rasters)
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))

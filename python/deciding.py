@@ -14,7 +14,7 @@ from ..plugin.imagery.errors import SettingsError
 from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.reference_systems import same_system
 from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
-from ..plugin.seams.measure.window.inspection import PathLike
+from ..plugin.seams.measure.window.inspection import PathLike, paths_of
 from . import messages
 from .scan_files import read_seams
 
@@ -48,9 +48,10 @@ def decide(
     """
     check_type("sheets", sheets, Mapping)
     check_type("rules", rules, AcceptanceRules)
+    check_type("lot_size", lot_size or 0, int)
+    check_type("seed", seed, int)
     if (lot_size or seed) and rules.sampling is None:
         raise SettingsError(messages.LOT_WITHOUT_PLAN(rules=rules.name))
-    mosaics = [mosaics] if isinstance(mosaics, PATH_TYPES) else mosaics
     for name, sheet in sheets.items():
         check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
     files = {name: os.fspath(sheet) for name, sheet in sheets.items() if not isinstance(sheet, ScanResult)}
@@ -67,7 +68,7 @@ def decide(
     if rows and not any(rows.values()):
         raise NoSeamsError(messages.NO_SEAM_TO_DECIDE_ON())
     delivery = make_delivery(rows, wkt, notes, files)
-    given, folders = [os.fspath(path) for path in mosaics], [os.path.dirname(path) for path in files.values()]
+    given, folders = paths_of("mosaics", mosaics), [os.path.dirname(path) for path in files.values()]
     return deciding.decide(
         replace(delivery, files=file_doubts(delivery.layers, given, (), folders)), rules, lot_size or None, seed
     )

@@ -126,7 +126,7 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
     wkt = known_wkt(crs)
     imagery_limits.check_type("mosaic", mosaic, *imagery_limits.PATH_TYPES)
     imagery_limits.check_type("cells", cells, *imagery_limits.PATH_TYPES)
-    sources, neighbours = _paths("sources", sources), _paths("neighbours", neighbours)
+    sources, neighbours = paths_of("sources", sources), paths_of("neighbours", neighbours)
     if nodata is not None and not isinstance(nodata, Real):
         imagery_limits.check_type("nodata", nodata, float)
     value = None if nodata is None else float(nodata)
@@ -147,7 +147,7 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
     return replace(block, paths=paths, sheet=sheet if neighbours else None)
 
 
-def _paths(name: str, given: Iterable[PathLike] | PathLike) -> list[str]:
+def paths_of(name: str, given: Iterable[PathLike] | PathLike) -> list[str]:
     """Paths that an argument gives, be it a single one. Raises SettingsError for what is none."""
     imagery_limits.check_type(name, given, *imagery_limits.PATH_TYPES, Iterable)
     paths = [given] if isinstance(given, imagery_limits.PATH_TYPES) else [*given]
