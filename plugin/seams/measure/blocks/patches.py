@@ -302,5 +302,4 @@ def _cells(
     pairs = (mosaic_details, mosaic_details), (other, other), (mosaic_details, other)
     sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in pairs]
     rows, columns = ((start[step // 2 :: step] + _CELL.start) // CELL_PX for start in starts)
-    learned = Learned(filters, frozenset(numbers) - filters.lent)
-    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), learned
+    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(numbers))

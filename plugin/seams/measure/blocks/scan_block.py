@@ -225,11 +225,11 @@ def _measured(
     named = sides.named_near(placed) if sides is not None else set()
     likely = tuple(i for i in everyone if i in named | around)
     learned = request.learned if look is None else look.learned
-    learned = learned if learned is not None and not learned.of.isdisjoint(likely) else None
+    filters = learned.filters if learned is not None and learned.of.issuperset(likely) else None
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
-        part = measure_part(pixels, PartRequest(placed, likely, learned, sides), *decomposition)
+        part = measure_part(pixels, PartRequest(placed, likely, filters, sides), *decomposition)
         if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
             return part
     if _is_crowded(everyone, window):

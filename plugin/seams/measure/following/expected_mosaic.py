@@ -111,7 +111,7 @@ def expected_mosaic(
     ``filters``: what came over the sources as they are given, where that is known from more ground than there is here.
     """
     mosaic, cutting = sources.mosaic.plane, _Cutting(sources, closeness)
-    cut = cutting.learned() if filters is None or sources.moves else cutting.by_filters(filters)
+    cut = cutting.learned() if filters is None or sources.moves else cutting.cut(cutting.likely(filters), filters)
     labels, filters = cut.labels, cut.filters
     toned = {i: source.plane for i, source in cut.in_tone.items()}
     shown, shares = {i: filters.applied(i, plane) for i, plane in toned.items()}, None
@@ -225,18 +225,6 @@ class _Cutting:
         cut = replace(cut, filters=find_filters(mosaic, fine, cut.in_tone, cut.labels, anywhere))
         made = self._made(cut)
         return self._mixed(cut, made) or cut
-
-    def by_filters(self, filters: Filters) -> _Cut:
-        """The cut by what is known of what came over the sources, and by what is learned here of those that are lent
-        others' filters."""
-        cut = self.cut(self.likely(filters), filters)
-        if not filters.lent & cut.in_tone.keys():
-            return cut
-        mosaic, *fine = self.sources.fine
-        clear = self.unmixed(cut.labels)
-        toned = {i: source.gain * fine[i] for i, source in cut.in_tone.items()}
-        filters = filters.with_lent(mosaic, toned, {i: _surest(cut.labels == i, clear) for i in toned})
-        return self.cut(self.likely(filters), filters)
 
     def _mixed(self, alone: _Cut, made: np.ndarray) -> _Cut | None:
         """The cut by what a mixture of two sources nearly everywhere says came over them; None for other windows, and

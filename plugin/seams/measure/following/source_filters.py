@@ -99,24 +99,6 @@ class Filters:
     """Taps (5, 5) of each source that is followed; empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
-    lent: frozenset[int] = frozenset()
-    """Sources that show too little of a filter of their own, in a mosaic that has one for each."""
-
-    def with_lent(
-        self, mosaic: np.ndarray, toned: Mapping[int, np.ndarray], parts: Mapping[int, np.ndarray]
-    ) -> Filters:
-        """Filters with what the ground tells of the sources that were lent them: the mosaic's fine detail and theirs in
-        its tones, (rows, columns) float32 each, and bool of each, where it is followed for sure."""
-        taps = dict(self.taps)
-        for i in self.lent & toned.keys():
-            fitted = fit_filter(mosaic, toned[i], parts[i], gain=1.0)
-            if fitted is None:
-                continue
-            lent, made = (filtered(toned[i], kernel) for kernel in (taps[i], fitted))
-            if _explains_more(mosaic, lent, made, parts[i], MIN_SINGLE_GAIN):
-                taps[i] = fitted
-        is_plain = all(kernel is UNTOUCHED for kernel in taps.values())
-        return UNFILTERED if is_plain else replace(self, taps=taps)
 
     def with_taps(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
@@ -153,17 +135,6 @@ class Learned:
     def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
         """A source's plane as the mosaic shows it; as it is where that is not known."""
         return self.filters.applied(source, plane) if source in self.of else plane
-
-    def for_planes(self, sources: Sequence[int]) -> Filters:
-        """Filters by the places of these sources; what is not known of one it is lent by those of which it is."""
-        lent = frozenset(place for place, i in enumerate(sources) if i not in self.of)
-        if self.filters.came_over_cuts or not lent:
-            taps = {place: self.filters.taps[i] for place, i in enumerate(sources) if i in self.filters.taps}
-            return replace(self.filters, taps=taps, lent=frozenset())
-        known = [self.filters.taps[i] for i in self.of if i in self.filters.taps]
-        mean = np.mean(known, axis=0) if known else UNTOUCHED
-        taps = {place: mean if place in lent else self.filters.taps.get(i, UNTOUCHED) for place, i in enumerate(sources)}
-        return replace(self.filters, taps=taps, lent=lent)
 
 
 def find_filters(
@@ -262,7 +233,7 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
             _explains_more(fine, common, filtered(reference, taps_of_source), parts[i], MIN_SINGLE_GAIN)
             for i, taps_of_source in single.items()
         ):
-            return Filters({i: single.get(i, taps) for i in numbers}, False, frozenset(numbers) - single.keys())
+            return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
 
 
