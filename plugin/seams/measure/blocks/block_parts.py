@@ -93,7 +93,7 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
-    details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
+    details = list(placed_components(compared_planes(expected.filling(image), expected), wavelet, levels))
     masks = {number: source.valid for number, source in planes.sources.items() if source.valid is not None}
     sources = MeetingSources.of(replace(expected, labels=labels), masks)
     cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))

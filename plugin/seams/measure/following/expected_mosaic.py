@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
@@ -71,6 +72,10 @@ class ExpectedMosaic:
     def is_filtered(self) -> bool:
         """Whether something came over it."""
         return any(self.toned[i] is not plane for i, plane in self.shown.items())
+
+    def filling(self, mosaic: ComparedImage) -> np.ndarray:
+        """The mosaic's plane with what is expected where it has no pixels: any other filling would end in a step."""
+        return mosaic.plane if mosaic.valid is None else np.where(mosaic.valid, mosaic.plane, self.plane)
 
     def of_sources(self, source_of: Sequence[int]) -> ExpectedMosaic:
         """The cut with the numbers of sources for those of planes, several of which may be of one source."""
