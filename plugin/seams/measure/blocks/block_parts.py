@@ -16,7 +16,7 @@ from ..following.levelling import SQUARE_PX as TONE_PX
 from ..following.levelling import gain_field, square_means
 from ..following.likely_source import QUICK, filled_in
 from ..following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_given, follow_sources
-from ..following.source_filters import Filters
+from ..following.source_filters import Filters, Learned
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
@@ -59,15 +59,15 @@ class PartRequest:
     """On the mosaic's grid."""
     numbers: tuple[int, ...]
     """The sources of its block that it is measured by."""
-    filters: Filters | None = None
-    """What came over the mosaic, where that is known of all of them."""
+    learned: Learned | None = None
+    """What came over the mosaic, where that is known of any of them."""
     sides: SeamSides | None = None
     """The seams that are given."""
 
 
 def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels: int) -> DensePart:
     """Measure a rectangle of a block. Raises RasterError where the mosaic can't be read."""
-    window, filters, sides = request.window, request.filters, request.sides
+    window, sides = request.window, request.sides
     around = window.with_margin(MARGIN_PX)
     planes = pixels.part(around, request.numbers)
     inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
@@ -76,10 +76,8 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     if not given or known[inside].mean() < MIN_VALID:
         return _nothing(window, levels, float(known[inside].any()))
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
-    if filters is not None:  # by the numbers of planes instead of the sources'
-        taps = {plane: filters.taps[i] for plane, i in enumerate(given) if i in filters.taps}
-        filters = replace(filters, taps=taps)
-    if filters is not None and filters.taps:
+    filters = None if request.learned is None else request.learned.for_planes(given)
+    if filters is not None and filters.taps and not filters.lent:
         followed = follow_given(image, list(planes.sources.values()), filters)
     else:
         followed = follow_sources(image, list(planes.sources.values()))

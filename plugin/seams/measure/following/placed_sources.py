@@ -60,7 +60,8 @@ class PlacedSources:
         """(rows, columns) bool: where one plane is followed for sure. What fills the mosaic where it has no pixels must
         tell nothing of tones and filters."""
         valid = self.mosaic.valid
-        return self.following.clear if valid is None else self.following.clear & narrowed(valid, HIGH_PASS_PX + REACH_PX)
+        clear = self.following.clear
+        return clear if valid is None else clear & narrowed(valid, HIGH_PASS_PX + REACH_PX)
 
     @property
     def interpolated(self) -> set[int]:
