@@ -25,6 +25,8 @@ from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
 from .seam_sides import SeamSides
 
+SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
+"""Pixels whose labels are kept."""
 MIN_CLEAR = 0.9  # of a window: with more there is no part that is guessed
 MIN_SURE = 0.3  # of a part of one source; true ones have 0.56 or more after JPEG 75, guessed ones 0.25 or less
 MIN_VALID = 0.02  # of a part's pixels: with less there is nothing to be measured
@@ -38,6 +40,8 @@ class DensePart:
     """On the mosaic's grid, without margins."""
     labels: np.ndarray
     """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
+    valid: np.ndarray
+    """(rows, columns) bool, as the labels: where the mosaic has pixels."""
     mixture: np.ndarray
     """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
     grey: np.ndarray
@@ -74,7 +78,7 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     given = tuple(planes.sources)
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
     if not given or known[inside].mean() < MIN_VALID:
-        return _nothing(window, levels, float(known[inside].any()))
+        return _nothing(window, levels, known[inside])
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
     filters = None if request.learned is None else request.learned.for_planes(given)
     if filters is not None and filters.taps and not filters.lent:
@@ -101,7 +105,8 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     first = around.row // CELL_PX, around.column // CELL_PX
     return DensePart(
         window,
-        labels[inside][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
+        labels[inside][SAMPLED],
+        known[inside][SAMPLED],
         square_shares(mixed[inside], CELL_PX),
         square_shares(image.plane[inside], CELL_PX),
         _grain(followed, known)[place],
@@ -137,11 +142,13 @@ def guesses(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
     return enlarged(unsure, LABEL_PX)
 
 
-def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
+def _nothing(window: PixelWindow, levels: int, known: np.ndarray) -> DensePart:
     nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
-    labels = np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8)
-    tables = CellTable.empty(levels), MixtureTable.empty(levels)
-    return DensePart(window, labels, nothing, nothing, np.full_like(nothing, np.nan), *tables, unexplained)
+    valid, tables = known[SAMPLED], (CellTable.empty(levels), MixtureTable.empty(levels))
+    labels = np.full(valid.shape, UNKNOWN, np.uint8)
+    return DensePart(
+        window, labels, valid, nothing, nothing, np.full_like(nothing, np.nan), *tables, float(known.any())
+    )
 
 
 BLOCK_MARGIN_PX = 32

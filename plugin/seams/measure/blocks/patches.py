@@ -25,7 +25,7 @@ from ..following.followed_source import (
 )
 from ..following.foreign_ground import foreign_patches
 from ..following.likely_source import MIN_FIT
-from ..following.source_filters import Learned
+from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned
 from ..profile.cell_table import CELL_PX, CellTable
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import SQUARE_PX
@@ -316,7 +316,7 @@ def _outlying(followed: np.ndarray, energy: np.ndarray, left_over: np.ndarray) -
     outlying = np.zeros(followed.shape, bool)
     for number in present(followed):
         of = followed == number
-        share = _share_left(of, energy, left_over)
+        share = max(_share_left(of, energy, left_over), MAX_LEFT_UNFILTERED)
         outlying |= of & (left_over > _OUTLYING * (share * energy + np.median(left_over[of])))
     return outlying
 

@@ -318,8 +318,9 @@ class _Block:
             return rows, columns
 
         for target, values, step in (
-            (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
-            (self._grey, part.grey, CELL_PX), (self._grain, part.grain, CELL_PX),
+            (self._labels, part.labels, LABEL_PX), (self._valid, part.valid, LABEL_PX),
+            (self._mixture, part.mixture, CELL_PX), (self._grey, part.grey, CELL_PX),
+            (self._grain, part.grain, CELL_PX),
         ):
             inside = place(step, len(target))
             target[inside] = values[: inside[0].stop - inside[0].start, : inside[1].stop - inside[1].start]
