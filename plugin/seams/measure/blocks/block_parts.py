@@ -16,7 +16,7 @@ from ..following.levelling import SQUARE_PX as TONE_PX
 from ..following.levelling import gain_field, square_means
 from ..following.likely_source import QUICK, filled_in
 from ..following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_given, follow_sources
-from ..following.source_filters import Filters
+from ..following.source_filters import Filters, Learned
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
@@ -25,6 +25,8 @@ from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
 from .seam_sides import SeamSides
 
+SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
+"""Pixels whose labels are kept."""
 MIN_CLEAR = 0.9  # of a window: with more there is no part that is guessed
 MIN_SURE = 0.3  # of a part of one source; true ones have 0.56 or more after JPEG 75, guessed ones 0.25 or less
 MIN_VALID = 0.02  # of a part's pixels: with less there is nothing to be measured
@@ -38,6 +40,8 @@ class DensePart:
     """On the mosaic's grid, without margins."""
     labels: np.ndarray
     """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
+    valid: np.ndarray
+    """(rows, columns) bool, as the labels: where the mosaic has pixels."""
     mixture: np.ndarray
     """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
     grey: np.ndarray
@@ -59,27 +63,25 @@ class PartRequest:
     """On the mosaic's grid."""
     numbers: tuple[int, ...]
     """The sources of its block that it is measured by."""
-    filters: Filters | None = None
-    """What came over the mosaic, where that is known of all of them."""
+    learned: Learned | None = None
+    """What came over the mosaic, where that is known of any of them."""
     sides: SeamSides | None = None
     """The seams that are given."""
 
 
 def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels: int) -> DensePart:
     """Measure a rectangle of a block. Raises RasterError where the mosaic can't be read."""
-    window, filters, sides = request.window, request.filters, request.sides
+    window, sides = request.window, request.sides
     around = window.with_margin(MARGIN_PX)
     planes = pixels.part(around, request.numbers)
     inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
     given = tuple(planes.sources)
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
     if not given or known[inside].mean() < MIN_VALID:
-        return _nothing(window, levels, float(known[inside].any()))
+        return _nothing(window, levels, known[inside])
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
-    if filters is not None:  # by the numbers of planes instead of the sources'
-        taps = {plane: filters.taps[i] for plane, i in enumerate(given) if i in filters.taps}
-        filters = replace(filters, taps=taps)
-    if filters is not None and filters.taps:
+    filters = None if request.learned is None else request.learned.for_planes(given)
+    if filters is not None and filters.taps and not filters.lent:
         followed = follow_given(image, list(planes.sources.values()), filters)
     else:
         followed = follow_sources(image, list(planes.sources.values()))
@@ -93,7 +95,7 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
-    details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
+    details = list(placed_components(compared_planes(expected.filling(image), expected), wavelet, levels))
     masks = {number: source.valid for number, source in planes.sources.items() if source.valid is not None}
     sources = MeetingSources.of(replace(expected, labels=labels), masks)
     cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
@@ -103,7 +105,8 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     first = around.row // CELL_PX, around.column // CELL_PX
     return DensePart(
         window,
-        labels[inside][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
+        labels[inside][SAMPLED],
+        known[inside][SAMPLED],
         square_shares(mixed[inside], CELL_PX),
         square_shares(image.plane[inside], CELL_PX),
         _grain(followed, known)[place],
@@ -139,11 +142,13 @@ def guesses(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
     return enlarged(unsure, LABEL_PX)
 
 
-def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
+def _nothing(window: PixelWindow, levels: int, known: np.ndarray) -> DensePart:
     nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
-    labels = np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8)
-    tables = CellTable.empty(levels), MixtureTable.empty(levels)
-    return DensePart(window, labels, nothing, nothing, np.full_like(nothing, np.nan), *tables, unexplained)
+    valid, tables = known[SAMPLED], (CellTable.empty(levels), MixtureTable.empty(levels))
+    labels = np.full(valid.shape, UNKNOWN, np.uint8)
+    return DensePart(
+        window, labels, valid, nothing, nothing, np.full_like(nothing, np.nan), *tables, float(known.any())
+    )
 
 
 BLOCK_MARGIN_PX = 32

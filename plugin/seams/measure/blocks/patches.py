@@ -25,9 +25,9 @@ from ..following.followed_source import (
 )
 from ..following.foreign_ground import foreign_patches
 from ..following.likely_source import MIN_FIT
-from ..following.source_filters import Learned
+from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned
 from ..profile.cell_table import CELL_PX, CellTable
-from ..seam_cells import UNKNOWN, present
+from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import SQUARE_PX
 from .block_pixels import MOST_HELD, BlockPixels, Planes
 
@@ -46,6 +46,8 @@ _STRANGE_SQUARES = 2  # a side of what lies together, so that one patch alone co
 _MIN_VALID = 0.98  # of a patch
 _FARTHEST_FILLED = 1.5  # squares
 _MANY = 100  # patches
+_ROUNDS = 3  # in which a filter is learned without the patches that it explains worst
+_OUTLYING = 3.0  # times what is left over of most patches
 
 
 @dataclass(frozen=True, eq=False)
@@ -287,19 +289,38 @@ def _cells(
     shape = followed.shape
     inside = np.zeros(PATCH_PX, bool)
     inside[6:-6] = True
-    labels = enlarged(followed, PATCH_PX)
     within = np.outer(np.tile(inside, shape[0]), np.tile(inside, shape[1]))
-    mosaic = planes.mosaic[chosen]
-    numbers = np.unique(followed[followed != UNKNOWN]).tolist()
-    expected, filters = mosaic_of(
-        mosaic, {i: planes.sources[i].plane[chosen] for i in numbers}, labels, within, PATCH_PX
-    )
-    (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
-    cell = slice(_CELL.start // 2, _CELL.stop // 2)
-    mosaic_details, other = (
-        details[:, k].reshape(3, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)[:, :, cell, :, cell] for k in (0, 1)
-    )
-    pairs = (mosaic_details, mosaic_details), (other, other), (mosaic_details, other)
-    sums = [np.einsum("daibj,daibj->ab", a, b)[np.newaxis] for a, b in pairs]
+    mosaic, cell = planes.mosaic[chosen], slice(_CELL.start // 2, _CELL.stop // 2)
+    for _ in range(_ROUNDS):
+        numbers = present(followed)
+        given = {i: planes.sources[i].plane[chosen] for i in numbers}
+        expected, filters = mosaic_of(mosaic, given, enlarged(followed, PATCH_PX), within, PATCH_PX)
+        (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
+        details = details.reshape(3, 2, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)
+        m, c = details[:, :, :, cell, :, cell].swapaxes(0, 1)
+        mm, cc, mc = (np.einsum("daibj,daibj->ab", a, b) for a, b in ((m, m), (c, c), (m, c)))
+        outlying = _outlying(followed, mm, mm - 2 * mc + cc)
+        if not outlying.any():
+            break
+        followed = np.where(outlying, np.uint8(UNKNOWN), followed)
     rows, columns = ((start[step // 2 :: step] + _CELL.start) // CELL_PX for start in starts)
-    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), Learned(filters, frozenset(numbers))
+    left_over = {i: _share_left(followed == i, mm, mm - 2 * mc + cc) for i in numbers if i not in filters.lent}
+    learned = Learned(filters, left_over)
+    sums = [products[np.newaxis] for products in (mm, cc, mc)]
+    return CellTable.far(rows, columns, is_one_of(followed, learned.of), sums, levels), learned
+
+
+def _outlying(followed: np.ndarray, energy: np.ndarray, left_over: np.ndarray) -> np.ndarray:
+    """Patches of which a source leaves far more over than of most of its own, bool: what was done to them was not done
+    to all it shows. What is left over has a share of the energy and, where anything was rounded, a floor."""
+    outlying = np.zeros(followed.shape, bool)
+    for number in present(followed):
+        of = followed == number
+        share = max(_share_left(of, energy, left_over), MAX_LEFT_UNFILTERED)
+        outlying |= of & (left_over > _OUTLYING * (share * energy + np.median(left_over[of])))
+    return outlying
+
+
+def _share_left(of: np.ndarray, energy: np.ndarray, left_over: np.ndarray) -> float:
+    """Share of the energy that is left over of most of some patches."""
+    return float(np.median(left_over[of] / np.maximum(energy[of], 1e-9)))

@@ -60,9 +60,10 @@ class BlockRequest:
     sides: SeamSides | None = None
     """The seams that are given."""
     learned: Learned | None = None
-    """What an earlier look told of what came over the mosaic."""
-    followed: frozenset[int] | None = None
-    """The sources that it found followed in the block or just beside it; None: any may be."""
+    """What earlier looks told of what came over the mosaic."""
+    followed: np.ndarray | None = None
+    """(SQUARES + 2, SQUARES + 2) uint8: what they found followed in its squares and in those around it, else
+    ``UNKNOWN``; None: any source may be."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,6 +77,8 @@ class BlockScan:
     """(SQUARES, SQUARES) uint8: number of the source that the patch of each square follows, or ``UNKNOWN``."""
     dense: np.ndarray
     """(UNITS, UNITS) bool: what was measured pixel by pixel."""
+    wanted: np.ndarray
+    """(UNITS, UNITS) bool: what is to be, when all blocks have told what came over their sources."""
     labels: np.ndarray
     """(LABELS, LABELS) uint8: number of the source that is followed, or ``UNKNOWN``."""
     mixture: np.ndarray
@@ -130,36 +133,43 @@ def _along_seams(request: BlockRequest, nothing: BlockScan) -> BlockScan:
 
 def _scanned(request: BlockRequest) -> BlockScan:
     """Scan of a block; raises NotCoveredError or RasterError where it can't be read."""
-    wanted = request.wanted
-    is_full = request.settings.density == FULL and wanted is None
-    whole = wanted is None or wanted.mean() >= WHOLE_SHARE
-    refs, settings = [source.ref for source in request.sources], request.settings
-    margin_px = (BLOCK_MARGIN_PX if is_full else 0) if whole else None
+    return _looked_at(request) if request.wanted is None else _measured_where(request.wanted, request)
+
+
+def _looked_at(request: BlockRequest) -> BlockScan:
+    """What the patches of a block say, and the units in which they call for more."""
+    settings = request.settings
+    is_full = settings.density == FULL
     # Those of a block at the mosaic's edge may be too few for a patch.
     width, height = max(request.window.width, SQUARE_PX), max(request.window.height, SQUARE_PX)
     around = replace(request.window, width=width, height=height)
-    pixels = BlockPixels(request.mosaic, refs, around, margin_px, request.grey_factor)
-    made = _Block(request)
-    look = look_at_squares(pixels, settings.wavelet, settings.levels) if wanted is None else None
-    if look is not None:
-        midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
-        doubtful = widened(enlarged(look.doubtful, SQUARE_PX // UNIT_PX), 1)  # and a unit around it
-        wanted = called_for(look.source, UNKNOWN, midway) | doubtful
-        if request.along_seams is not None:
-            wanted |= request.along_seams[: wanted.shape[0], : wanted.shape[1]]
-    assert wanted is not None
+    pixels, made = _pixels(request, around, BLOCK_MARGIN_PX if is_full else 0), _Block(request)
+    look = look_at_squares(pixels, settings.wavelet, settings.levels)
+    midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
+    doubtful = widened(enlarged(look.doubtful, SQUARE_PX // UNIT_PX), 1)  # and a unit around it
+    wanted = called_for(look.source, UNKNOWN, midway) | doubtful
+    if request.along_seams is not None:
+        wanted |= request.along_seams[: wanted.shape[0], : wanted.shape[1]]
     wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
-    if look is not None:
-        made.take_look(look, wanted)
-        if is_full:
-            made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
+    made.take_look(look, wanted)
+    if is_full:
+        made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
+    made.leave_out(pixels.valid)
+    reading = BlockReading((), True, pixels.has_sources)
+    return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
+
+
+def _measured_where(wanted: np.ndarray, request: BlockRequest) -> BlockScan:
+    """What is measured pixel by pixel in some units of a block, (UNITS, UNITS) bool."""
+    wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
+    pixels, made = _pixels(request, request.window, 0 if wanted.mean() >= WHOLE_SHARE else None), _Block(request)
     waiting = deque(rectangles(wanted))
     unread: list[PixelWindow] = []
-    has_mosaic = look is not None or not waiting
+    has_mosaic = not waiting
     while waiting:
         window = waiting.popleft()
         try:
-            part = _measured(pixels, look, window, request)
+            part = _measured(pixels, window, request)
         except NotCoveredError:
             has_mosaic = True
             continue
@@ -177,14 +187,21 @@ def _scanned(request: BlockRequest) -> BlockScan:
     return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
 
 
+def _pixels(request: BlockRequest, window: PixelWindow, margin_px: int | None) -> BlockPixels:
+    refs = [source.ref for source in request.sources]
+    return BlockPixels(request.mosaic, refs, window, margin_px, request.grey_factor)
+
+
 def called_for(
-    source: np.ndarray, unknown: int = UNKNOWN, midway: tuple[np.ndarray, np.ndarray] | None = None
+    source: np.ndarray, unknown: int = UNKNOWN, midway: tuple[np.ndarray, np.ndarray] | None = None,
+    pairs: Sequence[int] | None = None,
 ) -> np.ndarray:
     """Units between squares that follow different sources, bool; ``source``: (rows, columns) of squares.
 
     Between two patches there is a seam somewhere; ground of a patch's width beside it is enough, the samples tell the
     rest. ``midway``: what the patches between squares follow, to the right and downwards (``middle_sources``): they
-    tell in which half the seam lies.
+    tell in which half the seam lies. ``pairs``: the rows, and columns, of squares that are compared with the next ones;
+    all where None.
     """
     per_square = SQUARE_PX // UNIT_PX
     units = np.zeros([length * per_square for length in source.shape], bool)
@@ -195,6 +212,8 @@ def called_for(
     ):
         differ = (labels[:, :-1] != labels[:, 1:]) & there[:, :-1] & there[:, 1:]
         for row, column in np.argwhere(differ).tolist():
+            if pairs is not None and column not in pairs:
+                continue
             first, last = 1, 2 * per_square - 1
             middle = unknown if middles is None else middles[row, column]
             if middle == labels[row, column]:
@@ -206,30 +225,25 @@ def called_for(
     return units
 
 
-def _measured(
-    pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
-) -> DensePart | None:
+def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -> DensePart | None:
     """A rectangle by the sources that are followed around it, and that given seams name; by all where they leave
     something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
     everyone, sides, decomposition = pixels.numbers, request.sides, (request.settings.wavelet, request.settings.levels)
-    if look is not None:
+    around = set(everyone)
+    if request.followed is not None:
         rows, columns = (
-            slice(max(first // SQUARE_PX - 1, 0), -(-(first + length) // SQUARE_PX) + 1)
+            slice(first // SQUARE_PX, -(-(first + length) // SQUARE_PX) + 2)
             for first, length in ((window.row, window.height), (window.column, window.width))
         )
-        around = set(np.unique(look.source[rows, columns]).tolist())
-    else:
-        around = set(everyone if request.followed is None else request.followed)
+        around = set(np.unique(request.followed[rows, columns]).tolist())
     named = sides.named_near(placed) if sides is not None else set()
     likely = tuple(i for i in everyone if i in named | around)
-    learned = request.learned if look is None else look.learned
-    filters = learned.filters if learned is not None and learned.of.issuperset(likely) else None
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
-        part = measure_part(pixels, PartRequest(placed, likely, filters, sides), *decomposition)
+        part = measure_part(pixels, PartRequest(placed, likely, request.learned, sides), *decomposition)
         if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
             return part
     if _is_crowded(everyone, window):
@@ -258,7 +272,7 @@ class _Block:
     def __init__(self, request: BlockRequest) -> None:
         self._request = request
         self._squares = np.full((SQUARES, SQUARES), UNKNOWN, np.uint8)
-        self._dense = np.zeros((UNITS, UNITS), bool)
+        self._dense, self._wanted = np.zeros((2, UNITS, UNITS), bool)
         self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
         self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
@@ -272,6 +286,7 @@ class _Block:
     def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
         """What the patches say where nothing more is measured."""
         self._learned = look.learned
+        self._wanted[: wanted.shape[0], : wanted.shape[1]] = wanted
         rows, columns = look.source.shape
         self._squares[:rows, :columns] = look.source
         self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
@@ -303,8 +318,9 @@ class _Block:
             return rows, columns
 
         for target, values, step in (
-            (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
-            (self._grey, part.grey, CELL_PX), (self._grain, part.grain, CELL_PX),
+            (self._labels, part.labels, LABEL_PX), (self._valid, part.valid, LABEL_PX),
+            (self._mixture, part.mixture, CELL_PX), (self._grey, part.grey, CELL_PX),
+            (self._grain, part.grain, CELL_PX),
         ):
             inside = place(step, len(target))
             target[inside] = values[: inside[0].stop - inside[0].start, : inside[1].stop - inside[1].start]
@@ -348,7 +364,8 @@ class _Block:
         table = CellTable.joined([CellTable.empty(levels), *self._tables])
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
-            request.key, tuple(source.ref.path for source in request.sources), self._squares, self._dense, self._labels,
+            request.key, tuple(source.ref.path for source in request.sources), self._squares, self._dense, self._wanted,
+            self._labels,
             self._mixture, self._grey, self._grain, table, beside, self._ground(),
             self._learned, notices,
         )

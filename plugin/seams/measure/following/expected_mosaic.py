@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
@@ -72,6 +73,10 @@ class ExpectedMosaic:
         """Whether something came over it."""
         return any(self.toned[i] is not plane for i, plane in self.shown.items())
 
+    def filling(self, mosaic: ComparedImage) -> np.ndarray:
+        """The mosaic's plane with what is expected where it has no pixels: any other filling would end in a step."""
+        return mosaic.plane if mosaic.valid is None else np.where(mosaic.valid, mosaic.plane, self.plane)
+
     def of_sources(self, source_of: Sequence[int]) -> ExpectedMosaic:
         """The cut with the numbers of sources for those of planes, several of which may be of one source."""
         numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
@@ -111,7 +116,7 @@ def expected_mosaic(
     ``filters``: what came over the sources as they are given, where that is known from more ground than there is here.
     """
     mosaic, cutting = sources.mosaic.plane, _Cutting(sources, closeness)
-    cut = cutting.learned() if filters is None or sources.moves else cutting.cut(cutting.likely(filters), filters)
+    cut = cutting.learned() if filters is None or sources.moves else cutting.by_filters(filters)
     labels, filters = cut.labels, cut.filters
     toned = {i: source.plane for i, source in cut.in_tone.items()}
     shown, shares = {i: filters.applied(i, plane) for i, plane in toned.items()}, None
@@ -181,12 +186,18 @@ class _Cutting:
         mosaic, *planes = self.sources.fine
         fine = {i: planes[i] for i in sorted(first.followed) if i not in left_out}
         labels, clear = first.labels, self.sources.clear
+        known = {}
         if filters is not None:
-            return self._likely({i: filters.applied(i, plane) for i, plane in fine.items()}, labels, clear)
+            known = {i: filters.applied(i, plane) for i, plane in fine.items() if i not in filters.lent}
+        if known.keys() == fine.keys():
+            return self._likely(known, labels, clear)
         tried = []
         for _ in range(_ROUNDS):
             winners = {i: fine[i] for i in fine if (labels == i).any()}
-            shown = {i: through_filter(mosaic, plane, _surest(labels == i, clear)) for i, plane in winners.items()}
+            shown = {
+                i: known[i] if i in known else through_filter(mosaic, plane, _surest(labels == i, clear))
+                for i, plane in winners.items()
+            }
             likely = self._likely(shown, labels, clear)
             tried.append(likely)
             changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
@@ -225,6 +236,18 @@ class _Cutting:
         cut = replace(cut, filters=find_filters(mosaic, fine, cut.in_tone, cut.labels, anywhere))
         made = self._made(cut)
         return self._mixed(cut, made) or cut
+
+    def by_filters(self, filters: Filters) -> _Cut:
+        """The cut by what is known of what came over the sources, and by what is learned here of those that are lent
+        others' filters."""
+        cut = self.cut(self.likely(filters), filters)
+        if not filters.lent & cut.in_tone.keys():
+            return cut
+        mosaic, *fine = self.sources.fine
+        clear = self.unmixed(cut.labels)
+        toned = {i: source.gain * fine[i] for i, source in cut.in_tone.items()}
+        filters = filters.with_lent(mosaic, toned, {i: _surest(cut.labels == i, clear) for i in toned})
+        return self.cut(self.likely(filters), filters)
 
     def _mixed(self, alone: _Cut, made: np.ndarray) -> _Cut | None:
         """The cut by what a mixture of two sources nearly everywhere says came over them; None for other windows, and

@@ -13,8 +13,9 @@ import numpy as np
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN
-from .followed_source import FollowedSource, follow_planes, high_pass
-from .source_filters import LEAST_MOVED_PX, UNFILTERED, Filters, filtered, fit_filter
+from .boxes import narrowed
+from .followed_source import HIGH_PASS_PX, FollowedSource, follow_planes, high_pass
+from .source_filters import LEAST_MOVED_PX, REACH_PX, UNFILTERED, Filters, filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
@@ -58,7 +59,9 @@ class PlacedSources:
     def clear(self) -> np.ndarray:
         """(rows, columns) bool: where one plane is followed for sure. What fills the mosaic where it has no pixels must
         tell nothing of tones and filters."""
-        return self.following.clear if self.mosaic.valid is None else self.following.clear & self.mosaic.valid
+        valid = self.mosaic.valid
+        clear = self.following.clear
+        return clear if valid is None else clear & narrowed(valid, HIGH_PASS_PX + REACH_PX)
 
     @property
     def interpolated(self) -> set[int]:
@@ -80,9 +83,19 @@ def follow_given(
 ) -> PlacedSources:
     """What the mosaic follows of sources where they are given; ``filters``: what came over it, as far as known."""
     planes = tuple(image.plane for image in images)
-    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
+    fine = _fine_details(image, (image.plane, *planes))
     following = follow_planes([fine[0], *(filters.applied(i, plane) for i, plane in enumerate(fine[1:]))])
     return PlacedSources(image, tuple(images), following, planes, fine, tuple(range(len(planes))))
+
+
+def _fine_details(mosaic: ComparedImage, planes: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
+    """Planes high-passed; 0 where the mosaic has no pixels, since what fills it there ends in a step, which would be
+    detail that no source has."""
+    fine = tuple(map(high_pass, planes))
+    if mosaic.valid is None:
+        return fine
+    known = narrowed(mosaic.valid, HIGH_PASS_PX)
+    return tuple(plane * known for plane in fine)
 
 
 def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:
@@ -117,7 +130,7 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
 def _with_moved(given: PlacedSources, moved: Mapping[int, Shift]) -> PlacedSources:
     """Sources with planes of some that are moved, too."""
     placed = tuple(shifted(given.planes[i], shift.x, shift.y) for i, shift in moved.items())
-    fine = (*given.fine, *map(high_pass, placed))
+    fine = (*given.fine, *_fine_details(given.mosaic, placed))
     return replace(
         given, following=follow_planes(fine), planes=(*given.planes, *placed), fine=fine,
         source_of=(*given.source_of, *moved), moves=dict(enumerate(moved.values(), len(given.planes))),

@@ -99,6 +99,24 @@ class Filters:
     """Taps (5, 5) of each source that is followed; empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
+    lent: frozenset[int] = frozenset()
+    """Sources of which too little ground is seen to learn theirs, in a mosaic that has one for each: what ``taps`` hold
+    of them is no knowledge."""
+
+    def with_lent(
+        self, mosaic: np.ndarray, toned: Mapping[int, np.ndarray], parts: Mapping[int, np.ndarray]
+    ) -> Filters:
+        """Filters with what the ground tells of the sources that were lent them: the mosaic's fine detail and theirs in
+        its tones, (rows, columns) float32 each, and bool of each, where it is followed for sure."""
+        taps = dict(self.taps)
+        for i in self.lent & toned.keys():
+            fitted = fit_filter(mosaic, toned[i], parts[i], gain=1.0)
+            if fitted is None:
+                continue
+            lent, made = (filtered(toned[i], kernel) for kernel in (taps[i], fitted))
+            if _explains_more(mosaic, lent, made, parts[i], MIN_SINGLE_GAIN):
+                taps[i] = fitted
+        return replace(self, taps=taps)
 
     def with_taps(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
@@ -129,12 +147,49 @@ class Learned:
     """What came over a mosaic, as far as that is known of more ground than there is in a part of it."""
 
     filters: Filters
-    of: frozenset[int]
-    """The sources that it was learned of."""
+    left_over: Mapping[int, float]
+    """Share of the mosaic's finest detail that is left over where it was learned, of each source that it was learned
+    of."""
+
+    @property
+    def of(self) -> frozenset[int]:
+        """The sources that it was learned of."""
+        return frozenset(self.left_over)
+
+    def knows(self, sources: Iterable[int]) -> bool:
+        """Whether it tells what came over all of these: itself, or as what came over a mosaic of several with its
+        cuts."""
+        return self.of.issuperset(sources) or (self.filters.came_over_cuts and len(self.of) > 1)
 
     def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
         """A source's plane as the mosaic shows it; as it is where that is not known."""
-        return self.filters.applied(source, plane) if source in self.of else plane
+        return self.filters.applied(source, plane) if source in self.filters.taps else plane
+
+    def with_more(self, other: Learned) -> Learned:
+        """What is known here, and of sources of which nothing is, what is known elsewhere."""
+        if other.of <= self.of:
+            return self
+        taps = {i: known.filters.taps.get(i, UNTOUCHED) for known in (other, self) for i in known.of}
+        is_plain = not (self.filters.taps or other.filters.taps)
+        return Learned(UNFILTERED if is_plain else Filters(taps, False), {**other.left_over, **self.left_over})
+
+    def renumbered(self, numbers: Mapping[int, int]) -> Learned:
+        """What is known of some of the sources, with the numbers that are given for theirs."""
+        taps = {numbers[i]: taps for i, taps in self.filters.taps.items() if i in numbers}
+        left_over = {numbers[i]: share for i, share in self.left_over.items() if i in numbers}
+        return Learned(replace(self.filters, taps=taps), left_over)
+
+    def for_planes(self, sources: Sequence[int]) -> Filters | None:
+        """Filters by the places of these sources, with those ``lent`` a plain one of which none is known; None where
+        nothing is known that would serve the others."""
+        filters = self.filters
+        if filters.came_over_cuts and self.knows(sources):
+            return replace(filters, taps=dict.fromkeys(range(len(sources)), next(iter(filters.taps.values()))))
+        lent = frozenset(place for place, source in enumerate(sources) if source not in self.of)
+        if not filters.taps:
+            return None if lent else filters
+        taps = {i: UNTOUCHED if i in lent else filters.taps[source] for i, source in enumerate(sources)}
+        return Filters(taps, False, lent)
 
 
 def find_filters(
@@ -233,7 +288,7 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
             _explains_more(fine, common, filtered(reference, taps_of_source), parts[i], MIN_SINGLE_GAIN)
             for i, taps_of_source in single.items()
         ):
-            return Filters({i: single.get(i, taps) for i in numbers}, False)
+            return Filters({i: single.get(i, taps) for i in numbers}, False, frozenset(numbers) - single.keys())
     return Filters(dict.fromkeys(numbers, taps), True)
 
 

@@ -5,6 +5,7 @@ know; a block that an earlier run has kept is only looked at.
 """
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -23,13 +24,15 @@ from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from ..blocks.mosaic_reading import ALL_READ, BlockReading
 from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from ..following.boxes import enlarged
-from ..following.source_filters import UNTOUCHED, Filters, Learned
+from ..following.source_filters import UNFILTERED, UNTOUCHED, Filters, Learned
 from ..profile.cell_table import CellTable, MixtureTable
-from ..seam_cells import UNKNOWN
+from ..seam_cells import UNKNOWN, present
 from ..workers import Workers, in_order, unforeseen
 from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest
 
+_AS_WELL, _LEAST_LEFT = 2.0, 0.002
+"""Times the least share that a source leaves over in any block, and what rounding makes of it: as well explained."""
 _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
 
 # No type parameters: typing keeps classes that have some for as long as Python runs, and with them the whole plugin.
@@ -187,11 +190,11 @@ def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
 
 
 _ARRAYS = {
-    "squares": SQUARES, "dense": UNITS, "ground": UNITS, "labels": LABELS, "mixture": CELLS, "grey": CELLS,
-    "grain": CELLS,
+    "squares": SQUARES, "dense": UNITS, "wanted": UNITS, "ground": UNITS, "labels": LABELS, "mixture": CELLS,
+    "grey": CELLS, "grain": CELLS,
 }
 """And how many samples each has along a side."""
-_LEARNED = "learned taps", "learned over cuts", "learned of"
+_LEARNED = "learned taps", "learned over cuts", "learned of", "learned left over"
 _TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
 
 
@@ -202,10 +205,12 @@ def record_of(scan: BlockScan) -> bytes:
         arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
     arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
-    learned = scan.learned or Learned(Filters({}, False), frozenset())
-    filters, of = learned.filters, sorted(learned.of)
-    taps = np.array([filters.taps[number] for number in of if filters.taps], np.float32)
-    held = taps.reshape(-1, *UNTOUCHED.shape), np.array(filters.came_over_cuts), np.array(of, np.uint8)
+    learned = scan.learned or Learned(UNFILTERED, {})
+    of = sorted(learned.of)
+    taps = np.array([learned.filters.taps[number] for number in of if learned.filters.taps], np.float32)
+    left_over = np.array([learned.left_over[number] for number in of])
+    over_cuts = np.array(learned.filters.came_over_cuts)
+    held = taps.reshape(-1, *UNTOUCHED.shape), over_cuts, np.array(of, np.uint8), left_over
     return packed({**arrays, **dict(zip(_LEARNED, held))}, compressed=_ARRAYS)
 
 
@@ -225,11 +230,12 @@ def scan_of(record: bytes) -> BlockScan:
 
 
 def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
-    taps, over_cuts, of = (held[name] for name in _LEARNED)
+    taps, over_cuts, of, left_over = (held[name] for name in _LEARNED)
     if taps.shape[1:] != UNTOUCHED.shape or of.dtype != np.uint8:
         raise NotUnderstoodError("filters of another kind")
     numbers = of.tolist()
-    return Learned(Filters(dict(zip(numbers, taps)), bool(over_cuts)), frozenset(numbers)) if numbers else None
+    filters = Filters(dict(zip(numbers, taps)), bool(over_cuts))
+    return Learned(filters, dict(zip(numbers, left_over.tolist()))) if numbers else None
 
 
 def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
@@ -246,57 +252,96 @@ class BlockRun:
 
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
-        shape = request.blocks.rows * SQUARES, request.blocks.columns * SQUARES
-        self._squares = np.full(shape, NOTHING, np.int32)
-        self._dense: dict[BlockKey, bytes] = {}
+        blocks = request.blocks
+        self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NOTHING, np.int32)
+        self._wanted: dict[BlockKey, bytes] = {}
+        self._known_in: dict[int, dict[BlockKey, float]] = {}
+        """Share left over of a source in each block that tells what came over it."""
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
-        """First every block, then along the borders of blocks what only two neighbours together show."""
+        """First the patches of every block; then its seams, by what all blocks tell of their sources."""
         blocks = JournaledBlocks(self._journal, workers)
         for step in blocks.steps(FIRST_LOOK, self._request.keys(), self._request.block):
-            sources, squares, self._dense[step.key] = step.brief
-            self._squares[place_of(step.key, SQUARES)] = global_numbers(sources, self._request.numbers)[squares]
+            look, (rows, columns) = step.brief, place_of(step.key, SQUARES)
+            numbers = global_numbers(look.sources, self._request.numbers)
+            self._squares[1:-1, 1:-1][rows, columns] = numbers[look.squares]
+            self._wanted[step.key] = look.wanted
+            for place, left_over in look.left_over.items():
+                self._known_in.setdefault(int(numbers[place]), {})[step.key] = left_over
             yield step
         if not workers.cancelled():
-            second = dict(self._second_look())
-            yield from blocks.steps(SECOND_LOOK, list(second), lambda key: self._looked_at_again(key, second[key]))
+            second = [key for key in self._wanted if self._called_for(key).any()]
+            yield from blocks.steps(SECOND_LOOK, second, self._looked_at_again)
 
-    def _second_look(self) -> Iterator[tuple[BlockKey, np.ndarray]]:
-        """Blocks and the units that are wanted of them, row by row: those of the whole mosaic are more than memory
-        holds."""
-        for row in range(self._request.blocks.rows):
-            above = min(row, 1)
-            first = row * SQUARES
-            wanted = called_for(self._squares[first - above : first + SQUARES + 1], NOTHING)
-            wanted = wanted[above * UNITS // SQUARES :][:UNITS]
-            for column in range(self._request.blocks.columns):
-                key, units = (row, column), wanted[place_of((0, column), UNITS)]
-                if units.any():
-                    dense = np.unpackbits(np.frombuffer(self._dense[key], np.uint8)).reshape(UNITS, UNITS)
-                    units = units & (dense == 0)
-                if units.any():
-                    yield key, units
+    def _around(self, key: BlockKey) -> np.ndarray:
+        """(SQUARES + 2, SQUARES + 2): what the squares of a block follow, and those around it."""
+        rows, columns = place_of(key, SQUARES)
+        return self._squares[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
 
-    def _looked_at_again(self, key: BlockKey, wanted: np.ndarray) -> BlockRequest:
-        request, (rows, columns) = self._request.block(key), place_of(key, SQUARES)
-        around = self._squares[max(rows.start - 1, 0) : rows.stop + 1, max(columns.start - 1, 0) : columns.stop + 1]
-        seen, numbers = set(np.unique(around).tolist()), self._request.numbers
-        followed = frozenset(i for i, source in enumerate(request.sources) if numbers[source.ref.path] in seen)
-        learned = held(FIRST_LOOK, self._journal.files, key, lambda record: _learned(unpacked(record, _LEARNED)))
-        return replace(request, wanted=wanted, learned=learned, followed=followed)
+    def _called_for(self, key: BlockKey) -> np.ndarray:
+        """(UNITS, UNITS) bool: what a block calls for itself, and along its borders what only neighbours together
+        show."""
+        side = UNITS // SQUARES
+        across = called_for(self._around(key), NOTHING, pairs=(0, SQUARES))[side:-side, side:-side]
+        return across | (np.unpackbits(np.frombuffer(self._wanted[key], np.uint8)).reshape(UNITS, UNITS) > 0)
+
+    def _looked_at_again(self, key: BlockKey) -> BlockRequest:
+        request, around = self._request.block(key), self._around(key)
+        followed = np.full(around.shape, UNKNOWN, np.uint8)
+        numbers = [self._request.numbers[source.ref.path] for source in request.sources]
+        for place, number in enumerate(numbers):
+            followed[around == number] = place
+        learned = self._learned(key, {numbers[place]: place for place in present(followed)})
+        return replace(request, wanted=self._called_for(key), learned=learned, followed=followed)
+
+    def _learned(self, key: BlockKey, places: Mapping[int, int]) -> Learned | None:
+        """What is known of what came over some sources: from the nearest block that explains its ground about as well
+        as any does, since what was done to a part of it, and what is mixed there, is no filter of the source's.
+
+        ``places``: the number in the block of each number in the whole scan.
+        """
+        from_block: dict[BlockKey, set[int]] = {}
+        for number in places:
+            if known_in := self._known_in.get(number):
+                most = _AS_WELL * min(known_in.values()) + _LEAST_LEFT
+                good = [other for other, left_over in known_in.items() if left_over <= most]
+                from_block.setdefault(min(good, key=lambda other: (math.dist(key, other), other)), set()).add(number)
+        learned = None
+        for block, numbers in sorted(from_block.items(), key=lambda item: (math.dist(key, item[0]), item[0])):
+            names = *_LEARNED, "sources"
+            record = held(FIRST_LOOK, self._journal.files, block, partial(unpacked, names=names)) or {}
+            there = _learned(record) if record else None
+            if there is not None:
+                by_place = {place: self._request.numbers[path] for place, path in enumerate(_names(record))}
+                there = there.renumbered({i: places[number] for i, number in by_place.items() if number in numbers})
+                learned = there if learned is None else learned.with_more(there)
+        return learned
 
 
 def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
     return scan.sources == tuple(source.ref.path for source in request.sources)
 
 
-def _what_neighbours_need(scan: BlockScan) -> tuple[tuple[str, ...], np.ndarray, bytes]:
-    """Its sources, which of them squares follow, and the units that were measured pixel by pixel, eight a byte."""
-    return scan.sources, scan.squares, np.packbits(scan.dense).tobytes()
+@dataclass(frozen=True, eq=False)
+class _SeenBlock:
+    """What has to be known of a block to measure its seams and those of its neighbours."""
+
+    sources: tuple[str, ...]
+    squares: np.ndarray
+    """(SQUARES, SQUARES) uint8: which of the sources squares follow."""
+    wanted: bytes
+    """Units that are to be measured, eight a byte."""
+    left_over: Mapping[int, float]
+    """Share that is left over of the sources of which it tells what came over them."""
+
+    @classmethod
+    def of(cls, scan: BlockScan) -> _SeenBlock:
+        left_over = {} if scan.learned is None else scan.learned.left_over
+        return cls(scan.sources, scan.squares, np.packbits(scan.wanted).tobytes(), left_over)
 
 
 SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources)
-FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=_what_neighbours_need)
+FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=_SeenBlock.of)
 
 
 def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:

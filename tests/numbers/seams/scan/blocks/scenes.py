@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -13,8 +13,10 @@ from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.block_grid import BlockGrid, BlockKey
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
-from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockRequest
+from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockRequest, BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.scan.block_runs import both_looks
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.synthetic import texture, write_raster
@@ -43,6 +45,14 @@ class Scene:
             self.mosaic, self.sources, key, BlockGrid(self.mosaic.grid).window(key),
             ScanSettings(**settings), wanted, along_seams,  # type: ignore[arg-type]
         )
+
+
+def measured(request: BlockRequest) -> BlockScan:
+    """A block alone by both looks: at its patches, then at its seams by what these told."""
+    first = scan_block(request)
+    followed = np.pad(first.squares, 1, constant_values=UNKNOWN)
+    seams = replace(request, wanted=first.wanted, learned=first.learned, followed=followed)
+    return both_looks(first, scan_block(seams))
 
 
 @lru_cache(maxsize=4)

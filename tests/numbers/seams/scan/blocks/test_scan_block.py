@@ -17,7 +17,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGE
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, beside, blended, images, scene
+from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, beside, blended, images, measured, scene
 from tests.numbers.synthetic import placed_wavedec
 
 SEAM = 400
@@ -50,7 +50,7 @@ INSIDE = np.s_[1:-1, 1:-1]
 
 @pytest.mark.parametrize("density", ["seams", "full"])
 def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scene, density: str) -> None:
-    cells = scan_block(hard.request(density=density)).cells
+    cells = measured(hard.request(density=density)).cells
     area, mm = by_cell(cells, "area"), by_cell(cells, "mm")
     assert area.max() == CELL_PX**2
     assert set(np.unique(area[INSIDE])) <= {0, CELL_PX**2}
@@ -58,16 +58,18 @@ def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scen
         assert (area[INSIDE] > 0).all()
     energy = np.square(placed_wavedec(blended(*images(), beside(SEAM)), "coif3", 1)[1]).sum(axis=0)
     expected = energy.reshape(SIDE // CELL_PX, CELL_PX // 2, -1, CELL_PX // 2).sum(axis=(1, 3))
-    measured = area[INSIDE] > 0
-    assert mm[INSIDE][measured] == pytest.approx(expected[INSIDE][measured], rel=2e-3)
+    known = area[INSIDE] > 0
+    assert mm[INSIDE][known] == pytest.approx(expected[INSIDE][known], rel=2e-3)
 
 
-def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learned(
+def test_seams_are_measured_by_what_is_followed_around_them_and_what_is_known_of_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     given = images(count=3)
     request = scene(tmp_path, blended(*given[:2], beside(SEAM)), given).request()
     first = scan_block(request)
+    assert first.wanted.any()
+    assert not first.dense.any()
     looks: list[PartRequest] = []
 
     def noted(pixels: BlockPixels, part: PartRequest, *decomposition: Any) -> DensePart:
@@ -75,25 +77,23 @@ def test_a_second_look_measures_what_the_first_found_followed_and_what_it_learne
         return measure_part(pixels, part, *decomposition)
 
     monkeypatch.setattr(scan_block_module, "measure_part", noted)
-    again = replace(request, wanted=first.dense, learned=first.learned, followed=frozenset({0, 1}))
-    found = scan_block(again)
+    block = measured(request)
     assert looks
-    assert all(part.numbers == (0, 1) and part.filters is first.learned.filters for part in looks)
-    np.testing.assert_array_equal(found.labels[found.dense.repeat(8, 0).repeat(8, 1)],
-                                  first.labels[first.dense.repeat(8, 0).repeat(8, 1)])
+    assert all(part.numbers == (0, 1) and part.learned is not None for part in looks)
+    assert (block.dense == first.wanted).all()
 
 
 def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
-    assert record_of(scan_block(hard.request())) == record_of(scan_block(hard.request()))
+    assert record_of(measured(hard.request())) == record_of(measured(hard.request()))
 
 
 def test_blocks_side_by_side_measure_as_one(tmp_path: Path) -> None:
     """A part in full density is the same wherever blocks begin."""
     given = images()
     one = scene(tmp_path, blended(*given, beside(SEAM, 33)), given)
-    whole = scan_block(one.request(density="full")).cells
+    whole = measured(one.request(density="full")).cells
     request = one.request(density="full")
-    parts = [scan_block(replace(request, window=PixelWindow(column, row, 512, 512))).cells
+    parts = [measured(replace(request, window=PixelWindow(column, row, 512, 512))).cells
              for row in (0, 512) for column in (0, 512)]
     joined = CellTable.joined(parts)
     assert (by_cell(joined, "area") == by_cell(whole, "area")).all()
@@ -112,7 +112,7 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     hole = np.s_[640 : 640 + side, 384 : 384 + side]
     made[hole] = NODATA
     request = scene(tmp_path, made, given).request(density=density)
-    found = scan_block(replace(request, window=PixelWindow(128, 128, 768, 768)))
+    found = measured(replace(request, window=PixelWindow(128, 128, 768, 768)))
     cells = found.cells
     assert len(cells)
     strip = EDGES_PX.index(8)
