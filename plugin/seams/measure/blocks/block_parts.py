@@ -1,7 +1,8 @@
 """Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy import ndimage
@@ -15,15 +16,14 @@ from ..following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
 from ..following.levelling import SQUARE_PX as TONE_PX
 from ..following.levelling import gain_field, square_means
 from ..following.likely_source import QUICK, filled_in
-from ..following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_given, follow_sources
-from ..following.source_filters import Filters, Learned
+from ..following.placed_sources import PlacedSources, follow_given, follow_sources
+from ..following.source_filters import Filters, known_filters
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
 from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
-from .seam_sides import SeamSides
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
 """Pixels whose labels are kept."""
@@ -63,15 +63,13 @@ class PartRequest:
     """On the mosaic's grid."""
     numbers: tuple[int, ...]
     """The sources of its block that it is measured by."""
-    learned: Learned | None = None
-    """What came over the mosaic, where that is known of any of them."""
-    sides: SeamSides | None = None
-    """The seams that are given."""
+    taps: Mapping[int, np.ndarray] = field(default_factory=dict)
+    """Filters of those of which it is known what came over them."""
 
 
 def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels: int) -> DensePart:
     """Measure a rectangle of a block. Raises RasterError where the mosaic can't be read."""
-    window, sides = request.window, request.sides
+    window = request.window
     around = window.with_margin(MARGIN_PX)
     planes = pixels.part(around, request.numbers)
     inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
@@ -80,13 +78,11 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     if not given or known[inside].mean() < MIN_VALID:
         return _nothing(window, levels, known[inside])
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
-    filters = None if request.learned is None else request.learned.for_planes(given)
+    filters = known_filters(request.taps, given)
     if filters is not None and filters.taps and not filters.lent:
         followed = follow_given(image, list(planes.sources.values()), filters)
     else:
         followed = follow_sources(image, list(planes.sources.values()))
-        if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
-            followed = clearer_by_parts(followed, sides.parts(around))
     closeness = Closeness(QUICK, PATCH_PX, bool(planes.resampled))
     expected = expected_mosaic(followed, filters, closeness).of_sources(given)
     labels, clear, mixed = expected.labels, followed.clear, followed.following.mixed

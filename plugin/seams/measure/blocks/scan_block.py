@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -59,8 +59,8 @@ class BlockRequest:
     """What floating point values are multiplied by."""
     sides: SeamSides | None = None
     """The seams that are given."""
-    learned: Learned | None = None
-    """What earlier looks told of what came over the mosaic."""
+    taps: Mapping[int, np.ndarray] = field(default_factory=dict)
+    """Filters of the sources, by their numbers, of which blocks told what came over them."""
     followed: np.ndarray | None = None
     """(SQUARES + 2, SQUARES + 2) uint8: what they found followed in its squares and in those around it, else
     ``UNKNOWN``; None: any source may be."""
@@ -243,12 +243,12 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
-        part = measure_part(pixels, PartRequest(placed, likely, request.learned, sides), *decomposition)
+        part = measure_part(pixels, PartRequest(placed, likely, request.taps), *decomposition)
         if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
             return part
     if _is_crowded(everyone, window):
         return None
-    return measure_part(pixels, PartRequest(placed, everyone, None, sides), *decomposition)
+    return measure_part(pixels, PartRequest(placed, everyone), *decomposition)
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:

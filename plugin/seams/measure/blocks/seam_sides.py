@@ -10,10 +10,9 @@ import numpy as np
 
 from ....imagery.grids import PixelWindow
 from ....imagery.lines import points_at, vertex_stations
-from ..following.boxes import enlarged
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SidedSeam
-from .block_grid import LABEL_PX, MARGIN_PX, UNIT_PX, UNITS, BlockGrid, BlockKey
+from .block_grid import MARGIN_PX, UNIT_PX, UNITS, BlockGrid, BlockKey
 
 BESIDE_PX = 48
 """On either side of a seam that are measured densely."""
@@ -100,19 +99,3 @@ class SeamSides:
         near = [self.beside[number] for number in self.pieces.near(window, float(MARGIN_PX)).numbers.tolist()]
         named = {side for sides in near for side in sides}
         return set() if None in named else {side for side in named if side is not None}
-
-    def parts(self, window: PixelWindow) -> np.ndarray:
-        """What lies on the same hand of the same two sources' seam, (rows, columns) int of a window of whole
-        ``LABEL_PX``; -1 far from all seams."""
-        rows, columns = (
-            first + np.arange(LABEL_PX / 2, length, LABEL_PX)
-            for first, length in ((window.row, window.height), (window.column, window.width))
-        )
-        nearest = self.pieces.beside(columns, rows[:, np.newaxis], REACH_PX)
-        part_of = np.full(nearest.number.shape, -1)
-        numbers = self.pieces.numbers
-        pairs = {sides: number for number, sides in enumerate(sorted(set(self.beside.values()), key=str))}
-        of_piece = np.array([pairs[self.beside[number]] for number in numbers.tolist()])
-        near = nearest.number >= 0
-        part_of[near] = 2 * of_piece[np.searchsorted(numbers, nearest.number[near])] + nearest.on_left[near]
-        return enlarged(part_of, LABEL_PX)

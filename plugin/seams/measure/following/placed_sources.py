@@ -146,19 +146,6 @@ def _clearer_in_window(given: PlacedSources) -> PlacedSources:
     return _clearer(given, [given.valid.get(i, everywhere) for i in range(len(given.images))])
 
 
-def clearer_by_parts(given: PlacedSources, parts: np.ndarray) -> PlacedSources:
-    """Sources where seams are known: ``parts``, (rows, columns) int, each of one source, whichever explains most of it,
-    -1 elsewhere. A filter is learned where its source is followed."""
-    mosaic, *fine = given.fine
-    followed = np.full(parts.shape, -1)
-    for part in np.unique(parts[parts >= 0]).tolist():
-        where = parts == part
-        rests = (mosaic[where] - _through_filter(mosaic, plane, where)[where] for plane in fine)
-        left_over = [float(np.square(rest).sum()) for rest in rests]
-        followed[where] = int(np.argmin(left_over))
-    return _clearer(given, [followed == i for i in range(len(fine))])
-
-
 def _clearer(given: PlacedSources, where: Sequence[np.ndarray]) -> PlacedSources:
     """Sources with what is followed through filters that are learned there, (rows, columns) bool of each, if that is
     clearer."""

@@ -22,7 +22,7 @@ REACH_PX = 2
 """The filter has 5 x 5 taps."""
 UNTOUCHED = np.pad(np.ones((1, 1), np.float32), REACH_PX)
 """The filter that leaves an image as it is."""
-FEWEST_PIXELS = 2000
+FEWEST_PIXELS = 1500
 """Fewest pixels that a filter is learned from."""
 
 _SIDE = 2 * REACH_PX + 1
@@ -156,40 +156,26 @@ class Learned:
         """The sources that it was learned of."""
         return frozenset(self.left_over)
 
-    def knows(self, sources: Iterable[int]) -> bool:
-        """Whether it tells what came over all of these: itself, or as what came over a mosaic of several with its
-        cuts."""
-        return self.of.issuperset(sources) or (self.filters.came_over_cuts and len(self.of) > 1)
-
     def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
         """A source's plane as the mosaic shows it; as it is where that is not known."""
         return self.filters.applied(source, plane) if source in self.filters.taps else plane
 
-    def with_more(self, other: Learned) -> Learned:
-        """What is known here, and of sources of which nothing is, what is known elsewhere."""
-        if other.of <= self.of:
-            return self
-        taps = {i: known.filters.taps.get(i, UNTOUCHED) for known in (other, self) for i in known.of}
-        is_plain = not (self.filters.taps or other.filters.taps)
-        return Learned(UNFILTERED if is_plain else Filters(taps, False), {**other.left_over, **self.left_over})
 
-    def renumbered(self, numbers: Mapping[int, int]) -> Learned:
-        """What is known of some of the sources, with the numbers that are given for theirs."""
-        taps = {numbers[i]: taps for i, taps in self.filters.taps.items() if i in numbers}
-        left_over = {numbers[i]: share for i, share in self.left_over.items() if i in numbers}
-        return Learned(replace(self.filters, taps=taps), left_over)
+def known_filters(taps: Mapping[int, np.ndarray], sources: Sequence[int]) -> Filters | None:
+    """Filters by the places of these sources, from the taps of those of which they are known.
 
-    def for_planes(self, sources: Sequence[int]) -> Filters | None:
-        """Filters by the places of these sources, with those ``lent`` a plain one of which none is known; None where
-        nothing is known that would serve the others."""
-        filters = self.filters
-        if filters.came_over_cuts and self.knows(sources):
-            return replace(filters, taps=dict.fromkeys(range(len(sources)), next(iter(filters.taps.values()))))
-        lent = frozenset(place for place, source in enumerate(sources) if source not in self.of)
-        if not filters.taps:
-            return None if lent else filters
-        taps = {i: UNTOUCHED if i in lent else filters.taps[source] for i, source in enumerate(sources)}
-        return Filters(taps, False, lent)
+    Where these are alike they are one, which came over the mosaic with its cuts; else sources of which nothing is known
+    are ``lent`` a plain one. None where nothing is known that would serve them.
+    """
+    known = {place: taps[i] for place, i in enumerate(sources) if i in taps}
+    lent = frozenset(range(len(sources))) - known.keys()
+    if all((kernel == UNTOUCHED).all() for kernel in known.values()):
+        return None if lent else UNFILTERED
+    first, *others = known.values()
+    alike = MIN_SINGLE_GAIN * np.square(first).sum()
+    if others and all(np.square(other - first).sum() <= alike for other in others):
+        return Filters(dict.fromkeys(range(len(sources)), first), True)
+    return Filters({place: known.get(place, UNTOUCHED) for place in range(len(sources))}, False, lent)
 
 
 def find_filters(

@@ -194,7 +194,7 @@ _ARRAYS = {
     "grey": CELLS, "grain": CELLS,
 }
 """And how many samples each has along a side."""
-_LEARNED = "learned taps", "learned over cuts", "learned of", "learned left over"
+_LEARNED = "learned taps", "learned of", "learned left over"
 _TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
 
 
@@ -207,10 +207,9 @@ def record_of(scan: BlockScan) -> bytes:
     arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
     learned = scan.learned or Learned(UNFILTERED, {})
     of = sorted(learned.of)
-    taps = np.array([learned.filters.taps[number] for number in of if learned.filters.taps], np.float32)
+    taps = np.array([learned.filters.taps.get(number, UNTOUCHED) for number in of], np.float32)
     left_over = np.array([learned.left_over[number] for number in of])
-    over_cuts = np.array(learned.filters.came_over_cuts)
-    held = taps.reshape(-1, *UNTOUCHED.shape), over_cuts, np.array(of, np.uint8), left_over
+    held = taps.reshape(-1, *UNTOUCHED.shape), np.array(of, np.uint8), left_over
     return packed({**arrays, **dict(zip(_LEARNED, held))}, compressed=_ARRAYS)
 
 
@@ -230,12 +229,11 @@ def scan_of(record: bytes) -> BlockScan:
 
 
 def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
-    taps, over_cuts, of, left_over = (held[name] for name in _LEARNED)
+    taps, of, left_over = (held[name] for name in _LEARNED)
     if taps.shape[1:] != UNTOUCHED.shape or of.dtype != np.uint8:
         raise NotUnderstoodError("filters of another kind")
     numbers = of.tolist()
-    filters = Filters(dict(zip(numbers, taps)), bool(over_cuts))
-    return Learned(filters, dict(zip(numbers, left_over.tolist()))) if numbers else None
+    return Learned(Filters(dict(zip(numbers, taps)), False), dict(zip(numbers, left_over.tolist()))) if numbers else None
 
 
 def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
@@ -255,8 +253,8 @@ class BlockRun:
         blocks = request.blocks
         self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NOTHING, np.int32)
         self._wanted: dict[BlockKey, bytes] = {}
-        self._known_in: dict[int, dict[BlockKey, float]] = {}
-        """Share left over of a source in each block that tells what came over it."""
+        self._known: dict[int, dict[BlockKey, tuple[float, np.ndarray]]] = {}
+        """Of each source the share that it leaves over, and its filter, in each block that tells what came over it."""
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """First the patches of every block; then its seams, by what all blocks tell of their sources."""
@@ -266,8 +264,10 @@ class BlockRun:
             numbers = global_numbers(look.sources, self._request.numbers)
             self._squares[1:-1, 1:-1][rows, columns] = numbers[look.squares]
             self._wanted[step.key] = look.wanted
-            for place, left_over in look.left_over.items():
-                self._known_in.setdefault(int(numbers[place]), {})[step.key] = left_over
+            if (learned := look.learned) is not None:
+                for place, left_over in learned.left_over.items():
+                    taps = learned.filters.taps.get(place, UNTOUCHED)
+                    self._known.setdefault(int(numbers[place]), {})[step.key] = left_over, taps
             yield step
         if not workers.cancelled():
             second = [key for key in self._wanted if self._called_for(key).any()]
@@ -291,31 +291,18 @@ class BlockRun:
         numbers = [self._request.numbers[source.ref.path] for source in request.sources]
         for place, number in enumerate(numbers):
             followed[around == number] = place
-        learned = self._learned(key, {numbers[place]: place for place in present(followed)})
-        return replace(request, wanted=self._called_for(key), learned=learned, followed=followed)
+        taps = {place: taps for place in present(followed) if (taps := self._taps(key, numbers[place])) is not None}
+        return replace(request, wanted=self._called_for(key), taps=taps, followed=followed)
 
-    def _learned(self, key: BlockKey, places: Mapping[int, int]) -> Learned | None:
-        """What is known of what came over some sources: from the nearest block that explains its ground about as well
-        as any does, since what was done to a part of it, and what is mixed there, is no filter of the source's.
-
-        ``places``: the number in the block of each number in the whole scan.
-        """
-        from_block: dict[BlockKey, set[int]] = {}
-        for number in places:
-            if known_in := self._known_in.get(number):
-                most = _AS_WELL * min(known_in.values()) + _LEAST_LEFT
-                good = [other for other, left_over in known_in.items() if left_over <= most]
-                from_block.setdefault(min(good, key=lambda other: (math.dist(key, other), other)), set()).add(number)
-        learned = None
-        for block, numbers in sorted(from_block.items(), key=lambda item: (math.dist(key, item[0]), item[0])):
-            names = *_LEARNED, "sources"
-            record = held(FIRST_LOOK, self._journal.files, block, partial(unpacked, names=names)) or {}
-            there = _learned(record) if record else None
-            if there is not None:
-                by_place = {place: self._request.numbers[path] for place, path in enumerate(_names(record))}
-                there = there.renumbered({i: places[number] for i, number in by_place.items() if number in numbers})
-                learned = there if learned is None else learned.with_more(there)
-        return learned
+    def _taps(self, key: BlockKey, number: int) -> np.ndarray | None:
+        """The filter of a source near a block: of the nearest one that explains its ground about as well as any does,
+        since what was done to a part of it, and what is mixed there, is no filter of the source's."""
+        known = self._known.get(number)
+        if not known:
+            return None
+        most = _AS_WELL * min(left_over for left_over, _ in known.values()) + _LEAST_LEFT
+        good = (block for block, (left_over, _) in known.items() if left_over <= most)
+        return known[min(good, key=lambda block: (math.dist(key, block), block))][1]
 
 
 def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
@@ -331,13 +318,11 @@ class _SeenBlock:
     """(SQUARES, SQUARES) uint8: which of the sources squares follow."""
     wanted: bytes
     """Units that are to be measured, eight a byte."""
-    left_over: Mapping[int, float]
-    """Share that is left over of the sources of which it tells what came over them."""
+    learned: Learned | None
 
     @classmethod
     def of(cls, scan: BlockScan) -> _SeenBlock:
-        left_over = {} if scan.learned is None else scan.learned.left_over
-        return cls(scan.sources, scan.squares, np.packbits(scan.wanted).tobytes(), left_over)
+        return cls(scan.sources, scan.squares, np.packbits(scan.wanted).tobytes(), scan.learned)
 
 
 SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources)
