@@ -23,7 +23,7 @@ REACH_PX = 2
 UNTOUCHED = np.pad(np.ones((1, 1), np.float32), REACH_PX)
 """The filter that leaves an image as it is."""
 FEWEST_PIXELS = 1500
-"""Fewest pixels that a filter is learned from."""
+"""Fewest pixels that a filter is learned from: two patches of a block, of which 28 x 28 px are known."""
 
 _SIDE = 2 * REACH_PX + 1
 _MOST_PIXELS = 12000

@@ -233,7 +233,8 @@ def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
     if taps.shape[1:] != UNTOUCHED.shape or of.dtype != np.uint8:
         raise NotUnderstoodError("filters of another kind")
     numbers = of.tolist()
-    return Learned(Filters(dict(zip(numbers, taps)), False), dict(zip(numbers, left_over.tolist()))) if numbers else None
+    filters = Filters(dict(zip(numbers, taps)), False)
+    return Learned(filters, dict(zip(numbers, left_over.tolist()))) if numbers else None
 
 
 def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
