@@ -237,9 +237,11 @@ def _followed(
     mosaic = _quadrants(fine, fine, shape) + least
     energies = np.stack([_quadrants(fine, fine, shape) for fine in fines.values()]) + least
     shared = np.stack([_quadrants(fine, source, shape) for source in fines.values()])
+    is_cut = np.zeros(shape, bool)
     for k, i in enumerate(fines):
-        if (valid := planes.sources[i].valid) is not None:
-            shared[k][:, _share(valid, shape) < _MIN_VALID] = 0
+        share = _share(planes.sources[i].valid, shape)
+        shared[k][:, share < _MIN_VALID] = 0
+        is_cut |= (share < _MIN_VALID) & (share > 1 - _MIN_VALID)
     whole_mosaic, whole_energies, whole_shared = mosaic.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
     correlation = local_correlation(whole_mosaic, whole_energies, whole_shared)
     best, lead = highest(correlation)
@@ -260,7 +262,7 @@ def _followed(
         lambda i, j: _quadrants(images[i], images[j], shape),
     )
     mixed = mixed_quarters.any(axis=0)
-    strange = textured & (explained < MIN_FIT) & ~differs & ~mixed
+    strange = textured & (explained < MIN_FIT) & ~differs & ~mixed & ~is_cut  # a source that ends there may explain it
     doubtful = (textured & ~sure & ~strange) | differs | mixed
     left_over = (mosaic * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
     winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))
