@@ -149,8 +149,9 @@ def _rasters(folder: Path, with_folders: bool) -> list[Path]:
 
 
 def _of_stem(files: Sequence[Path], stem: str) -> Path | None:
-    """The first file that is called so, whatever its ending and its capitals."""
-    return next((path for path in files if path.stem.lower() == stem.lower()), None)
+    """The first file that is called so, whatever its ending and its capitals; tables of numbers lose zeros in front."""
+    names = (str.lower, lambda name: name.lower().lstrip("0"))
+    return next((path for name in names for path in files if name(path.stem) == name(stem)), None)
 
 
 def _form(run: Run) -> OrderedForm:

@@ -43,8 +43,8 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     # Photometric red, green and blue are often infrared, red and green, so the name of a band goes before.
     bands = [dataset.GetRasterBand(i + 1) for i in range(dataset.RasterCount)]
     colours = [gdal.GetColorInterpretationName(band.GetColorInterpretation()).lower() for band in bands]
-    called = [re.sub("[^a-z]", "", band.GetDescription().lower()) for band in bands]
-    colours = [_CALLED.get(name, colour) for name, colour in zip(called, colours)]
+    called = [{role for role in _ROLE.findall(band.GetDescription().lower()) if role} for band in bands]
+    colours = [_ROLES[roles.pop()] if len(roles) == 1 else colour for roles, colour in zip(called, colours)]
     table = dataset.GetRasterBand(1).GetColorTable()
     if len(colours) == 1 and colours[0] == "palette" and table is not None:
         entries = [table.GetColorEntry(i) for i in range(table.GetCount())]
@@ -66,8 +66,9 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     return BandRoles(tuple(roles.get(i, f"band_{i + 1}") for i in order), tuple(order), alpha)
 
 
-_CALLED = {**dict(zip(COLOURS, COLOURS)), "nir": "nir", "nearinfrared": "nir", "infrared": "nir"}
-"""Roles by the letters of what bands are called."""
+_ROLES = {**dict(zip(COLOURS, COLOURS)), "nir": "nir", "infrared": "nir"}
+_ROLE = re.compile(rf"(?<![a-z])(?:red[ _-]?edge|({'|'.join(_ROLES)}))(?![a-z])")
+"""The word for a role in what a band is called, as in Red (band 4) and NIR_842; the red edge is none."""
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
 CORNER_PX = 16
