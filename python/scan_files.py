@@ -25,7 +25,7 @@ from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, 
 from ..plugin.seams.measure.scan.whole_scan import rectangle
 from ..plugin.seams.measure.window.inspection import Block, PathLike
 from . import messages
-from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, writing
+from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, check_writing
 
 SEAMLINES = "seamlines_file"
 """Key, among what a scan tells, of the file of seams that it was given."""
@@ -54,7 +54,8 @@ def write_scan(path: PathLike, result: ScanResult, block: Block, settings: ScanS
     failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
     read = filter(None, (*block.paths, *block.files, result.told.get(SEAMLINES, "")))
     outputs = {"output": (os.fspath(path), GEOPACKAGE)}
-    with writing(outputs, read), whole_file(place) as unfinished, gdal_writing(failure):
+    check_writing(outputs, read)
+    with whole_file(place) as unfinished, gdal_writing(failure):
         made = gdal.GetDriverByName("GPKG").Create(str(unfinished), 0, 0, 0, gdal.GDT_Unknown)
         _write(made, WORST, ogr.wkbPolygon, wkt, PLACED_COLUMNS, result.worst, (
             rectangle(*block.mosaic.grid.window_extent(worst.window)) for worst in result.worst

@@ -14,7 +14,7 @@ import stat
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from hashlib import blake2b
 from itertools import chain
 from pathlib import Path
@@ -23,7 +23,7 @@ from typing import NamedTuple, Union
 from osgeo import gdal
 
 from . import messages
-from .atomic_files import files_written, leading_to
+from .atomic_files import files_written
 from .documents import json_document
 from .errors import RasterError, SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
@@ -74,18 +74,12 @@ class _Written(NamedTuple):
     table: str
 
 
-@contextmanager
-def guarding(outputs: Mapping[str, str], inputs: Iterable[str]) -> Iterator[None]:
-    """Meanwhile the outputs, paths by what they are called, are written over none of the inputs, which GDAL opens.
-
-    Raises SettingsError for an output that would be, that is another one too, or is no file.
-    """
+def refuse_overwriting(outputs: Mapping[str, str], inputs: Iterable[str]) -> None:
+    """Raise SettingsError for an output, paths by what they are called, that is no file, one of the inputs, which GDAL
+    opens, or another output."""
     for title, path in outputs.items():
         check_is_file(title, path)
-    with leading_to(check_outputs(((title, DataPlace(path)) for title, path in outputs.items()), (
-        DataPlace(path) for path in inputs
-    ))):  # fmt: skip
-        yield
+    check_outputs(((title, DataPlace(path)) for title, path in outputs.items()), map(DataPlace, inputs))
 
 
 def check_is_file(title: str, path: str) -> None:
@@ -132,20 +126,17 @@ def _state_at(path: str) -> os.stat_result | None:
 
 def check_outputs(
     outputs: Iterable[tuple[str, DataPlace]], inputs: Iterable[DataPlace], indexed: Iterable[str] = ()
-) -> dict[str, str]:
-    """Places that the outputs, each with what it is called, lead to through links, for ``leading_to``.
+) -> None:
+    """Raise SettingsError for outputs, each with what it is called, that are one file, or a file of an input, sidecars
+    included.
 
     ``indexed``: further inputs, which may be too many to open all.
-
-    Raises SettingsError for outputs that are one file, or a file of an input, sidecars included.
     """
     wanted = list(outputs)
-    paths = [place.path for _, place in wanted if not place.path.startswith("/vsi")]
-    leads = {os.path.abspath(path): os.path.realpath(path) for path in paths}
     by_file: dict[_Identity, list[_Written]] = defaultdict(list)
     by_name: dict[tuple[str, str], _Written] = {}
     for title, place in wanted:
-        files = list(_written(place.path, leads.get(os.path.abspath(place.path), place.path)))
+        files = list(_written(place.path))
         for file in files:
             if (met := _met(by_file, DataPlace(file, place.table))) is not None:
                 raise SettingsError(messages.OUTPUTS_ARE_ONE(path=place.path, first=met.title, second=title))
@@ -154,12 +145,11 @@ def check_outputs(
             if os.path.exists(file) or (file == place.path and file.lower().endswith(_OF_PIXELS)):
                 by_name.setdefault(_name(file), written)
     if not by_name and not any(place.path.startswith("/vsi") for _, place in wanted):
-        return leads  # what is not there yet is no input: most runs need no look at them
+        return  # what is not there yet is no input: most runs need no look at them
     for place in chain(chain.from_iterable(map(_read_with, inputs)), _parts(indexed)):
         met = _met(by_file, place) or next(filter(None, map(by_name.get, _sidecars(place.path))), None)
         if met is not None:
             raise SettingsError(messages.OUTPUT_IS_INPUT(output=met.title, path=met.path))
-    return leads
 
 
 def is_database(path: str) -> bool:
@@ -189,12 +179,11 @@ def _met(by_file: Mapping[_Identity, list[_Written]], place: DataPlace) -> _Writ
     return None
 
 
-def _written(path: str, lead: str) -> dict[str, None]:
-    """All that would be written or removed, ``lead`` first: where links led when it was held against the inputs,
-    whatever they lead to when this is asked."""
+def _written(path: str) -> dict[str, None]:
+    """All that would be written or removed."""
     stem, ending = os.path.splitext(path)
     beside = (os.path.join(os.path.dirname(path), name) for name in files_beside(path))
-    return dict.fromkeys((path, lead, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())), *beside))
+    return dict.fromkeys((path, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())), *beside))
 
 
 def _read_with(given: DataPlace) -> Iterator[DataPlace]:

@@ -13,7 +13,7 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
-from .file_identity import files_beside, guarding
+from .file_identity import files_beside, refuse_overwriting
 from .gdal_calls import drop_from_memory, gdal_call, gdal_settings, gdal_silenced, gdal_writing
 from .rasters import Raster
 
@@ -75,7 +75,8 @@ def raster_writer(path: str, like: Raster, bands: WrittenBands) -> Iterator[Rast
     """
     check_width(like)
     failure = messages.RASTER_NOT_WRITTEN(path=path)
-    with whole_raster(path) as unfinished, guarding({os.path.basename(path): path}, like.ref.paths):
+    refuse_overwriting({os.path.basename(path): path}, like.ref.paths)
+    with whole_raster(path) as unfinished:
         kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.data_type.type)
         options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * bands.colours]
         dataset = gdal_call(lambda: gdal.GetDriverByName(GEOTIFF).Create(

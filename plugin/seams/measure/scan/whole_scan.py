@@ -14,7 +14,7 @@ from typing import Callable
 from osgeo import ogr
 
 from ....imagery.errors import CancelledError, Message, SettingsError
-from ....imagery.file_identity import FileState, guarding, known_states, local_states, states_text
+from ....imagery.file_identity import FileState, known_states, local_states, refuse_overwriting, states_text
 from ....imagery.gdal_paths import is_remote
 from ....imagery.messages import CANCELLED
 from ....imagery.raster_pool import own_threads, rasters_kept
@@ -176,7 +176,8 @@ def scan(
         return not run.cancelled()
 
     read = *block.paths, *block.files, *([path.partition("|")[0]] if path else ())
-    with guarding({"loss": os.fspath(loss)} if loss else {}, read), tempfile.TemporaryDirectory() as folder:
+    refuse_overwriting({"loss": os.fspath(loss)} if loss else {}, read)
+    with tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
         with whole_scan(request, output) as whole, own_threads(run.executor, run.ahead) as opened:
             notices += [whole.notice] if whole.notice else []
