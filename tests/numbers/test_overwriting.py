@@ -177,8 +177,6 @@ def names(path: Path) -> Iterator[str]:
     yield str(folder / path.name)
     for one in (link, hard, folder):
         one.unlink()
-    if path.suffix == ".tif":
-        yield from (f"{path}{ending}" for ending in (".ovr", ".msk", ".aux.xml"))
 
 
 @pytest.mark.slow
@@ -189,7 +187,6 @@ def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
             with pytest.raises(SeamInspectorError, match=BELONGS):
                 writer.write(name)
             assert path.read_bytes() == before
-        assert not Path(f"{path}.ovr").exists()
 
 
 def test_a_name_that_cannot_be_written_is_refused_before_anything_is_measured(
@@ -253,7 +250,6 @@ def test_what_virtual_rasters_are_made_of_belongs_to_them(image: Path, tmp_path:
     inline = Path(inner).read_text("utf-8").replace('relativeToVRT="1">', f'relativeToVRT="0">{tmp_path}/')
     for given in (outer, f"vrt://{outer}?bands=1", inline):
         assert refused(image, given)
-        assert refused(f"{image}.msk", given)
     assert refused(inner, outer)
     assert not refused(outer, inner)
 
