@@ -13,7 +13,7 @@ from osgeo import gdal, gdal_array
 from scipy import ndimage
 
 from . import limits, messages
-from .errors import Exceeding, NotCoveredError, RasterError
+from .errors import NotCoveredError, RasterError, Stated
 from .gdal_calls import gdal_call
 from .grids import Extent, Grid, NumberedWindow, PixelWindow
 from .open_raster import OpenRaster, PixelBlock, placed
@@ -229,7 +229,7 @@ def _filled(clip: Clip, invalid: np.ndarray | None, partly: bool, holes: bool) -
     share = int(np.count_nonzero(invalid)) / pixels
     if share > most:
         raise NotCoveredError(
-            messages.TOO_MANY_INVALID(name=clip.raster.ref.name, share=Exceeding(share, most), most=most)
+            messages.TOO_MANY_INVALID(name=clip.raster.ref.name, share=Stated(share, most), most=most)
         )
     valid = ~invalid
     # Of a large window samples tell the mean as well.

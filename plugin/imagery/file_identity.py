@@ -48,8 +48,6 @@ _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the f
     ".mif": (".mid",),
     **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
 }
-_OF_PIXELS = (".aux.xml", ".msk", ".ovr")
-"""After a raster's name: what GDAL reads as a part of it, whoever wrote it there."""
 
 _Identity = Union[tuple[int, int], str]
 
@@ -136,7 +134,7 @@ def files_beside(path: str) -> set[str]:
     """Names of the files that GDAL takes for a raster's own and that are called like it: they go with it when another
     one takes its place."""
     name = os.path.basename(path)
-    called = {name + ending for ending in _OF_PIXELS}
+    called = {name + ending for ending in (".aux.xml", ".msk", ".ovr")}
     with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
         dataset = opened_checked(path, gdal.OF_RASTER) if os.path.isfile(path) and not is_database(path) else None
         if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
