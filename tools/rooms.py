@@ -33,16 +33,16 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5485, 1, 0),
+    "plugin/imagery": Measures(5305, 1, 0),
     "plugin/seams/measure": Measures(18529, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6487, 1, 0),
-    "plugin/toolkit": Measures(4934, 0, 0),
+    "plugin/toolkit": Measures(4919, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),
     "plugin/resolution": Measures(3204, 0, 0),
-    "plugin/photos": Measures(3522, 0, 0),
-    "plugin/sensors": Measures(5647, 0, 0),
+    "plugin/photos": Measures(3520, 0, 0),
+    "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(378, 1, 1),
     "python": Measures(1050, 0, 0),
     "tests": Measures(49296, 791, 53),

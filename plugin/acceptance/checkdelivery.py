@@ -144,8 +144,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
 
 def _rasters(folder: Path, with_folders: bool) -> list[Path]:
     """Paths of the rasters in ``folder``, by name; ``with_folders``: those in folders of it, too."""
-    paths = folder.rglob("*") if with_folders else folder.glob("*")
-    return sorted(path for path in paths if path.suffix.lower() in RASTERS)
+    return sorted(path for path in folder.glob("**/*" if with_folders else "*") if path.suffix.lower() in RASTERS)
 
 
 def _of_stem(files: Sequence[Path], stem: str) -> Path | None:

@@ -132,9 +132,7 @@ class LayerDoubts:
         lacking = self.without_line_m + sum(self._gaps()) if total is None else total - self.metres
         lacking = lacking if lacking > _LACKING_M else 0.0
         hidden = 0.0 if scanned_failed_m is None else scanned_failed_m - self.failed_m - lacking
-        seal = Seal.MISSING if is_asked else Seal.NOT_ASKED
-        if scanned_failed_m is not None:
-            seal = self._seal(notes, wkt)
+        seal = self._seal(notes, wkt) if settings else Seal.MISSING if is_asked else Seal.NOT_ASKED
         return DeliveredLayer(
             self.sheet, seal, lacking, settings, self.totals.digest, hidden if hidden > _LACKING_M else 0.0,
             not self.pieces and seal is not Seal.WHOLE,

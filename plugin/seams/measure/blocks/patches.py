@@ -237,11 +237,9 @@ def _followed(
     mosaic = _quadrants(fine, fine, shape) + least
     energies = np.stack([_quadrants(fine, fine, shape) for fine in fines.values()]) + least
     shared = np.stack([_quadrants(fine, source, shape) for source in fines.values()])
-    is_cut = np.zeros(shape, bool)
-    for k, i in enumerate(fines):
-        share = _share(planes.sources[i].valid, shape)
-        shared[k][:, share < _MIN_VALID] = 0
-        is_cut |= (share < _MIN_VALID) & (share > 1 - _MIN_VALID)
+    shares = np.stack([_share(planes.sources[i].valid, shape) for i in fines])
+    shared *= (shares >= _MIN_VALID)[:, np.newaxis]
+    is_cut = ((shares < _MIN_VALID) & (shares > 1 - _MIN_VALID)).any(axis=0)
     whole_mosaic, whole_energies, whole_shared = mosaic.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
     correlation = local_correlation(whole_mosaic, whole_energies, whole_shared)
     best, lead = highest(correlation)

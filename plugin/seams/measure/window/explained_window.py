@@ -40,8 +40,6 @@ from .measured_window import MeasuredWindow, in_file_values, measure_window
 from .window_request import WindowRequest
 from .window_result import PairResult, WindowClips, WindowResult
 
-_LEAST_LACKING = 0.005  # of a window: a source that lacks less covers it
-
 
 @measuring()
 def explain_window(measured: MeasuredWindow) -> WindowResult:
@@ -61,7 +59,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     notices += [
         messages.SOURCE_IN_PART(name=source.clip.raster.ref.name, share=100 * (1 - source.clip.invalid_share))
         for source in judged
-        if source.clip.invalid_share > _LEAST_LACKING
+        if round(100 * source.clip.invalid_share)
     ]
     explanation = _in_file_values(explanation, mosaic.grey_factor, [source.grey_factor for source in judged])
     pairs = [pair for source, changes in zip(judged, explanation.changes) for pair in _pairs(mosaic, source, changes)]
