@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(378, 1, 1),
     "python": Measures(1050, 0, 0),
-    "tests": Measures(49296, 791, 53),
+    "tests": Measures(49295, 791, 53),
 }
 """What each room may have; the most particular one holds for a file."""
 
