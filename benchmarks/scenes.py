@@ -19,7 +19,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
+from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause
 from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation, explain
@@ -245,7 +245,7 @@ def truths(pixel_m: float) -> list[Truth]:
 def explained(scene: Scene, bands: np.ndarray) -> tuple[Explanation, Mapping[str, Curve], list[Mapping[str, Curve]]]:
     """What the measurement says of a mosaic in the scene's window: explanation, its curves and its sources'."""
     mosaic, *sources = (
-        MeasuredClip(clip, *measure_clip(clip, DEFAULT_WAVELET, DEFAULT_LEVELS))
+        MeasuredClip(clip, *measure_bands(clip.bands, clip.raster.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS))
         for clip in (Clip(scene.mosaic, bands, 0.0), *scene.sources)
     )
     found = explain(mosaic, sources, DEFAULT_WAVELET, DEFAULT_LEVELS)

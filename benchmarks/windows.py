@@ -19,7 +19,7 @@ from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
+from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
 from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation, explain
 from seam_inspector.plugin.seams.measure.source_images import Source
@@ -84,7 +84,7 @@ def measured_only(request: WindowRequest) -> list[Curves]:
 
 def measure_clips(clips: Sequence[Clip], wavelet: str, levels: int) -> list[MeasuredClip]:
     """Curves and coarse components of each."""
-    return [MeasuredClip(clip, *measure_clip(clip, wavelet, levels)) for clip in clips]
+    return [MeasuredClip(clip, *measure_bands(clip.bands, clip.raster.band_names, wavelet, levels)) for clip in clips]
 
 
 def check(requests: Sequence[WindowRequest]) -> None:

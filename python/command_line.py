@@ -30,7 +30,7 @@ from ..plugin.seams.measure.window.window_request import InspectionSettings
 from ..plugin.seams.measure.window.window_tables import window_rows
 from .deciding import NoSeamsError, decide
 from .measuring import inspect_windows, mend, scan
-from .outputs import GEOPACKAGE, GEOTIFF, PAGE, TABLE, writing
+from .outputs import GEOPACKAGE, GEOTIFF, PAGE, TABLE, check_writing
 from .report_page import save_report
 from .scan_files import write_scan
 from .start import ERROR
@@ -82,34 +82,34 @@ def _block(asked: argparse.Namespace) -> Block:
 def _scan(asked: argparse.Namespace) -> int:
     block, rules = _block(asked), _rules(asked)
     settings = ScanSettings(density=asked.density, piece_m=asked.piece, levels=asked.levels)
-    with _guarded(asked, block.paths):
-        result = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
-        write_scan(asked.output, result, block)
-        return _decided(asked, decide({Path(asked.mosaic).stem: asked.output}, rules, mosaics=[asked.mosaic]))
+    _check_outputs(asked, block.paths)
+    result = scan(block, settings, seamlines=asked.seamlines, loss=asked.loss or "", **asked.run)
+    write_scan(asked.output, result, block)
+    return _decided(asked, decide({Path(asked.mosaic).stem: asked.output}, rules, mosaics=[asked.mosaic]))
 
 
 def _accept(asked: argparse.Namespace) -> int:
     stems = [Path(path).stem for path in asked.seams]
     sheets = {path if stems.count(stem) > 1 else stem: path for path, stem in zip(asked.seams, stems)}
-    with _guarded(asked, (*asked.seams, *asked.mosaics)):
-        return _decided(asked, decide(
-            sheets, _rules(asked), mosaics=asked.mosaics, lot_size=asked.lot_size, seed=asked.seed
-        ))
+    _check_outputs(asked, (*asked.seams, *asked.mosaics))
+    return _decided(asked, decide(
+        sheets, _rules(asked), mosaics=asked.mosaics, lot_size=asked.lot_size, seed=asked.seed
+    ))
 
 
 def _inspect(asked: argparse.Namespace) -> int:
     block = _block(asked)
     settings = InspectionSettings(min_kept=asked.min_kept, levels=asked.levels)
     requests = [block.window_at(x, y, asked.side, settings, number) for number, (x, y) in enumerate(asked.at, 1)]
-    with _guarded(asked, block.paths):
-        results = list(inspect_windows(requests, **asked.run))
-        rows = window_rows(results)
-        if asked.output:
-            text = io.StringIO()
-            table = csv.DictWriter(text, list(rows[0]))
-            table.writeheader()
-            table.writerows(rows)
-            save_text(text.getvalue(), Path(asked.output))
+    _check_outputs(asked, block.paths)
+    results = list(inspect_windows(requests, **asked.run))
+    rows = window_rows(results)
+    if asked.output:
+        text = io.StringIO()
+        table = csv.DictWriter(text, list(rows[0]))
+        table.writeheader()
+        table.writerows(rows)
+        save_text(text.getvalue(), Path(asked.output))
     for row in rows:
         numbers = [row[name] for name in ("kept_1", "kept_low", "kept_high")]
         why = row["reason"] or row["causes"]
@@ -146,13 +146,13 @@ def _rules(asked: argparse.Namespace) -> AcceptanceRules:
     return limit_rules(**{name: value for name in _LIMITS if (value := getattr(asked, name)) is not None})
 
 
-def _guarded(asked: argparse.Namespace, inputs: Sequence[str]) -> Any:
-    """Meanwhile outputs have names that can be, and are over no input: checked before anything is measured."""
+def _check_outputs(asked: argparse.Namespace, inputs: Sequence[str]) -> None:
+    """Raise SettingsError for outputs whose names can't be, or that are over an input, before anything is measured."""
     given = (getattr(asked, name, "") for name in ("seamlines", "rules"))
     endings = {"output": TABLE if asked.command is _inspect else GEOPACKAGE, "loss": GEOTIFF, "report": PAGE}
     outputs = {name: (getattr(asked, name, None), ending) for name, ending in endings.items()}
     wanted = {name: (path, ending) for name, (path, ending) in outputs.items() if path is not None}
-    return writing(wanted, (*inputs, *filter(None, given)))
+    check_writing(wanted, (*inputs, *filter(None, given)))
 
 
 class _Parser(argparse.ArgumentParser):

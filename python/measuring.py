@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Callable
 from osgeo import ogr
 
 from ..plugin.imagery.errors import CancelledError, Level, Message, SeamInspectorWarning, SettingsError
-from ..plugin.imagery.file_identity import guarding
+from ..plugin.imagery.file_identity import refuse_overwriting
 from ..plugin.imagery.gdal_calls import gdal_silenced
 from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.messages import CANCELLED
@@ -33,7 +33,7 @@ from ..plugin.seams.measure.window.window_request import InspectionSettings, Win
 from ..plugin.seams.measure.window.window_result import WindowResult
 from ..plugin.toolkit.executors import Crew, open_executor
 from . import messages
-from .outputs import GEOTIFF, VRT, writing
+from .outputs import GEOTIFF, VRT, check_writing
 from .scan_files import SEAMLINES, read_seams
 
 if TYPE_CHECKING:
@@ -141,7 +141,8 @@ def scan(
     given = os.fspath(seamlines).partition("|")[0]
     outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
     read = filter(None, (*block.paths, *block.files, given))
-    with writing(outputs, read), open_executor(executor, cancelled) as (opened, ahead):
+    check_writing(outputs, read)
+    with open_executor(executor, cancelled) as (opened, ahead):
         run = ScanRun(opened, ahead, _rising(progress or _nobody), cancelled)
         result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(result.notices)
@@ -190,13 +191,14 @@ def mend(
         made = {path.name: str(path) for path in Path(folder).glob("patch_*")}
     read = [*block.paths, *block.files]
     read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
-    with guarding({"mended": name, **made}, read), writing({"mended": (name, VRT)}, ()):
-        rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams)[0]
-        features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
-        pieces = tuple(given_pieces(features, FIELDS, which))
-        request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings or MendSettings())
-        with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
-            return _mended(job, crew, _rising(progress or _nobody), cancelled)
+    refuse_overwriting({"mended": name, **made}, read)
+    check_writing({"mended": (name, VRT)}, ())
+    rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams)[0]
+    features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
+    pieces = tuple(given_pieces(features, FIELDS, which))
+    request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings or MendSettings())
+    with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
+        return _mended(job, crew, _rising(progress or _nobody), cancelled)
 
 
 def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:

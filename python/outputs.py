@@ -2,11 +2,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 
 from ..plugin.imagery.errors import SettingsError
-from ..plugin.imagery.file_identity import check_can_be_written, guarding
+from ..plugin.imagery.file_identity import check_can_be_written, refuse_overwriting
 from ..plugin.imagery.gdal_paths import FEATURES, RASTERS, open_dataset
 from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
 from ..plugin.seams.measure.scan.loss_raster import SETTINGS_DOMAIN
@@ -22,18 +21,16 @@ _BEGINS = {PAGE: MADE_BY, TABLE: "window_id,"}
 _BEGIN_BYTES = 1024
 
 
-@contextmanager
-def writing(outputs: Mapping[str, tuple[str, tuple[str, ...]]], inputs: Iterable[str]) -> Iterator[None]:
-    """``guarding`` for outputs, paths and their endings by what they are called, that can be written, too. Raises
-    SettingsError before anything is measured."""
-    with guarding({title: path for title, (path, _) in outputs.items()}, inputs):
-        for title, (path, endings) in outputs.items():
-            check_can_be_written(title, path)
-            if endings and not path.lower().endswith(endings):
-                raise SettingsError(messages.OTHER_ENDING(output=title, path=path, ending=endings[0]))
-            if os.path.isfile(path) and os.path.getsize(path) and not _is_replaceable(path, endings):
-                raise SettingsError(messages.HOLDS_OTHER_DATA(output=title, path=path))
-        yield
+def check_writing(outputs: Mapping[str, tuple[str, tuple[str, ...]]], inputs: Iterable[str]) -> None:
+    """``refuse_overwriting`` for outputs, paths and their endings by what they are called, that can be written, too.
+    Raises SettingsError before anything is measured."""
+    refuse_overwriting({title: path for title, (path, _) in outputs.items()}, inputs)
+    for title, (path, endings) in outputs.items():
+        check_can_be_written(title, path)
+        if endings and not path.lower().endswith(endings):
+            raise SettingsError(messages.OTHER_ENDING(output=title, path=path, ending=endings[0]))
+        if os.path.isfile(path) and os.path.getsize(path) and not _is_replaceable(path, endings):
+            raise SettingsError(messages.HOLDS_OTHER_DATA(output=title, path=path))
 
 
 def _is_replaceable(path: str, endings: tuple[str, ...]) -> bool:

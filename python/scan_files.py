@@ -24,7 +24,7 @@ from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, 
 from ..plugin.seams.measure.scan.whole_scan import rectangle
 from ..plugin.seams.measure.window.inspection import Block, PathLike
 from . import messages
-from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, writing
+from .outputs import CELLS, GEOPACKAGE, SEAMS, WORST, check_writing
 
 SEAMLINES = "seamlines_file"
 """Key, among what a scan tells, of the file of seams that it was given."""
@@ -43,12 +43,12 @@ def write_scan(path: PathLike, result: ScanResult, block: Block) -> None:
     place, mosaic = Path(os.fspath(path)), block.sheet or block.mosaic
     read = filter(None, (*block.paths, *block.files, result.told.get(SEAMLINES, "")))
     failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
-    with writing({"output": (os.fspath(path), GEOPACKAGE)}, read):
-        scanned = [file for file, _ in states_in(result.told.get(MOSAIC_FILES, ""))]
-        if scanned != [*known_states(mosaic.ref.paths, ask=False)]:
-            raise SettingsError(messages.SCAN_OF_ANOTHER(name=mosaic.ref.name))
-        with whole_file(place) as unfinished, gdal_writing(failure):
-            _write_tables(str(unfinished), result, block)
+    check_writing({"output": (os.fspath(path), GEOPACKAGE)}, read)
+    scanned = [file for file, _ in states_in(result.told.get(MOSAIC_FILES, ""))]
+    if scanned != [*known_states(mosaic.ref.paths, ask=False)]:
+        raise SettingsError(messages.SCAN_OF_ANOTHER(name=mosaic.ref.name))
+    with whole_file(place) as unfinished, gdal_writing(failure):
+        _write_tables(str(unfinished), result, block)
 
 
 def _write_tables(path: str, result: ScanResult, block: Block) -> None:

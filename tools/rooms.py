@@ -33,7 +33,7 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5485, 1, 0),
+    "plugin/imagery": Measures(5305, 1, 0),
     "plugin/seams/measure": Measures(18529, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6482, 1, 0),
@@ -41,8 +41,8 @@ BOUNDS = {
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),
     "plugin/resolution": Measures(3204, 0, 0),
-    "plugin/photos": Measures(3522, 0, 0),
-    "plugin/sensors": Measures(5647, 0, 0),
+    "plugin/photos": Measures(3520, 0, 0),
+    "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(378, 1, 1),
     "python": Measures(1049, 0, 0),
     "tests": Measures(49296, 788, 53),

@@ -144,13 +144,13 @@ class CheckDelivery(SeamInspectorAlgorithm):
 
 def _rasters(folder: Path, with_folders: bool) -> list[Path]:
     """Paths of the rasters in ``folder``, by name; ``with_folders``: those in folders of it, too."""
-    paths = folder.rglob("*") if with_folders else folder.glob("*")
-    return sorted(path for path in paths if path.suffix.lower() in RASTERS)
+    return sorted(path for path in folder.glob("**/*" if with_folders else "*") if path.suffix.lower() in RASTERS)
 
 
 def _of_stem(files: Sequence[Path], stem: str) -> Path | None:
-    """The first file that is called so, whatever its ending and its capitals."""
-    return next((path for path in files if path.stem.lower() == stem.lower()), None)
+    """The first file that is called so, whatever its ending and its capitals; tables of numbers lose zeros in front."""
+    names = (str.lower, lambda name: name.lower().lstrip("0"))
+    return next((path for name in names for path in files if name(path.stem) == name(stem)), None)
 
 
 def _form(run: Run) -> OrderedForm:

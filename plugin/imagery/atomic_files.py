@@ -6,7 +6,7 @@ import os
 import shutil
 import tempfile
 import zlib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
@@ -14,28 +14,6 @@ from pathlib import Path
 from . import messages
 from .errors import SettingsError
 from .messages import system_reason
-
-_checked: dict[str, str] = {}
-"""Places that the outputs of runs that go on led to when they were held against the inputs, by their paths."""
-
-
-@contextmanager
-def leading_to(places: Mapping[str, str]) -> Iterator[None]:
-    """Meanwhile these paths lead through links to their places or can't be written: a link that was changed after the
-    outputs were checked could lead to an input."""
-    added = {path: place for path, place in places.items() if path not in _checked}  # by who checked it before
-    _checked.update(added)
-    try:
-        yield
-    finally:
-        for path in added:
-            _checked.pop(path, None)
-
-
-def leads_as_checked(path: Path, place: str | None = None) -> bool:
-    """Whether an output leads where it did when it was held against the inputs; ``place``: where it leads now."""
-    now = os.path.realpath(path) if place is None else place
-    return _checked.get(os.path.abspath(path), now) == now
 
 
 def unfinished_name(path: Path) -> str:
@@ -92,10 +70,7 @@ class UnfinishedFile:
 
     def __init__(self, path: Path) -> None:
         """Raises OSError where no file can be."""
-        place = os.path.realpath(path)  # the file that a link points to is replaced, not the link
-        if not leads_as_checked(path, place):
-            raise PermissionError(errno.EPERM, os.strerror(errno.EPERM))
-        self._path = Path(place)
+        self._path = Path(os.path.realpath(path))  # the file that a link points to is replaced, not the link
         if self.replaces and not os.access(self._path, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         self._folder = Path(tempfile.mkdtemp(prefix=unfinished_name(self._path), dir=self._path.parent))

@@ -13,7 +13,7 @@ from osgeo import gdal, gdal_array
 from scipy import ndimage
 
 from . import limits, messages
-from .errors import Exceeding, NotCoveredError, RasterError
+from .errors import NotCoveredError, RasterError, Stated
 from .gdal_calls import gdal_call
 from .grids import Extent, Grid, NumberedWindow, PixelWindow
 from .open_raster import OpenRaster, PixelBlock, placed
@@ -148,7 +148,7 @@ def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, part
     inside, most = under.cut_to(source.columns, source.rows), _most_missing(partly)
     if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * under.width * under.height:
         raise NotCoveredError(messages.NOT_COVERED(name=source.ref.name))
-    bands, invalid = _without_pads(source, source.read(inside))
+    bands, invalid = _without_pads(source, inside)
     if inside != under:
         margins = under.margins_of(inside)
         bands = np.pad(bands, ((0, 0), *margins))
@@ -168,8 +168,7 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
     blocks = [_warped(source, mosaic, strip, times) for strip in strips]
     bands = np.concatenate([block.bands for block in blocks], axis=1)
     valid = np.concatenate([block.valid for block in blocks])
-    bands, invalid = _without_pads(source, PixelBlock(bands, None if valid.all() else ~valid))
-    return _filled(Clip(raster, bands, 0.0, resampled=True), invalid, partly, holes)
+    return _filled(Clip(raster, bands, 0.0, resampled=True), None if valid.all() else ~valid, partly, holes)
 
 
 def _warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, times: float) -> PixelBlock:
@@ -186,7 +185,7 @@ def _warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, times: floa
     if min(under.width, under.height) <= 0:
         shape = window.height, window.width
         return PixelBlock(np.zeros((len(raster.band_names), *shape), raster.data_type), np.ones(shape, bool))
-    bands, invalid = source.read(under)
+    bands, invalid = _without_pads(source, under)
     failure = messages.NOT_READABLE(name=source.ref.name)
     kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.dtype.type)
     held = gdal.GetDriverByName("MEM").Create("", under.width, under.height, len(bands), kind)
@@ -209,11 +208,12 @@ def _most_missing(partly: bool) -> float:
     return MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
 
 
-def _without_pads(source: OpenRaster, block: PixelBlock) -> PixelBlock:
+def _without_pads(source: OpenRaster, window: PixelWindow) -> PixelBlock:
     """Pixels of a raster without its pads."""
-    bands, invalid = block
+    bands, invalid = source.read(window)
     if _may_have_pads(bands) and (values := _pad_values(source)):
-        beside = _pads(bands, values)
+        beyond = PixelWindow(0, 0, source.columns, source.rows).margins_of(window)
+        beside = _pads(bands, values, [tuple(0 if more else PAD_PX for more in sides) for sides in beyond])
         invalid = beside if invalid is None else invalid | beside
     return PixelBlock(bands, invalid)
 
@@ -229,7 +229,7 @@ def _filled(clip: Clip, invalid: np.ndarray | None, partly: bool, holes: bool) -
     share = int(np.count_nonzero(invalid)) / pixels
     if share > most:
         raise NotCoveredError(
-            messages.TOO_MANY_INVALID(name=clip.raster.ref.name, share=Exceeding(share, most), most=most)
+            messages.TOO_MANY_INVALID(name=clip.raster.ref.name, share=Stated(share, most), most=most)
         )
     valid = ~invalid
     # Of a large window samples tell the mean as well.
@@ -247,26 +247,33 @@ def _may_have_pads(bands: np.ndarray) -> bool:
     """Whether any of the places that a pad in these bands, (bands, rows, columns), can't miss is black or white."""
     if bands.dtype.kind != "u":
         return False
-    few = bands[:, :: PAD_PX // 2, :: PAD_PX // 2]
+    rows, columns = (np.append(np.arange(0, length, PAD_PX // 2), length - 1) for length in bands.shape[1:])
+    few = bands[:, rows[:, np.newaxis], columns]
     return bool(_is_of(few, 0).any() or _is_of(few, int(np.iinfo(bands.dtype).max)).any())
 
 
 def _pad_values(source: OpenRaster) -> tuple[int, ...]:
-    """Values of pads around an image that its file doesn't name, or that a codec changed: black or white, where one of
-    its corners is wholly of that."""
+    """Values of pads around an image that its file doesn't name, or that a codec changed: black or white, where the rim
+    of one of its corners is of that along a side."""
     if not (source.is_all_valid or source.raster.is_lossy) or source.corners[0].dtype.kind != "u":
         return ()
     values = 0, int(np.iinfo(source.corners[0].dtype).max)
-    return tuple(value for value in values if any(_is_of(corner, value).all() for corner in source.corners))
+    squares = [square for corner in source.corners for square in (corner, corner.swapaxes(1, 2))]
+    rims = [square[:, row] for square in squares for row in (0, -1)]
+    return tuple(value for value in values if any(_is_of(rim, value).all() for rim in rims))
 
 
-def _pads(bands: np.ndarray, values: Sequence[int]) -> np.ndarray:
+def _pads(bands: np.ndarray, values: Sequence[int], beyond: Sequence[tuple[int, ...]]) -> np.ndarray:
     """Pads of these values that reach the edge of the bands (bands, rows, columns), with what JPEG's squares share with
-    them, (rows, columns) bool."""
+    them, (rows, columns) bool. ``beyond``: above and below, left and right, so many pixels that are no image's: at its
+    edge a strip is a pad, however narrow."""
     padded = np.zeros(bands.shape[1:], bool)
+    inner = tuple(slice(first, first + length) for (first, _), length in zip(beyond, padded.shape))
+    rows, columns = (np.pad(np.ones(length, bool), sides) for length, sides in zip(padded.shape, beyond))
+    around = rows[:, np.newaxis] | columns  # without its corners, in which a small square would seem large
     for value in values:
-        alike = _is_of(bands, value)
-        large = ndimage.grey_opening(alike.view(np.uint8), size=PAD_PX) > 0
+        around[inner] = alike = _is_of(bands, value)
+        large = ndimage.grey_opening(around.view(np.uint8), size=PAD_PX)[inner] > 0
         if not large.any():
             continue
         parts, _ = ndimage.label(alike)

@@ -13,7 +13,7 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, Optional, TypeVar
+from typing import Any, Callable, TypeVar
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 from xml.parsers import expat
 
@@ -24,8 +24,6 @@ from .messages import system_reason
 
 MOST_BYTES = 100_000_000  # a hundred times the largest table of points or rules anybody has
 _MOST_DIGITS = 308  # each whole number of so many is a float, too
-
-_PairsHook = Optional[Callable[[Sequence[tuple[str, Any]]], Any]]
 
 
 def document_bytes(path: Path) -> bytes:
@@ -39,7 +37,7 @@ def document_bytes(path: Path) -> bytes:
     return content
 
 
-def json_document(text: str | bytes, pairs: _PairsHook = None) -> Any:
+def json_document(text: str | bytes, pairs: Callable[[Sequence[tuple[str, Any]]], Any] | None = None) -> Any:
     """What a JSON text says; ``pairs`` makes the objects.
 
     Raises JSONDecodeError for what is none, nested too deeply, or holds whole numbers that are longer than any is.

@@ -4,6 +4,7 @@ Names that others gave go into sentences as words that can be shown.
 """
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -100,30 +101,24 @@ class Message:
 
 
 class Stated(float):
-    """A limit, for a message: written as it was stated, 2%, not 2.00%."""
+    """A limit, for a message: written as it was stated, 2%, not 2.00%; a value over its limit so where fewer digits
+    don't show that."""
 
-    def __format__(self, spec: str) -> str:
-        return f"{100 * self:.6g}%" if spec.endswith("%") else f"{float(self):.6g}"
-
-
-class Exceeding(Stated):
-    """A value over its limit, for a message: with all its digits where fewer don't show that."""
-
-    def __new__(cls, value: float, limit: float) -> Exceeding:
+    def __new__(cls, value: float, limit: float = math.inf) -> Stated:
         made = super().__new__(cls, value)
-        made._limit = limit
+        made.limit = limit
         return made
 
     def __getnewargs__(self) -> tuple[float, float]:  # type: ignore[override]
         """What a copy, or another process, makes it of."""
-        return float(self), self._limit
+        return float(self), self.limit
 
-    _limit: float
+    limit: float
 
     def __format__(self, spec: str) -> str:
-        text = format(float(self), spec)
-        is_shown = float(text.rstrip("%")) > self._limit * (100 if spec.endswith("%") else 1)
-        return text if is_shown else super().__format__(spec)
+        text, times = format(float(self), spec), 100 if spec.endswith("%") else 1
+        is_shown = float(text.rstrip("%")) > self.limit * times
+        return text if is_shown else f"{times * self:.6g}{'%' if times > 1 else ''}"
 
 
 @cache

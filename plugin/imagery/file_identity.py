@@ -14,7 +14,7 @@ import stat
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from hashlib import blake2b
 from itertools import chain
 from pathlib import Path
@@ -23,7 +23,7 @@ from typing import NamedTuple, Union
 from osgeo import gdal
 
 from . import messages
-from .atomic_files import files_written, leading_to
+from .atomic_files import UnfinishedFile, files_written
 from .documents import json_document
 from .errors import RasterError, SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
@@ -42,17 +42,12 @@ from .remote_files import forget_fetched
 
 IN_MEMORY = "/vsimem/"
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
-_JOURNAL = "-journal"  # SQLite's, beside the database
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
     ".shp": (".shx", ".dbf", ".prj", ".cpg"),
     ".tab": (".dat", ".map", ".id", ".ind"),
     ".mif": (".mid",),
     **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
 }
-_WITHOUT_SIDECARS = (".csv", ".gpkg", ".html", ".json", ".points", ".shp", ".txt", ".xml")
-_OF_PIXELS = (".aux.xml", ".msk", ".ovr")
-"""After a raster's name: what GDAL reads as a part of it, whoever wrote it there."""
-_SIDECARS = (*_OF_PIXELS, ".aux", ".geom", ".hdr", ".prj", ".rpb", ".rpc", "_rpc.txt", ".wld")
 
 _Identity = Union[tuple[int, int], str]
 
@@ -74,18 +69,12 @@ class _Written(NamedTuple):
     table: str
 
 
-@contextmanager
-def guarding(outputs: Mapping[str, str], inputs: Iterable[str]) -> Iterator[None]:
-    """Meanwhile the outputs, paths by what they are called, are written over none of the inputs, which GDAL opens.
-
-    Raises SettingsError for an output that would be, that is another one too, or is no file.
-    """
+def refuse_overwriting(outputs: Mapping[str, str], inputs: Iterable[str]) -> None:
+    """Raise SettingsError for an output, paths by what they are called, that is no file, one of the inputs, which GDAL
+    opens, or another output."""
     for title, path in outputs.items():
         check_is_file(title, path)
-    with leading_to(check_outputs(((title, DataPlace(path)) for title, path in outputs.items()), (
-        DataPlace(path) for path in inputs
-    ))):  # fmt: skip
-        yield
+    check_outputs(((title, DataPlace(path)) for title, path in outputs.items()), map(DataPlace, inputs))
 
 
 def check_is_file(title: str, path: str) -> None:
@@ -100,66 +89,40 @@ def check_can_be_written(title: str, path: str) -> None:
     check_is_file(title, path)
     if not path.strip():
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path="''"))
-    if not path.startswith(IN_MEMORY):
-        with files_written(path):
-            _check_place(path)
-
-
-def _check_place(path: str) -> None:
-    """Raise OSError where no file can be."""
-    state, folder = _state_at(path), os.path.dirname(os.path.realpath(path))
-    if is_database(path):
-        _state_at(path + _JOURNAL)  # whose name may be too long
-    os.stat(os.path.join(folder, ""))
-    number = 0
-    if path.endswith(("/", os.sep)) or (state is not None and stat.S_ISDIR(state.st_mode)):
-        number = errno.EISDIR
-    elif state is not None and not stat.S_ISREG(state.st_mode):
-        number = errno.EPERM
-    elif not os.access(folder if state is None else path, os.W_OK):
-        number = errno.EACCES
-    if number:
-        raise OSError(number, os.strerror(number))
-
-
-def _state_at(path: str) -> os.stat_result | None:
-    """None where there is no file yet. Raises OSError where there can be none."""
-    try:
-        return os.stat(path)
-    except FileNotFoundError:
-        return None
+    if path.startswith(IN_MEMORY):
+        return
+    with files_written(path):
+        number = errno.EISDIR if path.endswith(("/", os.sep)) else 0
+        with suppress(FileNotFoundError):
+            mode = os.stat(path).st_mode
+            number = errno.EISDIR if stat.S_ISDIR(mode) else 0 if stat.S_ISREG(mode) else errno.EPERM
+        if number:
+            raise OSError(number, os.strerror(number))
+        UnfinishedFile(Path(path)).drop()
 
 
 def check_outputs(
     outputs: Iterable[tuple[str, DataPlace]], inputs: Iterable[DataPlace], indexed: Iterable[str] = ()
-) -> dict[str, str]:
-    """Places that the outputs, each with what it is called, lead to through links, for ``leading_to``.
+) -> None:
+    """Raise SettingsError for outputs, each with what it is called, that are one file, or a file of an input, sidecars
+    included.
 
     ``indexed``: further inputs, which may be too many to open all.
-
-    Raises SettingsError for outputs that are one file, or a file of an input, sidecars included.
     """
     wanted = list(outputs)
-    paths = [place.path for _, place in wanted if not place.path.startswith("/vsi")]
-    leads = {os.path.abspath(path): os.path.realpath(path) for path in paths}
     by_file: dict[_Identity, list[_Written]] = defaultdict(list)
-    by_name: dict[tuple[str, str], _Written] = {}
     for title, place in wanted:
-        files = list(_written(place.path, leads.get(os.path.abspath(place.path), place.path)))
+        files = list(_written(place.path))
         for file in files:
             if (met := _met(by_file, DataPlace(file, place.table))) is not None:
                 raise SettingsError(messages.OUTPUTS_ARE_ONE(path=place.path, first=met.title, second=title))
         for file in files:
-            by_file[_identity(file)].append(written := _Written(file, title, place.table))
-            if os.path.exists(file) or (file == place.path and file.lower().endswith(_OF_PIXELS)):
-                by_name.setdefault(_name(file), written)
-    if not by_name and not any(place.path.startswith("/vsi") for _, place in wanted):
-        return leads  # what is not there yet is no input: most runs need no look at them
+            by_file[_identity(file)].append(_Written(file, title, place.table))
+    if not any(os.path.exists(written.path) or written.path.startswith("/vsi") for written, *_ in by_file.values()):
+        return  # what is not there yet is no input: most runs need no look at them
     for place in chain(chain.from_iterable(map(_read_with, inputs)), _parts(indexed)):
-        met = _met(by_file, place) or next(filter(None, map(by_name.get, _sidecars(place.path))), None)
-        if met is not None:
+        if (met := _met(by_file, place)) is not None:
             raise SettingsError(messages.OUTPUT_IS_INPUT(output=met.title, path=met.path))
-    return leads
 
 
 def is_database(path: str) -> bool:
@@ -171,7 +134,7 @@ def files_beside(path: str) -> set[str]:
     """Names of the files that GDAL takes for a raster's own and that are called like it: they go with it when another
     one takes its place."""
     name = os.path.basename(path)
-    called = {name + ending for ending in _OF_PIXELS}
+    called = {name + ending for ending in (".aux.xml", ".msk", ".ovr")}
     with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
         dataset = opened_checked(path, gdal.OF_RASTER) if os.path.isfile(path) and not is_database(path) else None
         if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
@@ -189,12 +152,11 @@ def _met(by_file: Mapping[_Identity, list[_Written]], place: DataPlace) -> _Writ
     return None
 
 
-def _written(path: str, lead: str) -> dict[str, None]:
-    """All that would be written or removed, ``lead`` first: where links led when it was held against the inputs,
-    whatever they lead to when this is asked."""
+def _written(path: str) -> dict[str, None]:
+    """All that would be written or removed."""
     stem, ending = os.path.splitext(path)
     beside = (os.path.join(os.path.dirname(path), name) for name in files_beside(path))
-    return dict.fromkeys((path, lead, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())), *beside))
+    return dict.fromkeys((path, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())), *beside))
 
 
 def _read_with(given: DataPlace) -> Iterator[DataPlace]:
@@ -237,21 +199,6 @@ def opened_checked(path: str, flags: int = 0) -> gdal.Dataset | None:
     except RasterError:  # what must not be opened is refused by whoever needs it
         return None
     return open_dataset(path, ANYTHING, flags)
-
-
-def _sidecars(path: str) -> Iterator[tuple[str, str]]:
-    """Folder and names of what belongs to a file by its name, whether or not GDAL reads it now."""
-    if path.lower().endswith(_WITHOUT_SIDECARS):
-        return
-    folder, name = _name(path)
-    stem, ending = os.path.splitext(name)
-    for end in (*_SIDECARS, f"{ending}w", f"{ending[:2]}{ending[-1:]}w"):  # .tifw, .tfw
-        yield folder, stem + end
-        yield folder, name + end
-
-
-def _name(path: str) -> tuple[str, str]:
-    return os.path.realpath(os.path.dirname(path)), os.path.basename(path).lower()
 
 
 def _identity(path: str) -> _Identity:

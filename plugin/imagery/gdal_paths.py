@@ -16,7 +16,6 @@ from functools import lru_cache
 from html import unescape
 from itertools import combinations
 from pathlib import Path
-from typing import NamedTuple
 
 from osgeo import gdal
 
@@ -40,23 +39,15 @@ _TABLES = (
 """Formats of features without VRTs and servers of databases."""
 
 
-class Access(NamedTuple):
-    """What is opened for one purpose."""
-
-    kind: int
-    """GDAL's flag."""
-    drivers: tuple[str, ...]
+RASTERS, FEATURES, ANYTHING = gdal.OF_RASTER, gdal.OF_VECTOR, 0
+"""GDAL's flags for what is opened."""
+_DRIVERS = {RASTERS: _IMAGES, FEATURES: _TABLES, ANYTHING: (*_IMAGES, *_TABLES, "OGR_VRT")}
 
 
-RASTERS = Access(gdal.OF_RASTER, _IMAGES)
-FEATURES = Access(gdal.OF_VECTOR, _TABLES)
-ANYTHING = Access(0, (*_IMAGES, *_TABLES, "OGR_VRT"))
-
-
-def open_dataset(path: str, access: Access, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
+def open_dataset(path: str, kind: int, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
     """None for what can't be opened by the drivers that are allowed. GDAL says nothing."""
     with gdal_silenced(), suppress(RuntimeError):
-        return gdal.OpenEx(readable_path(path), access.kind | flags, list(access.drivers))
+        return gdal.OpenEx(readable_path(path), kind | flags, list(_DRIVERS[kind]))
     return None
 
 
@@ -65,10 +56,8 @@ def check_raster_path(path: str, name: str) -> None:
     if is_endless(path):
         raise RasterError(messages.NO_FILE(name=name))
     driver = "" if is_remote(path) else _driver(path, gdal.OF_RASTER)
-    if driver and driver not in ANYTHING.drivers:
-        is_file = os.path.isfile(local_file(path))
-        refused = messages.DRIVER_NOT_USED(name=name, driver=driver) if is_file else messages.SERVICE(name=name)
-        raise RasterError(refused)
+    if driver and driver not in _DRIVERS[ANYTHING]:
+        raise RasterError(messages.DRIVER_NOT_USED(name=name, driver=driver))
 
 
 def _driver(path: str, kind: int) -> str:
@@ -93,7 +82,7 @@ def is_endless(path: str) -> bool:
 def is_layer_file(path: Path) -> bool:
     """Whether a file that nobody chose is a table of features, and no view or VRT leads elsewhere."""
     driver = _driver(str(path), gdal.OF_VECTOR)
-    return driver in FEATURES.drivers and (driver not in ("GPKG", "SQLite") or holds_only_tables(path))
+    return driver in _TABLES and (driver not in ("GPKG", "SQLite") or holds_only_tables(path))
 
 
 _NOT_ROWS = """

@@ -173,10 +173,6 @@ def snap_window(grid: Grid, extent: Extent, levels: int = limits.DEFAULT_LEVELS)
     row, height = _trim(top, bottom, 2**levels)
     fewest = max(limits.MIN_SIDE_PX, 2**levels)
     if min(width, height) < fewest:
-        if fewest > limits.MIN_SIDE_PX:
-            raise WindowError(
-                messages.TOO_MANY_LEVELS(levels=levels, fewest=fewest, width=right - left, height=bottom - top)
-            )
         raise WindowError(messages.WINDOW_TOO_SMALL(fewest=fewest, width=right - left, height=bottom - top))
     if width * height > limits.MAX_WINDOW_PIXELS:
         most = limits.MAX_WINDOW_PIXELS // 1_000_000

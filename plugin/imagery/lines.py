@@ -251,11 +251,6 @@ class Seam:
     vertices: np.ndarray
     """(n, 2) float64, n >= 2: x and y in map units; first and last are equal when the seam is a ring."""
 
-    @property
-    def length(self) -> float:
-        """Length in map units."""
-        return float(np.hypot(*np.diff(self.vertices, axis=0).T).sum())
-
 
 def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Seam]:
     """The seams that a layer's lines and polygons describe.
@@ -372,12 +367,8 @@ def polygon_rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
 
 def _rings(polygon: ogr.Geometry) -> Iterator[np.ndarray]:
     """The vertices of a 2D polygon's rings, complex, the outer one first."""
-    wkb, offset = polygon.ExportToWkb(ogr.wkbNDR), 9  # byte order, type, number of rings
-    for _ in range(polygon.GetGeometryCount()):
-        count = int.from_bytes(wkb[offset : offset + 4], "little")
-        ring = np.frombuffer(wkb, dtype="<c16", count=count, offset=offset + 4)
-        offset += 4 + ring.nbytes
-        yield ring
+    for number in range(polygon.GetGeometryCount()):
+        yield np.array(polygon.GetGeometryRef(number).GetPoints(), float).reshape(-1, 2) @ (1, 1j)
 
 
 def line_points(line: ogr.Geometry) -> np.ndarray:

@@ -16,19 +16,17 @@ DAMAGED = Message(
     "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it again."
 )
 NO_FILE = Message("{name} is a device, a pipe or memory, not a file; copy its data to a file.")
-SERVICE = Message("{name} is a service or a database, not a file; save the part that is needed as GeoTIFF.")
 DRIVER_NOT_USED = Message(
-    "{name} is read by GDAL's driver {driver}, which may open other files; save it as GeoTIFF."
+    "{name} is read by GDAL's driver {driver}, which may open other files, a service or a database; save the part that "
+    "is needed as GeoTIFF."
 )
-TOO_MANY_BANDS = Message("{name} has {count} bands, but at most {most} can be read; extract the bands to be measured.")
-BLOCKS_TOO_LARGE = Message(
-    "{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it again in tiles."
+TOO_LARGE = Message(
+    "{name} claims {columns} x {rows} px in blocks of {width} x {height} px, which no memory holds; save it again in "
+    "tiles, or copy it again if it is damaged."
 )
-TOO_LARGE = Message("{name} claims {columns} x {rows} px, which is impossible; the file is damaged, so copy it again.")
 TOO_MUCH_AT_ONCE = Message(
     "{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed."
 )
-TOO_WIDE = Message("{name} is {columns} px wide, but at most {most} can be read; cut it into sheets first.")
 NO_BANDS = Message("{name} has no bands of its own; choose one of its subdatasets.")
 COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitudes first.")
 BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
@@ -74,14 +72,11 @@ WINDOW_NO_RECTANGLE = Message(
 )
 WINDOW_OUTSIDE = Message("The window lies outside the mosaic; draw it on the mosaic.")
 WINDOW_TOO_SMALL = Message(
-    "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger."
+    "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger, or "
+    "use fewer levels where these ask for more than 64 px."
 )
 WINDOW_TOO_LARGE = Message(
     "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller."
-)
-TOO_MANY_LEVELS = Message(
-    "{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer "
-    "levels or draw it larger."
 )
 WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so windows can't be placed on it on the map.")
 WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.", WARNING)

@@ -43,8 +43,8 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     # Photometric red, green and blue are often infrared, red and green, so the name of a band goes before.
     bands = [dataset.GetRasterBand(i + 1) for i in range(dataset.RasterCount)]
     colours = [gdal.GetColorInterpretationName(band.GetColorInterpretation()).lower() for band in bands]
-    called = [re.sub("[^a-z]", "", band.GetDescription().lower()) for band in bands]
-    colours = [_CALLED.get(name, colour) for name, colour in zip(called, colours)]
+    called = [{role for role in _ROLE.findall(band.GetDescription().lower()) if role} for band in bands]
+    colours = [_ROLES[roles.pop()] if len(roles) == 1 else colour for roles, colour in zip(called, colours)]
     table = dataset.GetRasterBand(1).GetColorTable()
     if len(colours) == 1 and colours[0] == "palette" and table is not None:
         entries = [table.GetColorEntry(i) for i in range(table.GetCount())]
@@ -66,8 +66,9 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     return BandRoles(tuple(roles.get(i, f"band_{i + 1}") for i in order), tuple(order), alpha)
 
 
-_CALLED = {**dict(zip(COLOURS, COLOURS)), "nir": "nir", "nearinfrared": "nir", "infrared": "nir"}
-"""Roles by the letters of what bands are called."""
+_ROLES = {**dict(zip(COLOURS, COLOURS)), "nir": "nir", "infrared": "nir"}
+_ROLE = re.compile(rf"(?<![a-z])(?:red[ _-]?edge|({'|'.join(_ROLES)}))(?![a-z])")
+"""The word for a role in what a band is called, as in Red (band 4) and NIR_842; the red edge is none."""
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
 CORNER_PX = 16
@@ -122,7 +123,7 @@ class OpenRaster:
         self.fetched(lambda opened: None)  # and so opened
         if self.dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
-        _check_amounts(self.dataset, ref.name)
+        check_amounts(self.dataset, ref.name)
         kinds = [self.dataset.GetRasterBand(number).DataType for number in range(1, self.dataset.RasterCount + 1)]
         if not complex_values and any(map(gdal.DataTypeIsComplex, kinds)):
             raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
@@ -145,12 +146,6 @@ class OpenRaster:
         if self._is_remote and self._beside == COMPLETE and is_remote(ref.path) and not is_complete:
             self._beside = WITH_OTHERS
             self._open()
-
-    def __enter__(self) -> OpenRaster:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.dataset = None
 
     def _network(self) -> AbstractContextManager[None]:
         return remote_settings(self._beside) if self._is_remote else nullcontext()
@@ -391,23 +386,15 @@ def _opened(ref: RasterRef) -> gdal.Dataset | None:
     return whole
 
 
-def check_amounts(path: str, name: str) -> None:
-    """Raise RasterError for a raster that no memory can hold; nothing is said of what can't be opened."""
-    dataset = open_dataset(path, RASTERS)
-    if dataset is not None and dataset.RasterCount:
-        _check_amounts(dataset, name)
-
-
-def _check_amounts(dataset: gdal.Dataset, name: str) -> None:
+def check_amounts(dataset: gdal.Dataset | None, name: str) -> None:
     """Raise RasterError for what a file of some kilobytes can declare and no memory can hold."""
-    count, band = dataset.RasterCount, dataset.GetRasterBand(1)
-    if dataset.RasterXSize * dataset.RasterYSize > limits.MOST_PIXELS:
-        raise RasterError(messages.TOO_LARGE(name=name, columns=dataset.RasterXSize, rows=dataset.RasterYSize))
-    if count > limits.MOST_BANDS:
-        raise RasterError(messages.TOO_MANY_BANDS(name=name, count=count, most=limits.MOST_BANDS))
+    if dataset is None or not dataset.RasterCount:
+        return
+    columns, rows, band = dataset.RasterXSize, dataset.RasterYSize, dataset.GetRasterBand(1)
     width, height = band.GetBlockSize()
-    if width * height * count * gdal.GetDataTypeSize(band.DataType) // 8 > limits.MOST_BLOCK_BYTES:
-        raise RasterError(messages.BLOCKS_TOO_LARGE(name=name, width=width, height=height))
+    block_bytes = width * height * dataset.RasterCount * gdal.GetDataTypeSize(band.DataType) // 8
+    if columns * rows > limits.MOST_PIXELS or block_bytes > limits.MOST_BLOCK_BYTES:
+        raise RasterError(messages.TOO_LARGE(name=name, columns=columns, rows=rows, width=width, height=height))
 
 
 def describe(ref: RasterRef) -> Raster:
@@ -420,14 +407,9 @@ def describe_north_up(ref: RasterRef) -> Raster:
     return _with_grid(describe(ref))
 
 
-def describe_placed(ref: RasterRef) -> Raster:
-    """Like ``describe``, for a raster that has to lie on the map."""
-    return placed(describe(ref))
-
-
 def describe_mosaic(ref: RasterRef) -> Raster:
     """Like ``describe``, for the raster whose grid the windows lie on: north-up and on the map."""
-    return _with_grid(describe_placed(ref))
+    return _with_grid(placed(describe(ref)))
 
 
 def check_readable(opened: OpenRaster) -> None:

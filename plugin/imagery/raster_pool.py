@@ -7,11 +7,11 @@ from __future__ import annotations
 import os
 import threading
 import weakref
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
-from typing import Protocol, TypeVar
+from typing import Any, Callable, TypeVar
 
 from .errors import RasterError
 from .gdal_paths import Stamp, file_stamp, readable_path
@@ -61,9 +61,6 @@ class RasterPool:
         self._most = most
         self._kept: dict[RasterRef, tuple[OpenRaster, Stamp | None]] = {}  # the one used last at the end
 
-    def __len__(self) -> int:
-        return len(self._kept)
-
     def open(self, ref: RasterRef) -> OpenRaster:
         """Raises RasterError when it can't be opened or used."""
         ref, kept = replace(ref, path=readable_path(ref.path)), self._kept
@@ -101,7 +98,7 @@ def _pool() -> RasterPool:
     return pool
 
 
-_AHEAD = 2  # requests under way per worker: one is measured while the next waits
+AHEAD = 2  # requests under way per worker: one is measured while the next waits
 
 
 @contextmanager
@@ -109,7 +106,7 @@ def own_threads(executor: Executor | None = None, ahead: int = 0) -> Iterator[tu
     """An executor, and how many requests it should have under way: those that are given, where they are."""
     workers = os.cpu_count() or 1
     with reading_threads(workers) if executor is None else nullcontext(executor) as opened:
-        yield opened, ahead or ahead_of(workers)
+        yield opened, ahead or AHEAD * workers
 
 
 @contextmanager
@@ -122,20 +119,13 @@ def reading_threads(count: int) -> Iterator[Executor]:
         executor.shutdown(cancel_futures=True)
 
 
-def ahead_of(workers: int) -> int:
-    """How many requests should be under way with so many workers."""
-    return _AHEAD * workers
-
-
 Found = TypeVar("Found")
 Reading = tuple[RasterRef, Callable[[OpenRaster], Found]]
 """A raster, and what is read from it once it is open."""
 
 
-class ReadEach(Protocol):
-    """Does all readings; gives what each found, or why it found nothing, in their order."""
-
-    def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]: ...
+ReadEach = Callable[[Iterable[Reading[Any]]], list[Any]]
+"""Does all readings; gives what each found, or the RasterError that it found nothing for, in their order."""
 
 
 def one_by_one(

@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal, gdal_array
 
-from . import limits, messages
+from . import messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
-from .file_identity import files_beside, guarding
+from .file_identity import files_beside, refuse_overwriting
 from .gdal_calls import drop_from_memory, gdal_call, gdal_settings, gdal_silenced, gdal_writing
 from .rasters import Raster
 
@@ -49,12 +49,6 @@ def whole_raster(path: str) -> Iterator[str]:
             beside.with_name(name).unlink()
 
 
-def check_width(like: Raster) -> None:
-    """Raise RasterError for a raster that is too wide to be worked through row by row."""
-    if like.columns > limits.WIDEST_PX:
-        raise RasterError(messages.TOO_WIDE(name=like.ref.name, columns=like.columns, most=limits.WIDEST_PX))
-
-
 @dataclass(frozen=True)
 class WrittenBands:
     """The bands of a raster that is to be written."""
@@ -73,9 +67,9 @@ def raster_writer(path: str, like: Raster, bands: WrittenBands) -> Iterator[Rast
     An exception in the block leaves nothing, and an older file as it was. Raises RasterError where the raster can't be
     written, SettingsError where it would take the other one's place.
     """
-    check_width(like)
     failure = messages.RASTER_NOT_WRITTEN(path=path)
-    with whole_raster(path) as unfinished, guarding({os.path.basename(path): path}, like.ref.paths):
+    refuse_overwriting({os.path.basename(path): path}, like.ref.paths)
+    with whole_raster(path) as unfinished:
         kind = gdal_array.NumericTypeCodeToGDALTypeCode(bands.data_type.type)
         options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * bands.colours]
         dataset = gdal_call(lambda: gdal.GetDriverByName(GEOTIFF).Create(

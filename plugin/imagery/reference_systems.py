@@ -76,24 +76,16 @@ def metres_per_unit(wkt: str, place: Sequence[float]) -> tuple[float, float]:
     geographic = system.CloneGeogCS() if system.IsProjected() else system
     if geographic is None or not geographic.IsGeographic():
         return (system.GetLinearUnits(),) * 2
-    axis, angle = geographic.GetSemiMajor(), geographic.GetAngularUnits()
-    half = _HALF_STEP * axis / system.GetLinearUnits() if system.IsProjected() else _HALF_STEP / angle
-    ends: np.ndarray | None = np.add(place[:2], np.array([(-half, 0), (half, 0), (0, -half), (0, half)]))
-    if system.IsProjected():
-        geographic.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
-        ends = moved_points(lambda: osr.CoordinateTransformation(system, geographic), ends)
-    elif not abs(place[1]) * angle < math.pi / 2:
-        ends = None
-    if ends is None:
+    unit = system.GetLinearUnits() / geographic.GetSemiMajor() if system.IsProjected() else system.GetAngularUnits()
+    half = _HALF_STEP / unit
+    ends = np.add((*place[:2], 0.0), np.array([(-half, 0, 0), (half, 0, 0), (0, -half, 0), (0, half, 0)]))
+    geocentric = osr.SpatialReference()
+    geocentric.SetGeocCS("")
+    geocentric.CopyGeogCSFrom(geographic)
+    spatial = moved_points(lambda: osr.CoordinateTransformation(system, geocentric), ends)
+    if spatial is None:
         return math.nan, math.nan
-    longitude, latitude = ends[:, :2].T * angle
-    flatness = 1 / geographic.GetInvFlattening() if geographic.GetInvFlattening() else 0.0
-    normal = axis / np.sqrt(1 - (2 - flatness) * flatness * np.sin(latitude) ** 2)
-    around = normal * np.cos(latitude)
-    spatial = np.stack(
-        [around * np.cos(longitude), around * np.sin(longitude), (1 - flatness) ** 2 * normal * np.sin(latitude)]
-    )
-    metres = np.linalg.norm(spatial[:, 1::2] - spatial[:, ::2], axis=0) / (2 * half)
+    metres = np.linalg.norm(spatial[1::2] - spatial[::2], axis=1) / (2 * half)
     return float(metres[0]), float(metres[1])
 
 

@@ -115,7 +115,7 @@ MOSAIC_FILES, SOURCE_FILES = "mosaic_files", "source_files"
 """Keys, among what stands beside rows, of which files were scanned, as ``file_identity`` writes them."""
 METRES, NEIGHBOURS = "metres", "neighbours"
 """Keys, likewise and in what a scan tells, of the length of all its pieces, and of how many sheets it looked into."""
-_SEAL = "digest"
+_SEAL, _FAILED = "digest", "failed_metres"
 _SEALED = (
     "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "band_width", "visibility",
     "profile", "verdict", "left_source", "right_source", "left_date", "right_date", "sheet", "sample", "lot_size",
@@ -123,45 +123,17 @@ _SEALED = (
 """All fields that a decision reads, but words for people."""
 
 
-@dataclass(frozen=True)
-class SeamTotals:
-    """Totals of the rows of a layer of seams."""
-
-    rows: int
-    metres: float
-    """Length of all pieces, metres."""
-    failed_metres: float
-    """Length of those that failed by the standard limit, metres."""
-    digest: str
-    """SHA-256 of what was measured and where, whatever the order of the rows; in notes, their seal."""
-
-    @classmethod
-    def of_notes(cls, notes: Mapping[str, str]) -> SeamTotals | None:
-        """Totals as ``sealed`` wrote them; None where there are none that can be read."""
-        try:
-            return cls(int(notes["rows"]), float(notes[METRES]), float(notes["failed_metres"]), notes[_SEAL])
-        except (KeyError, ValueError):
-            return None
-
-    def sealed(self, notes: Mapping[str, str]) -> dict[str, str]:
-        """What stands beside the rows: notes on how they were made, these totals, and a seal on all of it."""
-        noted = {
-            **notes, "rows": str(self.rows), METRES: repr(self.metres), "failed_metres": repr(self.failed_metres)
-        }
-        noted.pop(_SEAL, None)
-        return {**noted, _SEAL: self._seal(noted)}
-
-    def is_sealed_by(self, notes: Mapping[str, str]) -> bool:
-        """Whether rows, and what stands beside them, are as they were sealed."""
-        return notes.get(_SEAL) == self._seal({name: value for name, value in notes.items() if name != _SEAL})
-
-    def _seal(self, notes: Mapping[str, str]) -> str:
-        lines = (self.digest, *(f"{name}\t{value}" for name, value in sorted(notes.items())))
-        return hashlib.sha256("\n".join(lines).encode()).hexdigest()
+def sealed_failed_m(notes: Mapping[str, str]) -> float | None:
+    """Length of the pieces that failed by the standard limit, metres, as ``RowTotals.sealed`` wrote it; None where
+    nothing that can be read was sealed."""
+    try:
+        return float(notes[_FAILED]) if _SEAL in notes else None
+    except (KeyError, ValueError):
+        return None
 
 
 class RowTotals:
-    """Adds up rows one by one."""
+    """Adds up the rows of a layer of seams one by one."""
 
     def __init__(self) -> None:
         self._lines: list[str] = []
@@ -181,10 +153,24 @@ class RowTotals:
                 self._failed.append(length)
 
     @property
-    def totals(self) -> SeamTotals:
-        """Totals of all rows so far."""
-        digest = hashlib.sha256("\n".join(sorted(self._lines)).encode()).hexdigest()
-        return SeamTotals(len(self._lines), math.fsum(self._metres), math.fsum(self._failed), digest)
+    def digest(self) -> str:
+        """SHA-256 of what was measured and where, whatever the order of the rows."""
+        return hashlib.sha256("\n".join(sorted(self._lines)).encode()).hexdigest()
+
+    def sealed(self, notes: Mapping[str, str]) -> dict[str, str]:
+        """What stands beside the rows: notes on how they were made, their totals, and a seal on all of it."""
+        metres, failed_metres = (repr(math.fsum(lengths)) for lengths in (self._metres, self._failed))
+        noted = {**notes, "rows": str(len(self._lines)), METRES: metres, _FAILED: failed_metres}
+        noted.pop(_SEAL, None)
+        return {**noted, _SEAL: self._seal(noted)}
+
+    def is_sealed_by(self, notes: Mapping[str, str]) -> bool:
+        """Whether rows, and what stands beside them, are as they were sealed."""
+        return notes.get(_SEAL) == self._seal({name: value for name, value in notes.items() if name != _SEAL})
+
+    def _seal(self, notes: Mapping[str, str]) -> str:
+        lines = (self.digest, *(f"{name}\t{value}" for name, value in sorted(notes.items())))
+        return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
 
 def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, object], np.ndarray]]) -> dict[str, str]:
@@ -192,7 +178,7 @@ def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, obj
     totals = RowTotals()
     for row, line in rows:
         totals.add(row, line)
-    return totals.totals.sealed(notes)
+    return totals.sealed(notes)
 
 
 def _written(value: object) -> str:

@@ -179,16 +179,9 @@ def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
 
 def _moved(part: np.ndarray, by: tuple[int, int], out: np.ndarray) -> None:
     """Coefficients (bands, rows, columns) so many farther down and to the right; those at the edges are repeated."""
-    inner = []
-    for length, shift in zip(part.shape[1:], by):
-        shift = min(max(shift, 1 - length), length - 1)
-        inner.append((slice(max(shift, 0), length + min(shift, 0)), slice(max(-shift, 0), length - max(shift, 0))))
-    (rows, from_rows), (columns, from_columns) = inner
-    out[:, rows, columns] = part[:, from_rows, from_columns]
-    out[:, rows, : columns.start] = out[:, rows, columns.start : columns.start + 1]
-    out[:, rows, columns.stop :] = out[:, rows, columns.stop - 1 : columns.stop]
-    out[:, : rows.start] = out[:, rows.start : rows.start + 1]
-    out[:, rows.stop :] = out[:, rows.stop - 1 : rows.stop]
+    (above, below), (left, right) = ((max(shift, 0), max(-shift, 0)) for shift in by)
+    padded = np.pad(part, ((0, 0), (above, below), (left, right)), mode="edge")
+    out[...] = padded[:, below : below + part.shape[1], right : right + part.shape[2]]
 
 
 def _curve(energies: np.ndarray, total: float, pixels: int) -> Curve:
@@ -200,7 +193,7 @@ def _chain_products(
     bands: np.ndarray, filters: FilterPair, levels: int, pairs: Sequence[Pair], dtype: type
 ) -> Products:
     """Products of the components from those of the coarse chain alone: what leaves it is detail."""
-    wanted = _own_pairs(bands) + list(pairs)
+    wanted = [(i, i) for i in range(len(bands))] + list(pairs)
     offsets: Sequence[float] = _near_means(bands)  # what they miss the means by is taken out below, exactly
     chain, coarse, factor = [], bands, scale(filters.low, dtype)
     for level in range(levels):
@@ -221,7 +214,7 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
 
     No component is the difference of two larger numbers here, so it holds for clips of any smoothness.
     """
-    wanted = _own_pairs(bands) + list(pairs)
+    wanted = [(i, i) for i in range(len(bands))] + list(pairs)
     coarse = np.stack([_centred(band) for band in bands])
     totals = sums_of_products(coarse, wanted)
     components = []
@@ -251,10 +244,6 @@ def _near_means(bands: np.ndarray) -> list[float]:
     return [float(round(mean)) for mean in means] if bands.dtype.kind in "iu" else means
 
 
-def _own_pairs(bands: np.ndarray) -> list[Pair]:
-    return [(i, i) for i in range(len(bands))]
-
-
 def _products(components: np.ndarray, totals: np.ndarray, coarse: np.ndarray, least_share: float) -> Products:
     """Parts (R + 1, bands + pairs) and (bands + pairs,) into the bands' own products and the pairs'."""
     bands = len(coarse)
@@ -274,15 +263,11 @@ Directions = tuple[tuple[float, ...], ...]
 _STRIP = 65536  # pixels worked on at a time, so that they stay in the cache
 
 
-def measure_clip(clip: Clip, wavelet: str, levels: int) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
-    """Curves and coarse components of a clip by band name, luminance first where there is one."""
-    return measure_bands(clip.bands, clip.raster.band_names, wavelet, levels)
-
-
 def measure_bands(
     bands: np.ndarray, names: Sequence[str], wavelet: str, levels: int
 ) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
-    """Curves and coarse components, by name, of bands (bands, rows, columns) with their names."""
+    """Curves and coarse components, by name, of bands (bands, rows, columns) with their names; luminance first where
+    there is one."""
     weights = limits.LUMINANCE_WEIGHTS if has_colours(names) else ()
     curves, coarse = clip_curves(bands, wavelet, levels, weights)
     if weights:

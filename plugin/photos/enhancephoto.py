@@ -42,10 +42,9 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 
     def check(self, run: Run) -> None:
-        from ..imagery.raster_writer import check_width
         from .measure.photo import Photo
 
-        check_width(Photo(run.required_raster(PHOTO)).raster)
+        Photo(run.required_raster(PHOTO))
 
     def prepare(self, run: Run) -> None:
         self._photo = run.required_raster(PHOTO)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Callable, Union
 
 from ..imagery.errors import CancelledError, Message, SettingsError, WorkersLostError
 from ..imagery.messages import CANCELLED
-from ..imagery.raster_pool import ahead_of, own_threads
+from ..imagery.raster_pool import AHEAD, own_threads
 from . import messages
 
 if TYPE_CHECKING:
@@ -168,7 +168,7 @@ def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple
 
     Thread(target=watch, name="seam-inspector-cluster", daemon=True).start()
     try:
-        yield executor, ahead_of(preparing.result())
+        yield executor, AHEAD * preparing.result()
     except Exception as error:
         if lost or isinstance(error, concurrent.futures.CancelledError):  # else nobody has cancelled them
             raise WorkersLostError((lost or [messages.SCHEDULER_LOST(address=address)])[0]) from None

@@ -12,6 +12,7 @@ from osgeo import gdal
 from tests.qgis.runs import run
 from tests.qgis.scenes import layer, outline, windows
 from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, drawn_seam, write_scene
+from tests.qgis.test_whole_rasters import image_with_rpc
 from tests.range_server import serving
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -83,6 +84,21 @@ def test_a_mosaic_of_any_name_is_mended(named: Files, tmp_path: Path) -> None:
     assert again.results["FAILED_METRES"] == 0
     for run_ in (scanned, mended, again):
         run_.close()
+
+
+def test_photos_targets_and_satellite_images_may_lie_in_an_archive(given: dict[str, Any], tmp_path: Path) -> None:
+    image, archive = image_with_rpc(tmp_path / "rpc.tif"), tmp_path / "all.zip"
+    packed = [*(given[name] for name in ("target", "photo")), image, image.replace(".tif", "_RPC.TXT")]
+    with zipfile.ZipFile(archive, "w") as file:
+        for path in packed:
+            file.write(path, Path(path).name)
+    target, photo, image = (f"/vsizip/{archive}/{Path(path).name}" for path in packed[:3])
+    for name, values in (
+        ("measureresolution", {"RASTER": target, "GROUPS": given["bars"]}),
+        ("interiororientation", {"PHOTO": photo, "CALIBRATION": given["calibration"]}),
+        ("orthorectify", {"IMAGE": image, "HEIGHT": 100}), ("planpoints", {"IMAGE": image, "HEIGHT": 100}),
+    ):  # fmt: skip
+        assert run(name, **values).complaint is None, name
 
 
 def test_sheets_in_an_archive_are_there(tmp_path: Path) -> None:

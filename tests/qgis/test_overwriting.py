@@ -7,7 +7,6 @@ import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from types import FrameType
-from typing import Any
 
 import numpy as np
 import pytest
@@ -21,11 +20,10 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QUrl
 from seam_inspector.plugin.imagery import file_identity
-from seam_inspector.plugin.toolkit.algorithms import base
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
-from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, saved, windows
+from tests.qgis.scenes import SHARP, Scene, layer, line, saved, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -77,75 +75,13 @@ def test_a_file_is_known_by_every_name(image: Path) -> None:
     assert image.read_bytes() == before
 
 
-@pytest.mark.parametrize("swapped", ["file", "folder"])
-def test_a_link_that_is_changed_after_the_check_leads_to_no_input(
-    image: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, swapped: str
-) -> None:
-    free = tmp_path / "free"
-    free.mkdir()
-    (free / image.name).write_bytes(b"older")
-    link, target = (tmp_path / "out.tif", free / image.name) if swapped == "file" else (tmp_path / "out", free)
-    link.symlink_to(target)
-    before = {path: path.read_bytes() for path in (image, *image.parent.glob("image.t*"))}
-    checked = base.refuse_outputs
-
-    def raced(*arguments: Any) -> dict[str, str]:
-        leads = checked(*arguments)
-        link.unlink()
-        link.symlink_to(image if swapped == "file" else image.parent)
-        return leads
-
-    monkeypatch.setattr(base, "refuse_outputs", raced)
-    output = link if swapped == "file" else link / image.name
-    assert_sentence(run_unchecked("simulatebayer", RASTER=str(image), OUTPUT=str(output)).complaint, "can't be written")
-    assert {path: path.read_bytes() for path in before} == before
-    assert (free / image.name).read_bytes() == b"older"
-
-
-def fields(path: Path) -> list[str]:
-    return list(QgsVectorLayer(str(path), "a", "ogr").fields().names())
-
-
-@pytest.mark.parametrize("when", ["before the check", "while it goes on"])
-def test_a_layer_s_link_that_is_changed_leads_to_no_input(
-    scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, when: str
-) -> None:
-    given = Path(saved(windows(SHARP, BLURRED), tmp_path / "windows.gpkg"))
-    link, free, before = tmp_path / "out.gpkg", tmp_path / "free.gpkg", fields(given)
-
-    def turn(target: Path) -> None:
-        link.unlink(missing_ok=True)
-        link.symlink_to(target)
-
-    whole, item = base.refuse_outputs, file_identity._written
-
-    def checked(*arguments: Any) -> dict[str, str]:
-        turn(given if when == "before the check" else free)
-        leads = whole(*arguments)
-        turn(given)
-        return leads
-
-    def looked_at(*arguments: Any) -> Any:
-        turn(free)
-        return item(*arguments)
-
-    turn(free)
-    monkeypatch.setattr(base, "refuse_outputs", checked)
-    monkeypatch.setattr(file_identity, "_written", looked_at)
-    complaint = run_unchecked("predictloss", WINDOWS=str(given), SOURCES=scene.sources, OUTPUT=str(link)).complaint
-    assert_sentence(complaint, "can't be written|would be written over")
-    assert fields(given) == before
-    assert not free.exists()
-
-
 def test_the_sources_of_an_index_are_kept(scene: Scene, tmp_path: Path) -> None:
     for path in (scene.west, scene.east):
         shutil.copy(path, tmp_path / path.name)
-    (tmp_path / "east.tfw").write_text("0.1\n0\n0\n-0.1\n400000\n5800000\n")
     locations = ("string", ["west.tif", "east.tif"])
     made = saved(windows(SHARP, SHARP, location=locations), tmp_path / "index.gpkg")
     given = {"WINDOWS": windows(SHARP), "SOURCE_INDEX": made}
-    for name in ("west.tif", "east.tif", "east.tfw", "index.gpkg"):
+    for name in ("west.tif", "east.tif", "index.gpkg"):
         before = (tmp_path / name).read_bytes()
         assert_refused("report", REFUSED, **given, OUTPUT=str(tmp_path / name))
         assert (tmp_path / name).read_bytes() == before

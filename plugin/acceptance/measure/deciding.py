@@ -20,7 +20,7 @@ from functools import reduce
 
 import numpy as np
 
-from ...imagery.errors import Exceeding, Message, SettingsError, Stated
+from ...imagery.errors import Message, SettingsError, Stated
 from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES, PieceState
 from ...imagery.statistics import DECIDED
@@ -299,7 +299,7 @@ def _open_ends(pieces: Sequence[DecidedPiece], rules: AcceptanceRules, figures: 
 
 def _rule_sentence(rule: AcceptanceRule, value: float, low: float, high: float, passed: bool | None) -> Message:
     """The outcome in words; ``passed``: None where it can't be told."""
-    limit, beyond = Stated(rule.limit), value if rule.is_least else Exceeding(value, rule.limit)
+    limit, beyond = Stated(rule.limit), value if rule.is_least else Stated(value, rule.limit)
     kept, broken, open_ = {
         MEASURED_SHARE: (
             messages.MEASURED_ENOUGH(value=value, limit=limit),

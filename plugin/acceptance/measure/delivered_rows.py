@@ -26,9 +26,9 @@ from ...imagery.seam_totals import (
     SYSTEM,
     PieceState,
     RowTotals,
-    SeamTotals,
     possible_kept,
     profile_of,
+    sealed_failed_m,
 )
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order, metres_in_unit
@@ -122,20 +122,20 @@ class LayerDoubts:
     def layer(self, notes: Mapping[str, str], wkt: str = "", is_asked: bool = True) -> DeliveredLayer:
         """What it is, by what stands beside its rows; ``wkt``: its reference system; ``is_asked``: whether it has to be
         sealed."""
-        totals, scanned = self.totals.totals, SeamTotals.of_notes(notes)
-        settings = {} if scanned is None else {**notes}
+        scanned_failed_m = sealed_failed_m(notes)
+        settings = {} if scanned_failed_m is None else {**notes}
         total = _number(notes.get(METRES))
         lacking = self.without_line_m + sum(self._gaps()) if total is None else total - self.metres
         lacking = lacking if lacking > _LACKING_M else 0.0
-        hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m - lacking
-        seal = self._seal(totals, notes, wkt) if scanned is not None else Seal.MISSING if is_asked else Seal.NOT_ASKED
+        hidden = 0.0 if scanned_failed_m is None else scanned_failed_m - self.failed_m - lacking
+        seal = self._seal(notes, wkt) if settings else Seal.MISSING if is_asked else Seal.NOT_ASKED
         return DeliveredLayer(
-            self.sheet, seal, lacking, settings, totals.digest, hidden if hidden > _LACKING_M else 0.0,
+            self.sheet, seal, lacking, settings, self.totals.digest, hidden if hidden > _LACKING_M else 0.0,
             not self.pieces and (seal not in (Seal.WHOLE, Seal.NOT_ASKED) or total != 0),
         )  # fmt: skip
 
-    def _seal(self, totals: SeamTotals, notes: Mapping[str, str], wkt: str) -> Seal:
-        if not totals.is_sealed_by(notes):
+    def _seal(self, notes: Mapping[str, str], wkt: str) -> Seal:
+        if not self.totals.is_sealed_by(notes):
             return Seal.BROKEN
         system, extent = notes.get(SYSTEM, ""), self.extent
         if wkt and system and extent:

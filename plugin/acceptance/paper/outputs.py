@@ -19,7 +19,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
-from ...imagery.open_raster import describe_mosaic, describe_placed
+from ...imagery.open_raster import describe, describe_mosaic, placed
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.records import Column
 from ...toolkit.algorithms.run import Run
@@ -131,7 +131,7 @@ def scanned_losses(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
     for ref in refs:
         try:
             if settings := scan_settings(ref):
-                losses.append((describe_placed(ref), settings))
+                losses.append((placed(describe(ref)), settings))
             else:
                 run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
         except RasterError as error:

@@ -13,7 +13,7 @@ from scipy import ndimage
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.clips import extent_on_image
-from ...imagery.errors import Exceeding, Message, RasterError
+from ...imagery.errors import Message, RasterError, Stated
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from . import messages
@@ -158,7 +158,7 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
             keep(part, request.paired, {}, clip)
         elif (share := float(clip[1].mean())) > most:
             name = part.member.image.ref.name
-            why = imagery_messages.TOO_MANY_INVALID(name=name, share=Exceeding(share, most), most=most)
+            why = imagery_messages.TOO_MANY_INVALID(name=name, share=Stated(share, most), most=most)
             keep(part, request.paired, {}, why)
         else:
             usable.append((part, clip))
@@ -170,7 +170,7 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
     for (part, (bands, _)), mask in zip(usable, masks):
         image, share = part.member.image, float(mask.mean())
         if share > most:
-            keep(part, paired, {}, messages.MASKED_TOO_MUCH(share=Exceeding(share, most), most=most))
+            keep(part, paired, {}, messages.MASKED_TOO_MUCH(share=Stated(share, most), most=most))
         else:
             whole = filled(bands, mask)
             keep(part, paired, measure_noise(whole, image.band_names, wavelet, levels, image.ref.name, mask))

@@ -9,7 +9,7 @@ from scipy import ndimage
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, SettingsError
-from ...imagery.raster_writer import WrittenBands, check_width, raster_writer
+from ...imagery.raster_writer import WrittenBands, raster_writer
 from ...imagery.rasters import RasterRef
 from . import messages
 from .photo import Photo
@@ -55,7 +55,6 @@ def enhance(
     """
     margin = _margin(operation, size)
     photo = Photo(ref)
-    check_width(photo.raster)  # the largest value of a float raster is asked of all pixels
     grey = operation is Operation.GREY
     kind = np.dtype(np.uint8 if grey else np.float32 if operation in EDGES else photo.raster.data_type)
     largest = photo.largest

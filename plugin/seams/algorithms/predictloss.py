@@ -125,13 +125,13 @@ class PredictLoss(SeamInspectorAlgorithm):
 
     def _system(self, windows: QgsProcessingFeatureSource, run: Run) -> tuple[QgsCoordinateReferenceSystem, str]:
         """The reference system of the first source that can be read, else the index layer's, else the windows'."""
-        from ...imagery.open_raster import describe_placed
+        from ...imagery.open_raster import describe, placed
         from ...toolkit import layers
         from ...toolkit.reference_systems import known_system
 
         for ref in self._given.refs:
             with suppress(RasterError):  # it is named when the sources are gathered
-                raster = describe_placed(ref)
+                raster = placed(describe(ref))
                 return layers.mosaic_crs(raster), raster.wkt
         crs = known_system(windows.sourceCrs())
         if run.parameters.get(common.SOURCE_INDEX):

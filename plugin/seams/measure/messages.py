@@ -387,7 +387,7 @@ SEAMS_WITHOUT_VERDICT = Message(
 )
 MOSAIC_UNEXPLAINED = Message(
     "{share:.0f} % of the mosaic's textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, "
-    "so nothing is measured there. Give those that it was made from there.", WARNING
+    "so nothing is measured there. Give those that it was made from, and check that they lie where it does.", WARNING
 )
 BORDERS_WITHOUT_SEAM = Message(
     "The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest "

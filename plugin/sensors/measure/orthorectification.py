@@ -14,7 +14,7 @@ from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, Message, RasterError, SettingsError
-from ...imagery.file_identity import guarding
+from ...imagery.file_identity import refuse_overwriting
 from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
 from ...imagery.gdal_paths import RASTERS, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
@@ -124,13 +124,7 @@ def orthorectify(
     """Write the orthoimage, whole or not at all, and over no input. Raises RasterError, SensorModelError or
     SettingsError for what the user can mend, CancelledError when cancelled."""
     refs = [request.image, *([] if request.dem is None else [request.dem])]
-    with guarding({"output": str(request.output)}, (path for ref in refs for path in ref.paths)):
-        return _orthorectified(request, progress, cancelled)
-
-
-def _orthorectified(
-    request: OrthoRequest, progress: Callable[[float], None], cancelled: Callable[[], bool]
-) -> Ortho:
+    refuse_overwriting({"output": str(request.output)}, (path for ref in refs for path in ref.paths))
     if (request.dem is None) == (request.height is None):
         raise SettingsError(messages.NO_DEM() if request.dem is None else messages.DEM_AND_HEIGHT())
     if request.height is not None and not LOWEST_M <= request.height <= HIGHEST_M:

@@ -22,7 +22,6 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TR_NOOP
 from qgis.PyQt.QtGui import QIcon
 
-from ...imagery.atomic_files import leading_to
 from ...imagery.errors import CancelledError, SeamInspectorError
 from ...imagery.gdal_calls import gdal_silenced
 from .. import messages
@@ -51,8 +50,6 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)  # outputs with charts, which need matplotlib
     PAGES: tuple[str, ...] = (common.REPORT,)  # outputs that are made from templates, likewise
     NAMED_BY_FORMAT: tuple[str, ...] = ()  # output files whose ending has to be one that is offered, beside pages
-
-    _leads: Mapping[str, str] = {}  # a run's
 
     def name(self) -> str:
         return self.ID
@@ -108,8 +105,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             raise QgsProcessingException(missing)
         try:
             with gdal_silenced():
-                checked = self._refuse(parameters, context)  # models and scripts may not have checked the values
-                self._leads = checked.leads
+                self._refuse(parameters, context)  # models and scripts may not have checked the values
                 self.prepare(Run(self, parameters, context, feedback))
         except SeamInspectorError as error:
             raise _for_qgis(error) from None
@@ -119,7 +115,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         run = Run(self, parameters, context, feedback)
-        with gdal_silenced(), leading_to(self._leads):
+        with gdal_silenced():
             try:
                 try:
                     results = self.execute(run)
@@ -280,9 +276,8 @@ def _refused(
     """The run of the values. Raises SettingsError for what no algorithm takes, and for output files among those named
     whose ending says something else than is written."""
     common.check_files(algorithm, parameters)
-    leads = refuse_outputs(algorithm, parameters, context)
+    refuse_outputs(algorithm, parameters, context)
     run = Run(algorithm, parameters, context)
-    run.leads = leads
     run.check_endings(named)
     return run
 

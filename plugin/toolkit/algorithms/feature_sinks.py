@@ -14,7 +14,7 @@ from osgeo import gdal
 from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
 from qgis.PyQt import sip
 
-from ...imagery.atomic_files import UnfinishedFile, drop_unfinished, leads_as_checked
+from ...imagery.atomic_files import UnfinishedFile, drop_unfinished
 from ...imagery.errors import Message, cell_text
 from ...imagery.file_identity import DataPlace
 from ...imagery.gdal_calls import gdal_silenced
@@ -153,20 +153,11 @@ class FeatureSinks:
 
 
 def _unfinished(place: DataPlace | None) -> UnfinishedFile | None:
-    """The file beside a place that is written first; None for a table, and what must be written in its place.
-
-    Raises QgsProcessingException for a path that leads elsewhere by now.
-    """
-    if place is None or place.path.startswith("/vsi"):
-        return None
-    if not leads_as_checked(Path(place.path)):
-        raise QgsProcessingException(_why_not(place, ""))
-    if place.table:
-        return None
-    try:
-        return UnfinishedFile(Path(place.path))
-    except OSError:
-        return None
+    """The file beside a place that is written first; None for a table, and what must be written in its place."""
+    if place is not None and not place.table and not place.path.startswith("/vsi"):
+        with suppress(OSError):
+            return UnfinishedFile(Path(place.path))
+    return None
 
 
 def _disarm(feature: QgsFeature) -> None:

@@ -100,9 +100,9 @@ def is_file(text: str) -> bool:
 
 def refuse_outputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> dict[str, str]:
-    """The targets of the outputs' paths through links. Raises SettingsError for outputs that can't be where they are to
-    go, that are one file, or a file of an input, sidecars included."""
+) -> None:
+    """Raise SettingsError for outputs that can't be where they are to go, that are one file, or a file of an input,
+    sidecars included."""
     wanted = []
     for definition in algorithm.destinationParameterDefinitions():
         if text := output_text(parameters.get(definition.name()), context):
@@ -112,7 +112,7 @@ def refuse_outputs(
             wanted.append((title := definition.description(), place))
             if place.path != text and os.path.isfile(text):  # though a layer of that name gets another ending
                 wanted.append((title, DataPlace(text)))
-    return check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
+    check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
 
 
 def check_beside_layers(path: Path) -> None:

@@ -34,7 +34,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.gdal_paths import check_raster_path, is_endless, is_remote
+from ...imagery.gdal_paths import RASTERS, check_raster_path, is_endless, is_remote, open_dataset
 from .. import messages
 from ..table_fields import LARGEST_WHOLE
 from ..translation import tr
@@ -284,7 +284,7 @@ def check_rasters(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> 
             name = os.path.basename(path)
             check_raster_path(path, name)
             if not is_remote(path):
-                check_amounts(path, name)
+                check_amounts(open_dataset(path, RASTERS), name)
 
 
 def takes_rasters(definition: QgsProcessingParameterDefinition) -> bool:

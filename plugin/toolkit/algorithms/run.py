@@ -48,7 +48,6 @@ class Run:
     ) -> None:
         self.parameters, self.context = parameters, context
         self.feedback = QgsProcessingFeedback() if feedback is None else feedback
-        self.leads: dict[str, str] = {}  # where the outputs' paths led when they were checked
         self._algorithm = algorithm
         self._sinks = FeatureSinks()
         self._messages: set[str] = set()  # that ``tell_once`` has shown

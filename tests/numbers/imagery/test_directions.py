@@ -7,7 +7,7 @@ from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.wavelets import measure_clip, measure_directions
+from seam_inspector.plugin.imagery.wavelets import measure_bands, measure_directions
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import luminance, orthoimage, wavedec, without_mean
@@ -37,7 +37,7 @@ def test_they_are_those_of_pywavelets(clip: Clip, wavelet: str, levels: int) -> 
 
 
 def test_their_sum_is_the_detail_of_the_curve(clip: Clip) -> None:
-    curves, _ = measure_clip(clip, "coif3", 3)
+    curves, _ = measure_bands(clip.bands, clip.raster.band_names, "coif3", 3)
     for name, directions in measure_directions(clip, "coif3", 3).items():
         assert curves[name].detail == pytest.approx([sum(level) for level in directions], abs=1e-6)
 

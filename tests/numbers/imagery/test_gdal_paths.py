@@ -53,7 +53,7 @@ def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
     for path in (tmp_path / "pipe.tif", "/dev/zero", "/proc/self/mem", "/vsistdin/"):
         assert "is a device, a pipe or memory" in refusal(path)
     for path in ("MEM:::DATAPOINTER=1,PIXELS=64,LINES=64", '<GDAL_WMS><Service name="TMS"/></GDAL_WMS>', "PG:dbname=x"):
-        assert "is a service or a database, not a file" in refusal(path)
+        assert "a service or a database" in refusal(path)
 
 def vrt(*sources: str, times: int = 0) -> str:
     """A VRT of sources; inside so many others, each of them in the name of the next one's source."""
@@ -184,13 +184,11 @@ def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:
     assert refusal(tmp_path / "0.vrt").endswith(".")
 
 
-def test_bands_and_blocks_beyond_all_memory_are_refused(tmp_path: Path) -> None:
+def test_blocks_beyond_all_memory_are_refused(tmp_path: Path) -> None:
     create, options = gdal.GetDriverByName("GTiff").Create, ["SPARSE_OK=TRUE", "TILED=YES", "COMPRESS=DEFLATE"]
     huge = [*options, "BLOCKXSIZE=32768", "BLOCKYSIZE=32768"]
     create(str(tmp_path / "block.tif"), 40_000, 40_000, 1, gdal.GDT_Byte, huge).FlushCache()
-    assert "blocks of 32768 x 32768 px, which are too large" in refusal(tmp_path / "block.tif")
-    create(str(tmp_path / "bands.tif"), 64, 64, 2000, gdal.GDT_Byte, options).FlushCache()
-    assert "has 2000 bands, but at most 1024 can be read" in refusal(tmp_path / "bands.tif")
+    assert "blocks of 32768 x 32768 px, which no memory holds" in refusal(tmp_path / "block.tif")
 
 
 def test_no_more_is_read_at_once_than_memory_holds(tmp_path: Path) -> None:

@@ -120,8 +120,8 @@ def test_a_snapped_window_can_be_decomposed_and_covers_what_was_drawn(
         (extent(10, 10, 10, 10), 3, "covers 0 x 0 px"),
         (extent(-200, 100, 30, 300), 3, "covers 30 x 200 px of the mosaic"),  # what lies on it counts
         (extent(100, 2990, 300, 3200), 3, "covers 200 x 10 px of the mosaic"),
-        (extent(0, 0, 200, 300), 8, "8 levels need a window of at least 256 px a side and this one has 200 x 300 px"),
-        (extent(0, 0, 100, 100), 7, "7 levels need a window of at least 128 px .*use fewer levels"),
+        (extent(0, 0, 200, 300), 8, "covers 200 x 300 px of the mosaic; a side needs at least 256 px"),
+        (extent(0, 0, 100, 100), 7, "a side needs at least 128 px, .*use fewer levels"),
     ],
 )
 def test_a_rectangle_that_cannot_be_measured_says_why(drawn: Extent, levels: int, sentence: str) -> None:

@@ -83,3 +83,15 @@ def test_a_small_black_corner_is_ground(make_raster: MakeRaster, mosaic: Raster)
     image = np.clip(orthoimage(SIZE), 10, 245)
     image[:, :24, :24] = 0
     assert clip(make_raster("corner.tif", image), mosaic).valid is None
+
+
+@pytest.mark.parametrize("value", [0, 255])
+@pytest.mark.parametrize("width", [1, 2, 20])
+def test_a_strip_along_the_image_s_edge_is_no_ground_however_narrow(
+    make_raster: MakeRaster, mosaic: Raster, width: int, value: int
+) -> None:
+    image = np.clip(orthoimage(SIZE), 10, 245)
+    image[:, :, -width:] = value
+    shown = clip(make_raster("framed.tif", image), mosaic)
+    assert shown.valid is not None
+    np.testing.assert_array_equal(shown.valid, np.broadcast_to(np.arange(SIZE[1]) < SIZE[1] - width, SIZE))

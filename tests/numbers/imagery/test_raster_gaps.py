@@ -161,18 +161,32 @@ def test_band_roles(
     np.testing.assert_array_equal(clip_of(path, mosaic).bands, inside(image)[order])
 
 
+@pytest.mark.parametrize("names", [
+    ("NIR", "Red", "Green"), ("Near infrared", "Red (band 4)", "green"), ("B08 - NIR 1", "Red-650", "Green (560nm)"),
+    ("nir_842", "red", "B03: green"),
+])  # fmt: skip
 @pytest.mark.parametrize("gsd", [0.1, 0.05], ids=["as it is", "warped"])
-def test_the_name_of_a_band_goes_before_its_colour(make_raster: MakeRaster, mosaic: Raster, gsd: float) -> None:
+def test_the_name_of_a_band_goes_before_its_colour(
+    make_raster: MakeRaster, mosaic: Raster, gsd: float, names: tuple[str, ...]
+) -> None:
     """Infrared, red and green are written as a picture's red, green and blue."""
     path = make_raster("cir.tif", orthoimage((512, 512), 3), gsd=gsd, colours=[RED, GREEN, BLUE])
     before = clip_of(path, mosaic).bands
     dataset = gdal.Open(path, gdal.GA_Update)
-    for number, name in enumerate(("NIR", "Red", "Green"), 1):
+    for number, name in enumerate(names, 1):
         dataset.GetRasterBand(number).SetDescription(name)
     del dataset
     clip = clip_of(path, mosaic)
     assert clip.raster.band_names == ("red", "green", "nir")
     np.testing.assert_array_equal(clip.bands, before[[1, 2, 0]])
+
+
+@pytest.mark.parametrize("name", ["Red edge", "RedEdge", "red_edge 1", "Infrared, red and green", "coloured"])
+def test_what_names_no_single_role_leaves_a_band_its_colour(make_raster: MakeRaster, name: str) -> None:
+    dataset = gdal.Open(path := make_raster("named.tif", orthoimage(SIZE), colours=[RED, GREEN, BLUE]), gdal.GA_Update)
+    dataset.GetRasterBand(3).SetDescription(name)
+    del dataset
+    assert describe(RasterRef(path)).band_names == ("red", "green", "blue")
 
 
 PALETTE = [(10, 200, 30, 255), (255, 0, 0, 255), (0, 0, 128, 255), (90, 90, 90, 255), (7, 8, 9, 255)]

@@ -9,7 +9,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import NotCoveredError, RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow, standard_side_px
-from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic, describe_placed
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic, placed
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 
@@ -103,7 +103,7 @@ def test_a_raster_without_a_position_is_refused(tmp_path: Path) -> None:
     path = str(tmp_path / "photo.tif")
     gdal.GetDriverByName("GTiff").Create(path, 64, 64, 3).FlushCache()
     with pytest.raises(RasterError, match=r"photo.tif has no position on the map; georeference"):
-        describe_placed(RasterRef(path))
+        placed(describe(RasterRef(path)))
 
 
 @pytest.mark.parametrize(("system", "longitude", "latitude"), STRETCHING.values(), ids=STRETCHING.keys())

@@ -10,7 +10,7 @@ from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET, LUMINANCE
 from seam_inspector.plugin.imagery.rasters import Raster
-from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands, measure_clip
+from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause
 from seam_inspector.plugin.seams.measure.judgement.explanation import explain
@@ -78,7 +78,10 @@ def sharp_and_soft() -> tuple[np.ndarray, np.ndarray]:
 def detail_of_composite(mosaic: Raster, bands: np.ndarray, sources: Sequence[np.ndarray], labels: np.ndarray) -> Curve:
     """The composite's curve where labels are known."""
     clips = [Clip(mosaic, one, 0.0) for one in (bands, *sources)]
-    own, *others = (MeasuredClip(clip, *measure_clip(clip, DEFAULT_WAVELET, DEFAULT_LEVELS)) for clip in clips)
+    own, *others = (
+        MeasuredClip(clip, *measure_bands(clip.bands, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS))
+        for clip in clips
+    )
     found = explain(own, others, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
     return found.curves[LUMINANCE]
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsRectangle
+from qgis.core import QgsGeometry, QgsRectangle, QgsVectorLayer
 
 from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
@@ -33,7 +33,7 @@ def folder(scene: Files, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made
 
 
-def ordered(folder: Path, *more: str) -> object:
+def ordered(folder: Path, *more: str) -> QgsVectorLayer:
     """The sheets, and others east of them."""
     boxes = []
     for path in sorted(folder.glob("*.tif")):
@@ -51,6 +51,15 @@ def test_a_folder_becomes_sheets_and_a_mosaic(folder: Path, tmp_path: Path, scen
     assert (made.results["SHEET_COUNT"], made.results["COMPLETE"]) == (2, 1)
     assert made.column("sheet") == ["sheet_a", "sheet_b"]
     assert (gdal.Open(str(tmp_path / "all.vrt")).ReadAsArray() == gdal.Open(scene.mosaic).ReadAsArray()).all()
+
+
+def test_numbers_of_sheets_that_lost_their_zeros_name_them(folder: Path, tmp_path: Path) -> None:
+    for name, number in (("sheet_a", "0007"), ("sheet_b", "0010")):
+        shutil.copy(folder / f"{name}.tif", tmp_path / f"{number}.TIF")
+    outlines = [feature.geometry() for feature in ordered(folder).getFeatures()]
+    checked = run("checkdelivery", FOLDER=str(tmp_path), SHEETS=layer("Polygon", outlines, sheet=("integer", [7, 10])))
+    assert checked.results["COMPLETE"] == 1
+    assert [Path(path).name for path in checked.column("location")] == ["0007.TIF", "0010.TIF"]
 
 
 def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files, tmp_path: Path) -> None:

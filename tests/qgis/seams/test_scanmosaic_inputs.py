@@ -108,6 +108,30 @@ def test_degrees_are_measured_on_the_ground(tmp_path: Path) -> None:
     assert_failed_along_the_seam(scan(files), float(steps.sum()), 0.03)
 
 
+@pytest.mark.parametrize("rim", [1, 2])
+def test_a_strip_of_the_mosaic_without_an_orthoimage_costs_itself_only(tmp_path: Path, rim: int) -> None:
+    pair = images()
+    files = write_scene(tmp_path, pair, FEATHER_PX)
+    for path, image in zip(files.sources, pair):
+        write_raster(Path(path), image[:, :-rim, :-rim])
+    outcome = scan(files)
+    assert_failed_along_the_seam(outcome)
+    assert outcome.log.warnings == []
+
+
+@pytest.mark.parametrize("width", [1, 12, 31])
+def test_a_white_frame_that_no_file_names_is_no_ground(tmp_path: Path, width: int) -> None:
+    inner = np.s_[:, width : ROWS - width, width : COLUMNS - width]
+    files, whole = write_scene(tmp_path, width=FEATHER_PX), scan(write_scene(tmp_path, None, FEATHER_PX, "whole"))
+    for path in (files.mosaic, *files.sources):
+        framed = np.full((3, ROWS, COLUMNS), 255, np.uint8)
+        framed[inner] = gdal.Open(path).ReadAsArray()[inner]
+        write_raster(Path(path), framed)
+    outcome = scan(files)
+    assert outcome.results["SEAM_METRES"] == pytest.approx(SEAM_METRES - 0.2 * width, abs=2)
+    assert outcome.column("kept_1", "SEAMS")[:2] == pytest.approx(whole.column("kept_1", "SEAMS")[:2], abs=0.03)
+
+
 @pytest.mark.parametrize("by", ["alpha", "mask", "nodata"])
 def test_missing_pixels_are_no_seams(tmp_path: Path, by: str) -> None:
     west, east = images()

@@ -239,9 +239,9 @@ def _followed(
     mosaic = _quadrants(fine, fine, shape) + least
     energies = np.stack([_quadrants(fine, fine, shape) for fine in fines.values()]) + least
     shared = np.stack([_quadrants(fine, source, shape) for source in fines.values()])
-    for k, i in enumerate(fines):
-        if (valid := planes.sources[i].valid) is not None:
-            shared[k][:, _share(valid, shape) < _MIN_VALID] = 0
+    shares = np.stack([_share(planes.sources[i].valid, shape) for i in fines])
+    shared *= (shares >= _MIN_VALID)[:, np.newaxis]
+    is_cut = ((shares < _MIN_VALID) & (shares > 1 - _MIN_VALID)).any(axis=0)
     whole_mosaic, whole_energies, whole_shared = mosaic.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
     correlation = local_correlation(whole_mosaic, whole_energies, whole_shared)
     best, lead = highest(correlation)
@@ -262,7 +262,7 @@ def _followed(
         lambda i, j: _quadrants(images[i], images[j], shape),
     )
     mixed = mixed_quarters.any(axis=0)
-    strange = textured & (explained < MIN_FIT) & ~differs & ~mixed
+    strange = textured & (explained < MIN_FIT) & ~differs & ~mixed & ~is_cut  # a source that ends there may explain it
     doubtful = (textured & ~sure & ~strange) | differs | mixed
     left_over = (mosaic * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
     winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))

@@ -21,7 +21,7 @@ import numpy as np
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message
-from ....imagery.file_identity import guarding
+from ....imagery.file_identity import refuse_overwriting
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
@@ -295,9 +295,8 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     outputs = {"mended": mended, **{os.path.basename(path): path for path in _made_patches(patches)}}
     place = request.mosaic.geotransform, request.mosaic.wkt
     fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)
-    with guarding(outputs, (path for ref in refs for path in ref.paths)), journal_beside(
-        Path(mended), JOURNAL_ENDING, fingerprint
-    ) as (journal, _):
+    refuse_overwriting(outputs, (path for ref in refs for path in ref.paths))
+    with journal_beside(Path(mended), JOURNAL_ENDING, fingerprint) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()
 

@@ -59,7 +59,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     notices += [
         messages.SOURCE_IN_PART(name=source.clip.raster.ref.name, share=100 * (1 - source.clip.invalid_share))
         for source in judged
-        if source.clip.valid is not None
+        if round(100 * source.clip.invalid_share)
     ]
     explanation = _in_file_values(explanation, mosaic.grey_factor, [source.grey_factor for source in judged])
     pairs = [pair for source, changes in zip(judged, explanation.changes) for pair in _pairs(mosaic, source, changes)]

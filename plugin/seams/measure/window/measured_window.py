@@ -17,7 +17,7 @@ from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.limits import LUMINANCE, measured_bands
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import ReadEach, one_by_one
-from ....imagery.wavelets import Curve, judged_plane, measure_bands, measure_clip, measure_directions
+from ....imagery.wavelets import Curve, judged_plane, measure_bands, measure_directions
 from .. import messages
 from ..compared_image import MeasuredClip
 from ..inputs.whole_images import images_in_parts, whole_images_of_clips
@@ -127,7 +127,7 @@ def _measured(raster: OpenRaster, request: WindowRequest, partly: bool, judged_o
         wanted = slice(3) if band == LUMINANCE else slice(names.index(band), names.index(band) + 1)
         plane = judged_plane(clip.bands[wanted], names[wanted])[np.newaxis]
         return MeasuredClip(clip, *measure_bands(plane, (band,), wavelet, levels), factor, wide, inside)
-    return MeasuredClip(clip, *measure_clip(clip, wavelet, levels), factor, wide, inside)
+    return MeasuredClip(clip, *measure_bands(clip.bands, clip.raster.band_names, wavelet, levels), factor, wide, inside)
 
 
 def in_file_values(curves: Mapping[str, Curve], factor: float) -> dict[str, Curve]:
