@@ -12609,22 +12609,22 @@
     <message>
         <location filename="../plugin/imagery/messages.py" line="20"/>
         <source>{name} is read by GDAL&apos;s driver {driver}, which may open other files, a service or a database; save the part that is needed as GeoTIFF.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} czyta sterownik GDAL {driver}, który może prowadzić do innych plików, usługi lub bazy danych; zapisz potrzebną część jako GeoTIFF.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="24"/>
         <source>{name} claims {columns} x {rows} px in blocks of {width} x {height} px, which no memory holds; save it again in tiles, or copy it again if it is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="75"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger, or use fewer levels where these ask for more than 64 px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno albo, jeśli poziomy wymagają więcej niż 64 px, zmniejsz ich liczbę.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="389"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
-        <translation type="unfinished"></translation>
+        <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
 </context>
 </TS>

@@ -143,23 +143,13 @@ def _clearer_in_window(given: PlacedSources) -> PlacedSources:
     if given.following.unclear_share < MIN_UNCLEAR_SHARE or len(given.images) < 2:
         return given
     everywhere = np.ones(given.fine[0].shape, bool)
-    return _clearer(given, [given.valid.get(i, everywhere) for i in range(len(given.images))])
-
-
-def _clearer(given: PlacedSources, where: Sequence[np.ndarray]) -> PlacedSources:
-    """Sources with what is followed through filters that are learned there, (rows, columns) bool of each, if that is
-    clearer."""
-    mosaic, *fine = given.fine
-    filtered_planes = (_through_filter(mosaic, plane, part) for plane, part in zip(fine, where))
-    plain, through = given.following, follow_planes([mosaic, *filtered_planes])
-    is_clearer = through.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share and through.fit >= plain.fit
-    return replace(given, following=through) if is_clearer else given
-
-
-def _through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
-    """A source's fine detail as the mosaic shows it in a part; itself where that is too little to learn from."""
-    taps = fit_filter(mosaic, source, where)
-    return source if taps is None else filtered(source, taps)
+    (mosaic, *fine), through = given.fine, []
+    for number, plane in enumerate(fine):
+        taps = fit_filter(mosaic, plane, given.valid.get(number, everywhere))
+        through.append(plane if taps is None else filtered(plane, taps))
+    plain, clearer = given.following, follow_planes([mosaic, *through])
+    is_clearer = clearer.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share and clearer.fit >= plain.fit
+    return replace(given, following=clearer) if is_clearer else given
 
 
 def _is_of_all(shifts: Sequence[Shift | None]) -> bool:

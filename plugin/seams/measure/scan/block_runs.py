@@ -255,7 +255,7 @@ class BlockRun:
         self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NOTHING, np.int32)
         self._wanted: dict[BlockKey, bytes] = {}
         self._known: dict[int, dict[BlockKey, tuple[float, np.ndarray]]] = {}
-        """Of each source the share that it leaves over, and its filter, in each block that tells what came over it."""
+        """The share that a source leaves over, and its filter, in each block that tells what came over it."""
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """First the patches of every block; then its seams, by what all blocks tell of their sources."""
