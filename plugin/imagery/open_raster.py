@@ -147,6 +147,12 @@ class OpenRaster:
             self._beside = WITH_OTHERS
             self._open()
 
+    def __enter__(self) -> OpenRaster:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.dataset = None
+
     def _network(self) -> AbstractContextManager[None]:
         return remote_settings(self._beside) if self._is_remote else nullcontext()
 
