@@ -33,19 +33,19 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5305, 1, 0),
-    "plugin/seams/measure": Measures(18529, 1, 0),
+    "plugin/imagery": Measures(5311, 1, 0),
+    "plugin/seams/measure": Measures(18635, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6482, 1, 0),
-    "plugin/toolkit": Measures(4934, 0, 0),
+    "plugin/toolkit": Measures(4919, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),
     "plugin/resolution": Measures(3204, 0, 0),
     "plugin/photos": Measures(3520, 0, 0),
     "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(378, 1, 1),
-    "python": Measures(1049, 0, 0),
-    "tests": Measures(49296, 788, 53),
+    "python": Measures(1048, 0, 0),
+    "tests": Measures(49341, 785, 53),
 }
 """What each room may have; the most particular one holds for a file."""
 

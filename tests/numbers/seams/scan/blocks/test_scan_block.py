@@ -3,16 +3,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.measure.blocks import scan_block as scan_block_module
-from seam_inspector.plugin.seams.measure.blocks.block_grid import LABEL_PX, SQUARE_PX, UNIT_PX, UNITS
-from seam_inspector.plugin.seams.measure.blocks.block_parts import DensePart, PartRequest, measure_part
-from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
-from seam_inspector.plugin.seams.measure.blocks.scan_block import _halves, scan_block
+from seam_inspector.plugin.seams.measure.blocks.block_grid import LABEL_PX, UNIT_PX, UNITS
+from seam_inspector.plugin.seams.measure.blocks.scan_block import scan_block
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
@@ -60,27 +56,6 @@ def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scen
     expected = energy.reshape(SIDE // CELL_PX, CELL_PX // 2, -1, CELL_PX // 2).sum(axis=(1, 3))
     known = area[INSIDE] > 0
     assert mm[INSIDE][known] == pytest.approx(expected[INSIDE][known], rel=2e-3)
-
-
-def test_seams_are_measured_by_what_is_followed_around_them_and_what_is_known_of_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    given = images(count=3)
-    request = scene(tmp_path, blended(*given[:2], beside(SEAM)), given).request()
-    first = scan_block(request)
-    assert first.wanted.any()
-    assert not first.dense.any()
-    looks: list[PartRequest] = []
-
-    def noted(pixels: BlockPixels, part: PartRequest, *decomposition: Any) -> DensePart:
-        looks.append(part)
-        return measure_part(pixels, part, *decomposition)
-
-    monkeypatch.setattr(scan_block_module, "measure_part", noted)
-    block = measured(request)
-    assert looks
-    assert all(part.numbers == (0, 1) and part.taps.keys() == {0, 1} for part in looks)
-    assert (block.dense == first.wanted).all()
 
 
 def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
@@ -162,18 +137,3 @@ def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
     rows = 8 * UNIT_PX // LABEL_PX
     assert (found.labels[:rows, 80:112] == true_labels()[:rows, 80:112]).mean() > 0.998
     assert (np.delete(found.labels[:rows], np.s_[80:112], axis=1) == UNKNOWN).all()
-
-
-@pytest.mark.parametrize("size", [(384, 128), (128, 384), (130, 900), (640, 640), (129, 128)])
-def test_a_part_that_is_too_much_is_halved_across_its_longer_side(size: tuple[int, int]) -> None:
-    """In whole squares, the first half the larger one, and nothing is lost between them."""
-    first, second = _halves(PixelWindow(256, 512, *size))
-    along = 0 if size[0] >= size[1] else 1
-    lengths = [(one.width, one.height)[along] for one in (first, second)]
-    assert sum(lengths) == size[along]
-    assert lengths[0] % SQUARE_PX == 0
-    assert 0 < lengths[1] <= lengths[0] < lengths[1] + 2 * SQUARE_PX
-    assert [(one.width, one.height)[1 - along] for one in (first, second)] == [size[1 - along]] * 2
-    start = (first.column, first.row), (second.column, second.row)
-    assert start[0] == (256, 512)
-    assert start[1] == ((256 + lengths[0], 512) if along == 0 else (256, 512 + lengths[0]))
