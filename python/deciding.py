@@ -52,6 +52,7 @@ def decide(
     check_type("seed", seed, int)
     if (lot_size or seed) and rules.sampling is None:
         raise SettingsError(messages.LOT_WITHOUT_PLAN(rules=rules.name))
+    sheets = {str(name): sheet for name, sheet in sheets.items()}
     for name, sheet in sheets.items():
         check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
     files = {name: os.fspath(sheet) for name, sheet in sheets.items() if not isinstance(sheet, ScanResult)}

@@ -8,6 +8,7 @@ from ..plugin.imagery.errors import SettingsError
 from ..plugin.imagery.file_identity import check_can_be_written, refuse_overwriting
 from ..plugin.imagery.gdal_paths import FEATURES, RASTERS, open_dataset
 from ..plugin.imagery.seam_totals import TOTALS_DOMAIN
+from ..plugin.seams.measure.mending.mended_mosaic import MENDED_DOMAIN
 from ..plugin.seams.measure.scan.loss_raster import SETTINGS_DOMAIN
 from . import messages
 
@@ -19,6 +20,8 @@ MADE_BY = "<title>Seam Inspector"
 _BEGINS = {PAGE: MADE_BY, TABLE: "window_id,"}
 """What is in the first bytes of such a file."""
 _BEGIN_BYTES = 1024
+_DOMAINS = {GEOTIFF: SETTINGS_DOMAIN, VRT: MENDED_DOMAIN}
+"""Metadata domain that each kind of raster has."""
 
 
 def check_writing(outputs: Mapping[str, tuple[str, tuple[str, ...]]], inputs: Iterable[str]) -> None:
@@ -38,9 +41,9 @@ def _is_replaceable(path: str, endings: tuple[str, ...]) -> bool:
     if endings in _BEGINS:
         with open(path, "rb") as file:
             return _BEGINS[endings].encode() in file.read(_BEGIN_BYTES)
-    if endings == GEOTIFF:
-        picture = open_dataset(path, RASTERS)
-        return picture is not None and bool(picture.GetMetadata(SETTINGS_DOMAIN))
+    if endings in _DOMAINS:
+        raster = open_dataset(path, RASTERS)
+        return raster is not None and bool(raster.GetMetadata(_DOMAINS[endings]))
     if endings == GEOPACKAGE:
         tables = open_dataset(path, FEATURES)
         layers = [] if tables is None else [tables.GetLayer(number) for number in range(tables.GetLayerCount())]

@@ -169,9 +169,10 @@ def snap_window(grid: Grid, extent: Extent, levels: int = limits.DEFAULT_LEVELS)
     if right <= 0 or bottom <= 0 or left >= grid.columns or top >= grid.rows:
         raise WindowError(messages.WINDOW_OUTSIDE())
     left, right, top, bottom = max(left, 0), min(right, grid.columns), max(top, 0), min(bottom, grid.rows)
-    column, width = _trim(left, right, 2**levels)
-    row, height = _trim(top, bottom, 2**levels)
-    fewest = max(limits.MIN_SIDE_PX, 2**levels)
+    step = 2 ** int(levels)  # GDAL takes no integers of numpy
+    column, width = _trim(left, right, step)
+    row, height = _trim(top, bottom, step)
+    fewest = max(limits.MIN_SIDE_PX, step)
     if min(width, height) < fewest:
         raise WindowError(messages.WINDOW_TOO_SMALL(fewest=fewest, width=right - left, height=bottom - top))
     if width * height > limits.MAX_WINDOW_PIXELS:

@@ -108,8 +108,10 @@ def known_wkt(name: Any) -> str:
     """WKT of what names a reference system on the map: a text, a number of EPSG, or an object with ``to_wkt``, as
     rasterio's and pyproj's; empty for an empty text or None. Raises SettingsError for what names none."""
     text = "" if name is None else str(name.to_wkt() if hasattr(name, "to_wkt") else name)
+    if not text:
+        return ""
     system = spatial_reference(f"EPSG:{text}" if text.isdecimal() else text)
-    if text and not (system.IsProjected() or system.IsGeographic()):
+    if not (system.IsProjected() or system.IsGeographic()):
         raise SettingsError(messages.NO_SYSTEM(text=text))
     return str(system.ExportToWkt())
 

@@ -18,6 +18,8 @@ from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 
+MENDED_DOMAIN = "SEAM_INSPECTOR_MENDED"
+"""Metadata domain of a mended mosaic: how many patches lie on it."""
 _COG = ["COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER", "SPARSE_OK=TRUE"]
 _ROLES = {"red": gdal.GCI_RedBand, "green": gdal.GCI_GreenBand, "blue": gdal.GCI_BlueBand}
 
@@ -64,6 +66,7 @@ def write_mended(path: str, mosaic: Raster, patches: Sequence[PlacedPatch]) -> N
         whole = gdal.GetDriverByName("VRT").CreateCopy("", below.dataset)
         whole.SetProjection(mosaic.wkt)
         _lay(whole, below.roles.indices, patches)
+        whole.SetMetadataItem("patches", str(len(patches)), MENDED_DOMAIN)
         Path(unfinished).write_text(whole.GetMetadata("xml:VRT")[0], encoding="utf-8")
 
 

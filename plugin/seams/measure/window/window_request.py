@@ -30,7 +30,7 @@ ENOUGH_PX = 512
 
 def surroundings(window: PixelWindow, mosaic: Raster, levels: int) -> PixelWindow:
     """A window with its margin, in whole cells and multiples of 2^R, inside the mosaic."""
-    step = max(CELL_PX, 2**levels)
+    step = max(CELL_PX, 2 ** int(levels))
 
     def margins(first: int, length: int, end: int) -> tuple[int, int]:
         wanted = min(MARGIN_PX, max(ENOUGH_PX - length, 0) // 2)
