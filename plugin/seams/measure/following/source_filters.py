@@ -164,8 +164,8 @@ class Learned:
 def known_filters(taps: Mapping[int, np.ndarray], sources: Sequence[int]) -> Filters | None:
     """Filters by the places of these sources, from the taps of those of which they are known.
 
-    Where these are alike they are one, which came over the mosaic with its cuts; else sources of which nothing is known
-    are ``lent`` a plain one. None where nothing is known that would serve them.
+    Where all are known and alike they are one, which came over the mosaic with its cuts; sources of which nothing is
+    known are ``lent`` a plain one. None where nothing is known that would serve them.
     """
     known = {place: taps[i] for place, i in enumerate(sources) if i in taps}
     lent = frozenset(range(len(sources))) - known.keys()
@@ -173,7 +173,7 @@ def known_filters(taps: Mapping[int, np.ndarray], sources: Sequence[int]) -> Fil
         return None if lent else UNFILTERED
     first, *others = known.values()
     alike = MIN_SINGLE_GAIN * np.square(first).sum()
-    if others and all(np.square(other - first).sum() <= alike for other in others):
+    if others and not lent and all(np.square(other - first).sum() <= alike for other in others):
         return Filters(dict.fromkeys(range(len(sources)), first), True)
     return Filters({place: known.get(place, UNTOUCHED) for place in range(len(sources))}, False, lent)
 
