@@ -55,6 +55,21 @@ def test_arrays_measure_as_their_files_do(images: tuple[np.ndarray, ...], make_r
     assert found.kept[0] < 0.75
 
 
+@pytest.mark.parametrize("margin_px", [0, 2, 40])
+@pytest.mark.parametrize("feather_px", [1, 24])
+def test_orthoimages_that_end_where_the_mosaic_leaves_them_tell_of_it_as_whole_ones(
+    images: tuple[np.ndarray, ...], margin_px: int, feather_px: int
+) -> None:
+    left, right = (image.astype(float) for image in images[:2])
+    columns = np.arange(SIDE)
+    weight = np.clip((columns - SIDE / 2 + 0.5) / feather_px + 0.5, 0, 1)[:, np.newaxis]
+    mosaic = (1 - weight) * left + weight * right
+    whole = seam_profile(mosaic, [left, right], PIXEL_M)
+    left[:, columns >= SIDE // 2 + margin_px], right[:, columns < SIDE // 2 - margin_px] = np.nan, np.nan
+    ended = seam_profile(mosaic, [left, right], PIXEL_M)
+    assert ended.kept[0] == pytest.approx(whole.kept[0], abs=0.1)
+
+
 def test_types_and_masks_change_nothing_that_is_measured(images: tuple[np.ndarray, ...]) -> None:
     left, right, mosaic = images
     expected = seam_profile(mosaic, [left, right], PIXEL_M)

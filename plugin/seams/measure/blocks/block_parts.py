@@ -92,8 +92,7 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
     details = list(placed_components(compared_planes(expected.filling(image), expected), wavelet, levels))
-    masks = {number: source.valid for number, source in planes.sources.items() if source.valid is not None}
-    sources = MeetingSources.of(replace(expected, labels=labels), masks)
+    sources = MeetingSources.of(replace(expected, labels=labels))
     cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
     labels = filled_in(labels, guessed)
     margin = MARGIN_PX // CELL_PX

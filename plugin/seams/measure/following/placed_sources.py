@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
+from scipy import ndimage
 
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
@@ -82,10 +83,17 @@ def follow_given(
     image: ComparedImage, images: Sequence[ComparedImage], filters: Filters = UNFILTERED
 ) -> PlacedSources:
     """What the mosaic follows of sources where they are given; ``filters``: what came over it, as far as known."""
-    planes = tuple(image.plane for image in images)
+    planes = tuple(map(_continued, images))
     fine = _fine_details(image, (image.plane, *planes))
     following = follow_planes([fine[0], *(filters.applied(i, plane) for i, plane in enumerate(fine[1:]))])
     return PlacedSources(image, tuple(images), following, planes, fine, tuple(range(len(planes))))
+
+
+def _continued(image: ComparedImage) -> np.ndarray:
+    """A source's plane that goes on as it ends where it has no pixels: any other filling would end in a step."""
+    if image.valid is None:
+        return image.plane
+    return image.plane[tuple(ndimage.distance_transform_edt(~image.valid, return_distances=False, return_indices=True))]
 
 
 def _fine_details(mosaic: ComparedImage, planes: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:

@@ -126,9 +126,8 @@ class JudgedGround:
 
     def detail(self, wavelet: str, levels: int) -> WindowDetail:
         """What the mosaic has of its sources' detail."""
-        valid = {i: image.valid for i, image in enumerate(self.followed.images) if image.valid is not None}
-        detail = window_detail(self.expected.filling(self.followed.mosaic), self.expected, valid, wavelet, levels)
-        return detail.judged_inside(*self.inside)
+        mosaic = self.expected.filling(self.followed.mosaic)
+        return window_detail(mosaic, self.expected, wavelet, levels).judged_inside(*self.inside)
 
 
 def judged_ground(

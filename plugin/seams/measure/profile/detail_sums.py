@@ -8,7 +8,7 @@ Where more than two sources are mixed, o is all that s is mixed with, each by it
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -71,8 +71,6 @@ class MeetingSources:
     """(rows, columns) uint8: the source that each pixel follows; pixels of ``UNKNOWN`` take no part."""
     numbers: Sequence[int] = ()
     """Numbers of the sources among the ``compared_planes``."""
-    valid: Mapping[int, np.ndarray] = field(default_factory=dict)
-    """(rows, columns) bool: pixels that a source has, of those that don't have all."""
     shares: Mapping[int, np.ndarray] | None = None
     """Shares of the sources where more than two are mixed (``ExpectedMosaic``)."""
     is_filtered: bool = False
@@ -81,10 +79,10 @@ class MeetingSources:
     """Whether the mosaic shows traces of a codec."""
 
     @classmethod
-    def of(cls, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray]) -> MeetingSources:
+    def of(cls, expected: ExpectedMosaic) -> MeetingSources:
         """The sources of an expected mosaic."""
         return cls(
-            expected.labels, numbers_of(expected), valid, expected.shares, expected.is_filtered, expected.was_compressed
+            expected.labels, numbers_of(expected), expected.shares, expected.is_filtered, expected.was_compressed
         )
 
 
@@ -101,9 +99,8 @@ def detail_sums(
     place = seam_geometry(sources.labels)
     levels, per_cell = len(details), CELL_PX // _GRID_PX
     whole = np.s_[: rows * per_cell, : columns * per_cell]  # cells
-    followed, other, bins, beside = (
-        plane[whole] for plane in (place.labels, place.other, place.bins, _beside_another(place, sources))
-    )
+    followed, other, bins = (plane[whole] for plane in (place.labels, place.other, place.bins))
+    beside = (bins < MIXED_BINS) & (other != UNKNOWN) & bool(len(numbers))
     others = _among_others(sources.shares or {}, numbers, place.labels)[(slice(None), *whole)]
     cell = np.add.outer(*(np.arange(many * per_cell) // per_cell * by for many, by in ((rows, columns), (columns, 1))))
     # What no source explains, and what lies beside no seam, is left out. Each coarser coefficient lies at a finest one.
@@ -235,15 +232,6 @@ def seam_samples(labels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             seam[side] |= meet
             np.copyto(beyond[side], coarse[opposite], where=meet)
     return seam, beyond
-
-
-def _beside_another(place: SeamGeometry, sources: MeetingSources) -> np.ndarray:
-    """Samples that lie beside a seam where the source beyond it is known, bool."""
-    beside = (place.bins < MIXED_BINS) & (place.other != UNKNOWN) & bool(len(sources.numbers))
-    for number, pixels in sources.valid.items():
-        if number in sources.numbers:  # what a source doesn't have the mosaic can't have of it
-            beside &= (place.other != number) | pixels[::_GRID_PX, ::_GRID_PX]
-    return beside
 
 
 def _among_others(shares: Mapping[int, np.ndarray], numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:

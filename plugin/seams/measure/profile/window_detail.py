@@ -2,7 +2,6 @@
 picture of where it lost detail, smooth enough that sound ground is even."""
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -82,20 +81,15 @@ class WindowDetail:
         return None if measured is None or measured.energy[0] <= self.of_rounding else measured
 
 
-def window_detail(
-    mosaic: np.ndarray, expected: ExpectedMosaic, valid: Mapping[int, np.ndarray], wavelet: str, levels: int
-) -> WindowDetail:
-    """Detail of a window, from planes (rows, columns) float32, both multiples of 2^R.
-
-    ``valid``: (rows, columns) bool, pixels that a source has, of those that don't have all.
-    """
+def window_detail(mosaic: np.ndarray, expected: ExpectedMosaic, wavelet: str, levels: int) -> WindowDetail:
+    """Detail of a window, from planes (rows, columns) float32, both multiples of 2^R."""
     planes = compared_planes(mosaic, expected)
     count = len(planes)
     if expected.unfiltered is not expected.plane:
         planes = np.concatenate([planes, expected.unfiltered[np.newaxis]])
     details = list(placed_components(planes, wavelet, levels))
     of_rounding = energy_of_rounding(mosaic)
-    cells, mixture = detail_sums(details, MeetingSources.of(expected, valid), of_rounding)
+    cells, mixture = detail_sums(details, MeetingSources.of(expected), of_rounding)
     kept = [0, 1, *range(count, len(planes))]
     rows, columns = (slice(0, length // CELL_PX) for length in mosaic.shape)
     return WindowDetail(details[0][:, kept], cells, mixture, (rows, columns), of_rounding)

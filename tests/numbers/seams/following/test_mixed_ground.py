@@ -77,7 +77,7 @@ def test_the_mean_of_images_of_unlike_contrast_keeps_what_they_have_in_common(co
     )
     mosaic = (first + second) / 2
     given = [first, (120 + contrast * (second - 120)).astype(np.float32)]
-    found = window_detail(mosaic, expected_of(mosaic, given), {}, "coif3", 3).profile
+    found = window_detail(mosaic, expected_of(mosaic, given), "coif3", 3).profile
     own = [np.square(high_pass(one)).sum() for one in (mosaic, first, second)]
     assert found.by_mixture == pytest.approx(own[0] / np.mean(own[1:]), abs=0.08)  # the strip is some of it
     assert found.high < 0.9

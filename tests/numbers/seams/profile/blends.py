@@ -49,7 +49,7 @@ class Blend:
         hard = hard.astype(np.float32)
         shown = {i: plane.astype(np.float32) for i, plane in enumerate(self.planes) if (labels == i).any()}
         expected = ExpectedMosaic(hard, hard, labels, shown, shown)
-        detail = window_detail(own.astype(np.float32), expected, {}, WAVELET, LEVELS)
+        detail = window_detail(own.astype(np.float32), expected, WAVELET, LEVELS)
         return detail if inside is None else detail.judged_inside(*inside)
 
     def profile(self, mosaic: np.ndarray | None = None) -> SeamProfile:

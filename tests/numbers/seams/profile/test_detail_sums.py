@@ -64,10 +64,8 @@ def test_what_lies_beyond_whole_cells_is_known_to_them() -> None:
     labels[:, -4:], labels[-4:] = 1, 2
     planes = np.stack([25 * texture(shape, 1.2, seed) for seed in range(5)]).astype(np.float32)
     shares = {number: np.full((9, 11), 1 / 3, np.float32) for number in range(3)}
-    valid = {1: np.arange(shape[0])[:, np.newaxis] * np.ones(shape[1]) < 40}
-    sources = MeetingSources(labels, (0, 1, 2), valid, shares)
+    sources = MeetingSources(labels, (0, 1, 2), shares)
     cells, beside = detail_sums(list(detail_components(planes, WAVELET, 3)), sources)
     assert (cells.row.max(), cells.column.max()) == (3, 4)
     assert cells.bin[cells.column == 4].min() < FARTHEST
     assert set(beside.other.tolist()) == {1, 2}
-    assert beside.row[beside.other == 1].max() == 2  # of 40 rows the source has pixels in
