@@ -33,8 +33,8 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5311, 1, 0),
-    "plugin/seams/measure": Measures(18635, 1, 0),
+    "plugin/imagery": Measures(5314, 1, 0),
+    "plugin/seams/measure": Measures(18626, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6482, 1, 0),
     "plugin/toolkit": Measures(4919, 0, 0),
@@ -44,8 +44,8 @@ BOUNDS = {
     "plugin/photos": Measures(3520, 0, 0),
     "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(378, 1, 1),
-    "python": Measures(1048, 0, 0),
-    "tests": Measures(49341, 785, 53),
+    "python": Measures(1052, 0, 0),
+    "tests": Measures(49378, 785, 53),
 }
 """What each room may have; the most particular one holds for a file."""
 

@@ -149,6 +149,30 @@ def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
     assert taken == {found}
 
 
+def test_exceptions_of_osr_and_integers_of_numpy_are_no_hindrance(block: Block, folder: Path) -> None:
+    osr.UseExceptions()
+    try:
+        opened = open_block(folder / "mosaic.tif", sorted(folder.glob("strip*.tif")))
+    finally:
+        osr.DontUseExceptions()
+    settings = InspectionSettings(levels=np.int64(3))
+    xmin, ymin, xmax, ymax = opened.mosaic.extent
+    window = opened.window_at((xmin + xmax) / 2, (ymin + ymax) / 2, 30, settings)
+    assert seam_inspector.inspect_window(window).judgement is not None
+
+
+def test_a_mosaic_that_no_mending_made_is_not_replaced(
+    block: Block, folder: Path, scanned: ScanResult, tmp_path: Path
+) -> None:
+    theirs = tmp_path / "theirs.vrt"
+    gdal.BuildVRT(str(theirs), [str(folder / "mosaic.tif")])
+    before = theirs.read_bytes()
+    with pytest.raises(SettingsError, match="holds other data"):
+        seam_inspector.mend(block, scanned, theirs)
+    assert theirs.read_bytes() == before
+    assert seam_inspector.decide({1: scanned}, seam_inspector.limit_rules()).outcome is not None
+
+
 @pytest.mark.slow
 def test_progress_never_runs_backwards(block: Block, folder: Path, tmp_path: Path) -> None:
     scanning: list[float] = []
