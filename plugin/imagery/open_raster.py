@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
@@ -175,7 +175,8 @@ class OpenRaster:
     def raster(self) -> Raster:
         """What the raster is."""
         band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
-        if transform is not None and not _has_inverse(transform):
+        back = transform and gdal.InvGeoTransform(transform)
+        if back is None or not all(map(math.isfinite, (*transform, *back))):
             transform = None  # its pixels would lie on one line, or nowhere
         if transform is not None and self._is_turned:
             left, right, skew_x, top, skew_y, down = transform
@@ -183,11 +184,8 @@ class OpenRaster:
         kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
         bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
         return Raster(
-            self.ref,
-            self.columns,
-            self.rows,
-            transform and tuple(transform),
-            self.dataset.GetProjection() or "",
+            self.ref, self.columns, self.rows,
+            transform and tuple(transform), self.dataset.GetProjection() or "",
             self.roles.names,
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,
@@ -374,11 +372,6 @@ def damaged(name: str, window: PixelWindow, why: str) -> Message:
     """What is said of a raster of which GDAL can't decode some pixels of a window, in GDAL's words."""
     right, bottom = window.column + window.width - 1, window.row + window.height - 1
     return messages.DAMAGED(name=name, left=window.column, right=right, top=window.row, bottom=bottom, why=why)
-
-
-def _has_inverse(transform: Sequence[float]) -> bool:
-    back = gdal.InvGeoTransform(transform)
-    return back is not None and all(map(math.isfinite, (*transform, *back)))
 
 
 def _opened(ref: RasterRef) -> gdal.Dataset | None:
