@@ -61,7 +61,8 @@ def inspect_arrays(
     mosaic : array
         (rows, columns) or (rows, columns, bands); three bands or more begin with red, green and blue.
     sources : sequence or mapping of arrays
-        The images that it may have been made from, of the mosaic's rows and columns; a mapping has their names.
+        The images that it may have been made from, on the mosaic's rows and columns whatever coordinates say, none of
+        them a copy of it, which would explain all; a mapping has their names.
     pixel_size_m : float
         Metres on the ground that a pixel spans.
     labels : array, optional

@@ -33,7 +33,7 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5314, 1, 0),
+    "plugin/imagery": Measures(5307, 1, 0),
     "plugin/seams/measure": Measures(18626, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6482, 1, 0),
@@ -44,7 +44,7 @@ BOUNDS = {
     "plugin/photos": Measures(3520, 0, 0),
     "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(378, 1, 1),
-    "python": Measures(1052, 0, 0),
+    "python": Measures(1053, 0, 0),
     "tests": Measures(49378, 785, 53),
 }
 """What each room may have; the most particular one holds for a file."""
