@@ -163,7 +163,7 @@ def measure_plain(
     window = replace(block, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
     if look.learned is None:
         return CellTable.empty(levels)
-    source = np.where(is_one_of(look.source, look.learned.of), look.source, np.uint8(UNKNOWN))
+    source = np.where(is_one_of(look.source, look.learned.left_over), look.source, np.uint8(UNKNOWN))
     numbers = present(source)
     if not numbers:
         return CellTable.empty(levels)

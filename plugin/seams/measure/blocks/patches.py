@@ -299,15 +299,16 @@ def _cells(
         details = details.reshape(3, 2, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)
         m, c = details[:, :, :, cell, :, cell].swapaxes(0, 1)
         mm, cc, mc = (np.einsum("daibj,daibj->ab", a, b) for a, b in ((m, m), (c, c), (m, c)))
-        outlying = _outlying(followed, mm, mm - 2 * mc + cc)
+        rest = mm - 2 * mc + cc
+        outlying = _outlying(followed, mm, rest)
         if not outlying.any():
             break
         followed = np.where(outlying, np.uint8(UNKNOWN), followed)
     rows, columns = ((start[step // 2 :: step] + _CELL.start) // CELL_PX for start in starts)
-    left_over = {i: _share_left(followed == i, mm, mm - 2 * mc + cc) for i in numbers if i not in filters.lent}
+    left_over = {i: _share_left(followed == i, mm, rest) for i in numbers if i not in filters.lent}
     learned = Learned(filters, left_over)
     sums = [products[np.newaxis] for products in (mm, cc, mc)]
-    return CellTable.far(rows, columns, is_one_of(followed, learned.of), sums, levels), learned
+    return CellTable.far(rows, columns, is_one_of(followed, learned.left_over), sums, levels), learned
 
 
 def _outlying(followed: np.ndarray, energy: np.ndarray, left_over: np.ndarray) -> np.ndarray:

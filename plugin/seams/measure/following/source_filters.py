@@ -152,12 +152,12 @@ class Learned:
     of."""
 
     @property
-    def of(self) -> frozenset[int]:
-        """The sources that it was learned of."""
-        return frozenset(self.left_over)
+    def taps(self) -> dict[int, np.ndarray]:
+        """The filter (5, 5) of each source that it was learned of."""
+        return {source: self.filters.taps.get(source, UNTOUCHED) for source in self.left_over}
 
     def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
-        """A source's plane as the mosaic shows it; as it is where that is not known."""
+        """A source's plane as the mosaic shows it, by a lent filter too; as it is where nothing is known."""
         return self.filters.applied(source, plane) if source in self.filters.taps else plane
 
 

@@ -206,8 +206,8 @@ def record_of(scan: BlockScan) -> bytes:
     arrays["key"] = np.array(scan.key)
     arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
     learned = scan.learned or Learned(UNFILTERED, {})
-    of = sorted(learned.of)
-    taps = np.array([learned.filters.taps.get(number, UNTOUCHED) for number in of], np.float32)
+    of = sorted(learned.left_over)
+    taps = np.array([learned.taps[number] for number in of], np.float32)
     left_over = np.array([learned.left_over[number] for number in of])
     held = taps.reshape(-1, *UNTOUCHED.shape), np.array(of, np.uint8), left_over
     return packed({**arrays, **dict(zip(_LEARNED, held))}, compressed=_ARRAYS)
@@ -266,9 +266,8 @@ class BlockRun:
             self._squares[1:-1, 1:-1][rows, columns] = numbers[look.squares]
             self._wanted[step.key] = look.wanted
             if (learned := look.learned) is not None:
-                for place, left_over in learned.left_over.items():
-                    taps = learned.filters.taps.get(place, UNTOUCHED)
-                    self._known.setdefault(int(numbers[place]), {})[step.key] = left_over, taps
+                for place, taps in learned.taps.items():
+                    self._known.setdefault(int(numbers[place]), {})[step.key] = learned.left_over[place], taps
             yield step
         if not workers.cancelled():
             second = [key for key in self._wanted if self._called_for(key).any()]

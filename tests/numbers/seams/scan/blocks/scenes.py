@@ -15,7 +15,6 @@ from seam_inspector.plugin.seams.measure.blocks.block_grid import BlockGrid, Blo
 from seam_inspector.plugin.seams.measure.blocks.block_pixels import BlockPixels
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockRequest, BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.following.source_filters import UNTOUCHED
 from seam_inspector.plugin.seams.measure.scan.block_runs import both_looks
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source
@@ -52,8 +51,7 @@ def measured(request: BlockRequest) -> BlockScan:
     """A block alone by both looks: at its patches, then at its seams by what these told."""
     first = scan_block(request)
     followed = np.pad(first.squares, 1, constant_values=UNKNOWN)
-    learned = first.learned
-    taps = {} if learned is None else {i: learned.filters.taps.get(i, UNTOUCHED) for i in learned.of}
+    taps = {} if first.learned is None else first.learned.taps
     seams = replace(request, wanted=first.wanted, taps=taps, followed=followed)
     return both_looks(first, scan_block(seams))
 
