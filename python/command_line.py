@@ -6,6 +6,7 @@ import csv
 import io
 import logging
 import os
+import re
 import signal
 import sys
 import traceback
@@ -41,6 +42,8 @@ _CODES = dict(zip(AcceptanceOutcome, (ACCEPTED, REJECTED, UNDECIDED)))
 _DECISIONS = "0 accepted; 1 rejected; 2 undecided; 3 error"
 _VERDICTS = "0 no loss is significant; 1 a loss is significant; 2 none is, and a window can't be compared; 3 error"
 _CUTS = "0 all wanted seams are cut anew; 1 some stay as they were; 3 error"
+# argparse takes it for an option unless a space goes before
+_EXPONENT = re.compile(r"^-[\d.]+e[+-]?\d+$", re.IGNORECASE)
 _LIMITS = ("min_kept", "max_share", "max_run_m", "min_measured")
 """Arguments of ``limit_rules``, in the order of ``CHECKS``."""
 
@@ -48,7 +51,8 @@ _LIMITS = ("min_kept", "max_share", "max_run_m", "min_measured")
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, and give its exit code."""
     parser = _parser()
-    asked = parser.parse_args(arguments)
+    given = sys.argv[1:] if arguments is None else arguments
+    asked = parser.parse_args([_EXPONENT.sub(r" \g<0>", word) for word in given])
     if getattr(asked, "rules", "") and any(getattr(asked, name) is not None for name in _LIMITS):
         parser.error("the file of --rules holds all limits; leave out --min-kept and those beside it")
     stopped = Event()

@@ -11,7 +11,11 @@ BANDS_FIRST = Message(
 )
 OTHER_DIMENSIONS = Message("{name} has the dimensions {dimensions}; rename them to y and x.")
 NO_PIXEL_SIZE = Message("pixel_size_m is {value:g}; give the metres on the ground that a pixel spans, more than 0.")
-OTHER_SHAPE = Message("{name} has {columns} x {rows} pixels, the mosaic {wide} x {high}; give all on one pixel grid.")
+OTHER_SHAPE = Message("{name} has the shape {shape}; give the mosaic's rows and columns, ({rows}, {columns}).")
+OTHER_COORDINATES = Message(
+    "{name} has {side} from {first:.12g} to {last:.12g}, the mosaic from {begin:.12g} to {end:.12g}; give all on one "
+    "pixel grid, or arrays without coordinates."
+)
 LABELS_OF_OTHERS = Message(
     "labels names source {number:.0f}, of {count} sources; give 0 to {most}, and -1 where unknown."
 )

@@ -40,7 +40,6 @@ from .gdal_paths import (
 )
 from .remote_files import forget_fetched
 
-IN_MEMORY = "/vsimem/"
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
     ".shp": (".shx", ".dbf", ".prj", ".cpg"),
@@ -78,9 +77,9 @@ def refuse_overwriting(outputs: Mapping[str, str], inputs: Iterable[str]) -> Non
 
 
 def check_is_file(title: str, path: str) -> None:
-    """Raise SettingsError for a place in an archive or on a server: most of GDAL's can't be written, and are left
-    half-made."""
-    if "\0" in path or (path.startswith("/vsi") and not path.startswith(IN_MEMORY)):
+    """Raise SettingsError for a place in an archive, in memory or on a server: most of GDAL's can't be written, and are
+    left half-made."""
+    if "\0" in path or path.startswith("/vsi"):
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=path))
 
 
@@ -89,8 +88,6 @@ def check_can_be_written(title: str, path: str) -> None:
     check_is_file(title, path)
     if not path.strip():
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path="''"))
-    if path.startswith(IN_MEMORY):
-        return
     with files_written(path):
         number = errno.EISDIR if path.endswith(("/", os.sep)) else 0
         with suppress(FileNotFoundError):

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
-from typing import Any, Callable, NamedTuple, TypeVar
+from typing import Any, Callable, NamedTuple, NoReturn, TypeVar
 
 import numpy as np
 from osgeo import gdal, gdal_array
@@ -93,6 +93,16 @@ class PixelBlock(NamedTuple):
         return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
 
 
+class _Closed:
+    """The dataset of a raster that is closed: raises RasterError whatever is asked of it."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __getattr__(self, asked: str) -> NoReturn:
+        raise RasterError(messages.RASTER_CLOSED(name=self._name))
+
+
 class OpenRaster:
     """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
 
@@ -151,7 +161,7 @@ class OpenRaster:
         return self
 
     def __exit__(self, *error: object) -> None:
-        self.dataset = None
+        self.dataset = _Closed(self.ref.name)
 
     def _network(self) -> AbstractContextManager[None]:
         return remote_settings(self._beside) if self._is_remote else nullcontext()
@@ -247,6 +257,9 @@ class OpenRaster:
     def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> PixelBlock:
         """The pixels of a window, or ``size`` (columns, rows) of them, from overviews where there are some: the
         nearest ones, or means."""
+        limits.check_type("window", window, PixelWindow)
+        if 0 in (window.width, window.height) or window.cut_to(self.columns, self.rows) != window:
+            raise RasterError(messages.NOT_COVERED(name=self.ref.name))
         first = self.rows - window.row - window.height if self._is_turned else window.row
         inside = (window.column, first, window.width, window.height)
         columns, rows = size or inside[2:]

@@ -54,6 +54,12 @@ class Curve:
     variance: float
     """Variance of the clip, DN squared; 0 for a constant clip, whose shares are NaN."""
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Curve) and repr(self) == repr(other)  # which NaN is to itself
+
+    def __hash__(self) -> int:
+        return hash(repr(self))
+
 
 @dataclass(frozen=True)
 class Products:

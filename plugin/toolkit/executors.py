@@ -7,8 +7,8 @@ import tempfile
 import time
 import zipfile
 from collections.abc import Iterator
-from concurrent.futures import BrokenExecutor, Executor, Future
-from contextlib import contextmanager
+from concurrent.futures import Executor, Future
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from threading import Event, Thread
 from typing import TYPE_CHECKING, Any, Callable, Union
@@ -66,8 +66,17 @@ def open_executor(
         with own_threads(crew or None) as opened:
             try:
                 yield opened
-            except (BrokenExecutor, concurrent.futures.CancelledError):
+            except (RuntimeError, concurrent.futures.CancelledError) as error:
+                if isinstance(error, RuntimeError) and _takes_work(opened[0]):
+                    raise
                 raise WorkersLostError(messages.EXECUTOR_LOST()) from None
+
+
+def _takes_work(executor: Executor) -> bool:
+    """Whether it was neither shut down nor broken, for which Python has one error with all else."""
+    with suppress(RuntimeError):
+        return executor.submit(int) is not None
+    return False
 
 
 @contextmanager

@@ -1,7 +1,6 @@
 """One run of seam: request -> the new cut and the pixels of its patch, or why there is none."""
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -12,6 +11,7 @@ from scipy import ndimage
 from ....imagery.clips import Clip
 from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
 from ....imagery.grids import Grid, PixelWindow
+from ....imagery.limits import check_settings
 from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
@@ -62,7 +62,8 @@ class MendSettings:
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
-        if not 0 < self.width_m < math.inf:
+        check_settings(self, MendSettings)
+        if self.width_m <= 0:
             raise SettingsError(messages.NO_WIDTH(value=self.width_m))
         if self.blend_px not in range(MOST_BLEND_PX + 1):
             raise SettingsError(messages.NO_BLEND(value=self.blend_px, most=MOST_BLEND_PX))
