@@ -93,14 +93,13 @@ class PixelBlock(NamedTuple):
         return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
 
 
-class _Closed:
+class _Closed(NamedTuple):
     """The dataset of a raster that is closed: raises RasterError whatever is asked of it."""
 
-    def __init__(self, name: str) -> None:
-        self._name = name
+    name: str
 
     def __getattr__(self, asked: str) -> NoReturn:
-        raise RasterError(messages.RASTER_CLOSED(name=self._name))
+        raise RasterError(messages.RASTER_CLOSED(name=self.name))
 
 
 class OpenRaster:
@@ -229,8 +228,7 @@ class OpenRaster:
 
     @cached_property
     def corners(self) -> list[np.ndarray]:
-        """Squares of ``CORNER_PX`` at the corners, (bands, rows, columns) each. Raises RasterError where they can't be
-        read."""
+        """Squares of ``CORNER_PX`` at the corners, (bands, rows, columns) each. Raises RasterError for damaged ones."""
         side = min(CORNER_PX, self.columns, self.rows)
         return [self.read(PixelWindow(column, row, side, side)).bands
                 for column in {0, self.columns - side} for row in {0, self.rows - side}]

@@ -272,8 +272,7 @@ _STRIP = 65536  # pixels worked on at a time, so that they stay in the cache
 def measure_bands(
     bands: np.ndarray, names: Sequence[str], wavelet: str, levels: int
 ) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
-    """Curves and coarse components, by name, of bands (bands, rows, columns) with their names; luminance first where
-    there is one."""
+    """Curves and coarse components, by name, of bands (bands, rows, columns) with their names; luminance first."""
     weights = limits.LUMINANCE_WEIGHTS if has_colours(names) else ()
     curves, coarse = clip_curves(bands, wavelet, levels, weights)
     if weights:

@@ -51,8 +51,7 @@ def open_executor(
 ) -> Iterator[tuple[Executor, int]]:
     """An executor and how many windows it should have under way.
 
-    Raises SettingsError for a cluster that can't be used, CancelledError when cancelled before it is open, and
-    WorkersLostError in the place of what a block meets when nobody is left to measure.
+    Raises SettingsError for a cluster that can't be used, CancelledError, and WorkersLostError when nobody is left.
     """
     if isinstance(crew, str) and crew:
         with _connected(crew, is_cancelled) as client, _watched(client, is_cancelled) as opened:
@@ -73,9 +72,10 @@ def open_executor(
 
 
 def _takes_work(executor: Executor) -> bool:
-    """Whether it was neither shut down nor broken, for which Python has one error with all else."""
+    """Whether it was neither shut down nor broken, for which Python has the same error as for all else."""
     with suppress(RuntimeError):
-        return executor.submit(int) is not None
+        executor.submit(int)
+        return True
     return False
 
 
@@ -108,8 +108,7 @@ def _connected(address: str, is_cancelled: Callable[[], bool]) -> Iterator[Clien
 
 
 async def _check_scheduler(address: str) -> None:
-    """Dask's own client has no limit of time for the first words, and breaks off where versions differ. Raises whatever
-    those of something else lead to."""
+    """Dask's client has no limit of time for the first words, and breaks off where versions differ. Raises anything."""
     from distributed.comm.core import connect
     from distributed.security import Security
 
@@ -159,8 +158,7 @@ def _is_done(future: Future[Any], seconds: float, is_cancelled: Callable[[], boo
 
 @contextmanager
 def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
-    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends instead of
-    waiting for ever."""
+    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends."""
     address = client.scheduler.address
     preparing = _started(lambda: _prepare(client, address))
     if not _is_done(preparing, _PREPARING_SECONDS, is_cancelled):
@@ -210,8 +208,7 @@ def _has_workers(client: Client) -> bool:
 
 
 def _prepare(client: Client, address: str) -> int:
-    """Give the workers this plugin's code, whatever they have of it; those that come later get it, too. How many
-    threads they have."""
+    """Give the workers this plugin's code, later ones too, whatever they have of it. How many threads they have."""
     threads = sum(client.nthreads().values())
     if not threads:
         raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address))
@@ -233,10 +230,7 @@ def measuring_modules(plugin: Path) -> list[Path]:
 
 
 def _measuring_archive(folder: Path) -> str:
-    """An importable zip of all that measures, for the workers, which need neither QGIS nor this plugin.
-
-    It keeps the package's full name, since that is how functions and requests refer to it.
-    """
+    """An importable zip of all that measures, for workers without this plugin, by the package's full name."""
     plugin = Path(__file__).parent.parent
     package = __package__.split(".")[:-1]
     archive = folder / f"{package[0]}.zip"

@@ -185,8 +185,7 @@ def _mended(request: RunRequest) -> MendedRun:
 
 
 def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float | None]:
-    """Columns and rows (n, 2) of the new cut, and the misfit of the images along it. Raises RasterError where there is
-    none."""
+    """Columns and rows (n, 2) of the new cut, and the images' misfit along it. Raises RasterError without any."""
     read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
     first_image, second_image = (read.planes.sources[side].plane for side in _SIDES)
     both = read.valid(0) & read.valid(1)
@@ -252,8 +251,7 @@ class _Pixels:
         return self._clips[source]
 
     def valid(self, source: int) -> np.ndarray:
-        """(rows, columns) bool: where the mosaic and this source have pixels; without the source's rim, which may be
-        mixed with nothing."""
+        """(rows, columns) bool: where the mosaic and this source have pixels; not its rim, mixed with nothing maybe."""
         is_valid, source_valid = np.ones(self.planes.mosaic.shape, bool), self.clip(source).valid
         if source_valid is not None:
             is_valid &= source_valid & ~widened(opened(~source_valid, SQUARE_PX), _RIM_PX)

@@ -302,8 +302,7 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
 
 
 def _made_patches(patches: str) -> list[str]:
-    """What their file or their folder, which is there then, holds of them already. Raises SettingsError where they
-    can't be."""
+    """What their file or folder, which is there then, holds of them already. Raises SettingsError if it can't be."""
     single = _is_file(patches)
     with files_written(patches):
         folder = Path(os.path.dirname(os.path.abspath(patches)) if single else patches)

@@ -121,8 +121,7 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
 
     What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
     ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
-    when none of the sources can, ``crs`` is none or a neighbour lies on another grid, SeamlineError when the cells
-    can't.
+    when no source can, ``crs`` is none or a neighbour lies on another grid, SeamlineError when the cells can't.
     """
     wkt = known_wkt(crs)
     imagery_limits.check_type("mosaic", mosaic, *imagery_limits.PATH_TYPES)
