@@ -53,7 +53,7 @@ _NUMBERS: dict[type, tuple[type, str]] = {int: (Integral, "a whole number"), flo
 
 
 def check_type(name: str, value: object, *types: type) -> None:
-    """Raise SettingsError unless a value that a caller gave is of one of these types; numbers are finite and no bool."""
+    """Raise SettingsError unless a value that a caller gave is of one of these types, numbers finite and no bool."""
     allowed = [_NUMBERS.get(kind, (kind, kind.__name__)) for kind in types]
     is_endless = isinstance(value, Real) and not math.isfinite(value)
     is_truth = isinstance(value, bool) and bool not in types
