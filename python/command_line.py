@@ -25,6 +25,7 @@ from ..plugin.imagery.limits import DEFAULT_LEVELS
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
 from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
+from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import LEFT, metres
 from ..plugin.seams.measure.window.inspection import Block, open_block
 from ..plugin.seams.measure.window.window_request import InspectionSettings
@@ -127,7 +128,8 @@ def _inspect(asked: argparse.Namespace) -> int:
 
 def _mend(asked: argparse.Namespace) -> int:
     block = _block(asked)
-    made = mend(block, asked.seams, asked.output, patches=asked.patches, which=asked.which, **asked.run)
+    settings = MendSettings(asked.width, asked.blend)
+    made = mend(block, asked.seams, asked.output, settings, patches=asked.patches, which=asked.which, **asked.run)
     left = metres(made, LEFT)
     _say(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}", sys.stdout)
     for seam in made:
@@ -214,6 +216,9 @@ def _parser() -> argparse.ArgumentParser:
     mending.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
     mending.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")
     mending.add_argument("--which", choices=MENDED_SEAMS, default=FAILED)
+    cut, beside = MendSettings(), "on either side of a seam, that its new cut may move"
+    mending.add_argument("--width", type=float, default=cut.width_m, metavar="METRES", help=beside)
+    mending.add_argument("--blend", type=int, default=cut.blend_px, metavar="PIXELS", help="mixed at the new cut")
     return parser
 
 

@@ -190,11 +190,11 @@ def mend(
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
     made = {"patches": folder}
     if not Path(folder).suffix:
-        check_is_file("patches", folder)
         made = {path.name: str(path) for path in Path(folder).glob("patch_*")}
     read = [*block.paths, *block.files]
     read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
     refuse_overwriting({"mended": name, **made}, read)
+    check_is_file("patches", folder)
     check_writing({"mended": (name, VRT)}, ())
     rows, notes = (seam_rows(seams), seams.told) if isinstance(seams, ScanResult) else read_seams(seams)
     if notes:
