@@ -117,6 +117,7 @@ def measure_noise(
     blue. Raises SettingsError for what is no image, and for names that are too many, too few or twice there.
     """
     check_decomposition(wavelet, levels)
+    imagery_limits.check_type("names", names, Iterable)
     bands = _whole(image, levels)
     names = list(names) or _band_names(len(bands))
     if len(names) != len(bands):
@@ -214,9 +215,7 @@ def _check_places(name: str, image: Image, mosaic: Image) -> None:
             np.asarray(getattr(array, "coords", {}).get(side, ())).astype(float) for array in (image, mosaic)
         )
         if len(there) == len(here) > 1 and np.abs(there - here).max() > _SAME_PLACE_PX * abs(here[1] - here[0]):
-            raise SettingsError(messages.OTHER_COORDINATES(
-                name=name, side=side, first=there[0], last=there[-1], begin=here[0], end=here[-1]
-            ))  # fmt: skip
+            raise SettingsError(messages.OTHER_COORDINATES(name=name, side=side))
 
 
 def _cells(labels: np.ndarray, paths: Sequence[str], mosaic: Raster) -> Iterator[Cell]:

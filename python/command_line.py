@@ -52,8 +52,8 @@ _LIMITS = ("min_kept", "max_share", "max_run_m", "min_measured")
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, and give its exit code."""
     parser = _parser()
-    given = sys.argv[1:] if arguments is None else arguments
-    asked = parser.parse_args([_EXPONENT.sub(r" \g<0>", word) for word in given])
+    words = sys.argv[1:] if arguments is None else arguments
+    asked = parser.parse_args([_EXPONENT.sub(r" \g<0>", word) for word in words])
     if getattr(asked, "rules", "") and any(getattr(asked, name) is not None for name in _LIMITS):
         parser.error("the file of --rules holds all limits; leave out --min-kept and those beside it")
     stopped = Event()

@@ -70,8 +70,7 @@ def inspect_windows(
         Is asked several times a second whether to end; threads finish what they are at, a window or a block of a scan.
 
     A window that fails in a way nobody foresaw is ``not_comparable`` for that reason. Raises CancelledError when
-    cancelled, WorkersLostError when nobody is left to measure, SettingsError for settings out of their range and for
-    what is no rectangle.
+    cancelled, WorkersLostError when nobody is left to measure, SettingsError for wrong settings and no rectangles.
     """
     check_type("windows", windows, Iterable)
     if block is not None:
@@ -207,8 +206,7 @@ def mend(
 
 
 def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:
-    """Tells a share only where it is more than all before: seams that are found, and runs that share work, are counted
-    anew."""
+    """Tells a share only where it is more than all before: found seams, and runs that share work, are counted anew."""
     most = -1.0
 
     def tell(share: float) -> None:

@@ -12,7 +12,7 @@ from osgeo import gdal, ogr, osr
 from ..plugin.imagery import messages as imagery_messages
 from ..plugin.imagery.atomic_files import whole_file
 from ..plugin.imagery.errors import SettingsError
-from ..plugin.imagery.file_identity import FileState, known_states, states_in
+from ..plugin.imagery.file_identity import known_states, states_in
 from ..plugin.imagery.gdal_calls import gdal_silenced, gdal_writing
 from ..plugin.imagery.gdal_paths import FEATURES, open_dataset
 from ..plugin.imagery.limits import PATH_TYPES, check_type
@@ -52,13 +52,9 @@ def check_scanned(notes: Mapping[str, str], block: Block) -> None:
     """Raise SettingsError for notes of a scan of another mosaic, which is known by its files' paths or contents."""
     ref = (block.sheet or block.mosaic).ref
     files, scanned = known_states(ref.paths, ask=False), dict(states_in(notes.get(MOSAIC_FILES, "")))
-    contents = _contents(files)
-    if files.keys() != scanned.keys() and (not contents or contents != _contents(scanned)):
+    held, known = ({state.content for state in states.values() if state.digest} for states in (files, scanned))
+    if files.keys() != scanned.keys() and (not held or held != known):
         raise SettingsError(messages.SCAN_OF_ANOTHER(name=ref.name))
-
-
-def _contents(states: Mapping[str, FileState]) -> set[tuple[int, str]]:
-    return {state.content for state in states.values() if state.digest}
 
 
 def _write_tables(path: str, result: ScanResult, block: Block) -> None:

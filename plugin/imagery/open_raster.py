@@ -253,8 +253,7 @@ class OpenRaster:
         return measured.index(number - 1)
 
     def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> PixelBlock:
-        """The pixels of a window, or ``size`` (columns, rows) of them, from overviews where there are some: the
-        nearest ones, or means."""
+        """The pixels of a window, or ``size`` (columns, rows) of them, the nearest or means, from overviews if any."""
         limits.check_type("window", window, PixelWindow)
         if 0 in (window.width, window.height) or window.cut_to(self.columns, self.rows) != window:
             raise RasterError(messages.NOT_COVERED(name=self.ref.name))

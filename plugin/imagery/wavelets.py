@@ -85,6 +85,7 @@ def check_decomposition(wavelet: str, levels: int) -> None:
         if wavelet in pywt.wavelist(kind="discrete"):
             raise SettingsError(messages.WAVELET_NOT_ORTHOGONAL(wavelet=wavelet))
         raise SettingsError(messages.WAVELET_UNKNOWN(wavelet=wavelet))
+    limits.check_type("levels", levels, int)
     if not limits.MIN_LEVELS <= levels <= limits.MAX_LEVELS:
         raise SettingsError(
             messages.LEVELS_OUT_OF_RANGE(levels=levels, least=limits.MIN_LEVELS, most=limits.MAX_LEVELS)

@@ -59,6 +59,8 @@ def open_executor(
     elif crew and not isinstance(crew, Executor):
         if not hasattr(crew, "get_executor"):
             raise SettingsError(messages.NO_EXECUTOR(given=type(crew).__name__))
+        if crew.status == "closed":
+            raise WorkersLostError(messages.EXECUTOR_LOST())
         with _watched(crew, is_cancelled) as opened:
             yield opened
     else:

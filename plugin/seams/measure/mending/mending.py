@@ -114,7 +114,7 @@ class MendedSeam:
     cut: MendedRun
     """What cutting it anew gave."""
     outcome: str
-    """``MENDED``, ``IMPROVED`` or ``LEFT``."""
+    """``mended``, ``improved`` or ``left``."""
     kept: float | None = None
     """kept_1 along the new cut; None where it was not measured."""
     reason: Message | None = None

@@ -280,7 +280,7 @@ class ScanResult:
 
     @property
     def failed_metres(self) -> float:
-        """Length of the pieces that failed: that keep less than ``STANDARD_LEAST_KEPT``."""
+        """Length of the pieces that failed: that keep less than 0.7 (``STANDARD_LEAST_KEPT``)."""
         return metres(self.pieces, PieceState.FAILED)
 
     @property
