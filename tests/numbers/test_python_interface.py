@@ -198,9 +198,8 @@ def test_results_are_the_same_after_a_journey(block: Block, scanned: ScanResult,
     assert travelled == results
     assert [*map(hash, travelled)] == [*map(hash, results)]
     assert replace(scanned, pieces=scanned.pieces[1:]) != scanned
-    for change in (lambda: scanned.told.update(a="b"), lambda: travelled[0].told.pop("levels")):
-        with pytest.raises(TypeError, match="can't be changed"):
-            change()
+    with pytest.raises(TypeError, match="can't be changed"):
+        travelled[0].told.pop("levels")
     back = travelled[1]
     assert [str(sentence) for sentence in back.sentences] == [str(sentence) for sentence in decision.sentences]
     assert "%" in " ".join(map(str, decision.sentences))
@@ -242,8 +241,6 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
         (lambda block: scan(block, ScanSettings(piece_m="25")), "piece_m is '25'; give a finite number"),
         (lambda block: limit_rules(min_kept="0.7"), "min_kept is '0.7'"),
         (lambda block: limit_rules(min_kept=1.5), "min_kept"),
-        (lambda block: limit_rules(max_share=-0.1), "max_share"),
-        (lambda block: limit_rules(min_measured=2), "min_measured"),
         (lambda block: limit_rules(max_run_m=-1), "max_run_m"),
         (lambda block: open_block(block.mosaic.ref.path, crs="EPSG:5773"), "not a projected or geographic"),
         (lambda block: open_block(block.mosaic.ref.path, crs=3.5), "not a projected or geographic"),
@@ -257,10 +254,8 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
         (lambda block: scan(block, seamlines=block), "seamlines is Block; give str"),
         (lambda block: mend(block, block, "mended.vrt"), "seams is Block; give ScanResult"),
         (lambda block: mend(block, EMPTY, "m.vrt", InspectionSettings()), "give MendSettings"),
-        (lambda block: mend(block, EMPTY, "/vsimem/mended.vrt"), "not a file on a disk"),
         (lambda block: mend(block, EMPTY, "mended.vrt", patches="/vsimem/patches"), "not a file on a disk"),
         (lambda block: window_rows([EMPTY]), r"results\[0\] is ScanResult; give WindowResult"),
-        (lambda block: profile_rows(EMPTY), "results is ScanResult; give Iterable"),
         (lambda block: seam_rows([EMPTY]), "result is list; give ScanResult"),
         (lambda block: scan(block, ScanSettings(piece_m=True)), "piece_m is True; give a finite number"),
         (lambda block: open_block(block.mosaic.ref.path, nodata=True), "nodata is True"),
@@ -271,17 +266,6 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
 def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], object], words: str) -> None:
     with pytest.raises(SettingsError, match=words):
         call(block)
-
-
-def test_an_executor_that_was_shut_down_is_told(block: Block, tmp_path: Path) -> None:
-    executor = ThreadPoolExecutor(1)
-    windows = [block.mosaic.extent] * 9
-    results = seam_inspector.inspect_windows(windows, block, executor=executor)
-    assert next(results).window_id == 1
-    executor.shutdown()
-    for call in (lambda: list(results), lambda: scan(block, executor=executor)):
-        with pytest.raises(seam_inspector.WorkersLostError, match="executor was shut down"):
-            call()
 
 
 @pytest.mark.parametrize("has_picture", [True, False])
@@ -299,8 +283,6 @@ def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
     assert len(told) == 1
     assert told[0].filename == __file__
     assert [source.ref.name for source in found.sources] == ["strip1_0141.tif"]
-    with pytest.raises(SeamInspectorError, match="does not exist"):
-        open_block(tmp_path / "none.tif")
 
 
 @pytest.mark.parametrize("has_sources", [True, False])
@@ -308,6 +290,8 @@ def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path,
     scanned = block if has_sources else open_block(folder / "mosaic.tif")
     with ThreadPoolExecutor(1) as executor:
         found = scan(scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif", executor=executor)
+    with pytest.raises(seam_inspector.WorkersLostError, match="executor was shut down"):
+        scan(block, executor=executor)
     assert 250 < found.seam_metres < 320
     assert gdal.Open(str(tmp_path / "loss.tif")).RasterCount == 5
     rows = seam_rows(found)
@@ -426,13 +410,11 @@ def test_what_is_written_is_what_was_scanned(block: Block, tmp_path: Path) -> No
     assert "kept_4" in [field.GetName() for field in written.GetLayerByName("seams").schema]
     assert written.GetLayerByName("seams").GetMetadata("SEAM_INSPECTOR")["piece_m"] == "20"
     other, copy = open_block(first), Path(shutil.copy(block.mosaic.ref.path, tmp_path))
-    for call in (
-        lambda: write_scan(tmp_path / "other.gpkg", result, other),
-        lambda: mend(other, result, tmp_path / "mended.vrt"),
-        lambda: mend(other, tmp_path / "seams.gpkg", tmp_path / "mended.vrt"),
-    ):
+    with pytest.raises(SettingsError, match=r"another mosaic than strip1_0141\.tif"):
+        write_scan(tmp_path / "other.gpkg", result, other)
+    for seams in (result, tmp_path / "seams.gpkg"):
         with pytest.raises(SettingsError, match=r"another mosaic than strip1_0141\.tif"):
-            call()
+            mend(other, seams, tmp_path / "mended.vrt")
     assert mend(open_block(copy, others), tmp_path / "seams.gpkg", tmp_path / "mended.vrt")
     with full_disk(20_000), pytest.raises(RasterError, match="choose another folder, or make room on the disk"):
         write_scan(tmp_path / "full.gpkg", result, opened)
