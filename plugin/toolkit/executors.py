@@ -195,18 +195,12 @@ def _why_lost(client: Client, address: str, ended: Event) -> Message | None:
     while not ended.wait(LOOK_SECONDS):
         if client.status not in ("running", "connecting"):
             return messages.SCHEDULER_LOST(address=address)
-        if _has_workers(client):
-            last_seen = time.monotonic()
-        elif time.monotonic() - last_seen > PATIENCE_SECONDS:
+        with suppress(OSError, ValueError):  # the connection is down; Dask tries to have it again
+            if client.nthreads():
+                last_seen = time.monotonic()
+        if time.monotonic() - last_seen > PATIENCE_SECONDS:
             return messages.WORKERS_LOST(address=address, seconds=PATIENCE_SECONDS)
     return None
-
-
-def _has_workers(client: Client) -> bool:
-    try:
-        return bool(client.nthreads())
-    except (OSError, ValueError):  # the connection is down; Dask tries to have it again
-        return False
 
 
 def _prepare(client: Client, address: str) -> int:

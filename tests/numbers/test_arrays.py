@@ -94,8 +94,6 @@ def test_labels_are_turned_as_images_are_and_masked_ones_are_unknown(images: tup
     for other in (DataArray(labels, ("lat", "lon")), DataArray(labels, ("lon", "lat"))):
         with pytest.raises(SettingsError, match="rename them to y and x"):
             seam_profile(mosaic, [left, right], PIXEL_M, other)
-        with pytest.raises(SettingsError, match="rename them to y and x"):
-            clip_curves(other)
 
 
 def test_labels_say_where_the_seam_is(images: tuple[np.ndarray, ...]) -> None:
