@@ -33,6 +33,7 @@ Images = Union[Sequence[Image], Mapping[str, Image]]
 
 _METRES = 'LOCAL_CS["array",UNIT["metre",1]]'
 _HELD_AS = {"float16": "float32", "int8": "int16", "int64": "float64", "uint64": "float64"}  # what GDAL 3.6 lacks
+_SAME_PLACE_PX = 0.1
 _MOST_BANDS_FIRST = 16  # of an array whose first side is its shortest: more are rows
 
 
@@ -54,15 +55,16 @@ def inspect_arrays(
     """Inspect arrays as ``inspect_window`` does a window of files.
 
     Sides are trimmed to a multiple of ``2 ** levels``, at least 64 px. NaN and masked pixels are no measurements: a
-    source takes part where it has others, a mosaic with more than 0.1 % of them is ``not_comparable``.
+    source takes part where it has others, a mosaic with more than 0.1 % of them is ``not_comparable``. Detail weaker
+    than a ten-thousandth of the mean value is rounding, and not measured: take off an offset as large.
 
     Parameters
     ----------
     mosaic : array
         (rows, columns) or (rows, columns, bands); three bands or more begin with red, green and blue.
     sources : sequence or mapping of arrays
-        The images that it may have been made from, on the mosaic's rows and columns whatever coordinates say, none of
-        them a copy of it, which would explain all; a mapping has their names.
+        The images that it may have been made from, on the mosaic's rows and columns, none of them a copy of it, which
+        would explain all; a mapping has their names.
     pixel_size_m : float
         Metres on the ground that a pixel spans.
     labels : array, optional
@@ -70,13 +72,15 @@ def inspect_arrays(
     settings : InspectionSettings, optional
         The standard ones where None.
 
-    Raises SettingsError for arrays that are no images, or of different sides.
+    Raises SettingsError for arrays that are no images, of different sides, or whose coordinates x and y are others.
     """
     imagery_limits.check_type("pixel_size_m", pixel_size_m, float)
     imagery_limits.check_type("sources", sources, Iterable)
     if pixel_size_m <= 0:
         raise SettingsError(messages.NO_PIXEL_SIZE(value=pixel_size_m))
     named = dict(sources) if isinstance(sources, Mapping) else {f"source_{i}": image for i, image in enumerate(sources)}
+    for name, image in (*named.items(), ("labels", labels)):
+        _check_places(name, image, mosaic)
     with ExitStack() as held:
         held.callback(close_rasters)
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))
@@ -113,6 +117,7 @@ def measure_noise(
     blue. Raises SettingsError for what is no image, and for names that are too many, too few or twice there.
     """
     check_decomposition(wavelet, levels)
+    imagery_limits.check_type("names", names, Iterable)
     bands = _whole(image, levels)
     names = list(names) or _band_names(len(bands))
     if len(names) != len(bands):
@@ -134,8 +139,9 @@ def _in_order(image: Image, name: str) -> Image:
 
 
 def _known(labels: Image) -> np.ndarray:
-    """Labels with -1 where they are masked."""
+    """Labels (rows, columns) with -1 where they are masked."""
     turned = np.ma.asanyarray(_in_order(labels, "labels"))
+    turned = turned[..., 0] if turned.shape[2:] == (1,) else turned
     return np.asarray(np.ma.filled(turned, -1) if np.ma.isMaskedArray(turned) else turned)
 
 
@@ -199,10 +205,17 @@ def _raster_of(image: Image, name: str, pixel_size_m: float, mosaic: Raster | No
 
 def _check_sides(name: str, shape: tuple[int, ...], mosaic: Raster) -> None:
     if shape != (mosaic.rows, mosaic.columns):
-        rows, columns = (*shape, 0, 0)[:2]
-        raise SettingsError(messages.OTHER_SHAPE(
-            name=name, columns=columns, rows=rows, wide=mosaic.columns, high=mosaic.rows
-        ))  # fmt: skip
+        raise SettingsError(messages.OTHER_SHAPE(name=name, shape=str(shape), rows=mosaic.rows, columns=mosaic.columns))
+
+
+def _check_places(name: str, image: Image, mosaic: Image) -> None:
+    """Raise SettingsError where a DataArray lies elsewhere than the mosaic, by a tenth of a pixel or more."""
+    for side in ("y", "x"):
+        there, here = (
+            np.asarray(getattr(array, "coords", {}).get(side, ())).astype(float) for array in (image, mosaic)
+        )
+        if len(there) == len(here) > 1 and np.abs(there - here).max() > _SAME_PLACE_PX * abs(here[1] - here[0]):
+            raise SettingsError(messages.OTHER_COORDINATES(name=name, side=side))
 
 
 def _cells(labels: np.ndarray, paths: Sequence[str], mosaic: Raster) -> Iterator[Cell]:

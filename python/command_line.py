@@ -6,6 +6,7 @@ import csv
 import io
 import logging
 import os
+import re
 import signal
 import sys
 import traceback
@@ -24,6 +25,7 @@ from ..plugin.imagery.limits import DEFAULT_LEVELS
 from ..plugin.seams.measure.blocks.scan_settings import ScanSettings
 from ..plugin.seams.measure.judgement.verdicts import Verdict
 from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STANDARD_PIECE_M
+from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import LEFT, metres
 from ..plugin.seams.measure.window.inspection import Block, open_block
 from ..plugin.seams.measure.window.window_request import InspectionSettings
@@ -41,6 +43,8 @@ _CODES = dict(zip(AcceptanceOutcome, (ACCEPTED, REJECTED, UNDECIDED)))
 _DECISIONS = "0 accepted; 1 rejected; 2 undecided; 3 error"
 _VERDICTS = "0 no loss is significant; 1 a loss is significant; 2 none is, and a window can't be compared; 3 error"
 _CUTS = "0 all wanted seams are cut anew; 1 some stay as they were; 3 error"
+# argparse takes it for an option unless a space goes before
+_EXPONENT = re.compile(r"^-[\d.]+e[+-]?\d+$", re.IGNORECASE)
 _LIMITS = ("min_kept", "max_share", "max_run_m", "min_measured")
 """Arguments of ``limit_rules``, in the order of ``CHECKS``."""
 
@@ -48,7 +52,8 @@ _LIMITS = ("min_kept", "max_share", "max_run_m", "min_measured")
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, and give its exit code."""
     parser = _parser()
-    asked = parser.parse_args(arguments)
+    words = sys.argv[1:] if arguments is None else arguments
+    asked = parser.parse_args([_EXPONENT.sub(r" \g<0>", word) for word in words])
     if getattr(asked, "rules", "") and any(getattr(asked, name) is not None for name in _LIMITS):
         parser.error("the file of --rules holds all limits; leave out --min-kept and those beside it")
     stopped = Event()
@@ -123,7 +128,8 @@ def _inspect(asked: argparse.Namespace) -> int:
 
 def _mend(asked: argparse.Namespace) -> int:
     block = _block(asked)
-    made = mend(block, asked.seams, asked.output, patches=asked.patches, which=asked.which, **asked.run)
+    settings = MendSettings(asked.width, asked.blend)
+    made = mend(block, asked.seams, asked.output, settings, patches=asked.patches, which=asked.which, **asked.run)
     left = metres(made, LEFT)
     _say(f"{metres(made) - left:.1f} m mended, {left:.1f} m left as they were: {asked.output}", sys.stdout)
     for seam in made:
@@ -210,6 +216,9 @@ def _parser() -> argparse.ArgumentParser:
     mending.add_argument("-o", "--output", required=True, help="VRT for the mended mosaic")
     mending.add_argument("--patches", default="", help="folder for the patches, or one GeoTIFF for all of them")
     mending.add_argument("--which", choices=MENDED_SEAMS, default=FAILED)
+    cut, beside = MendSettings(), "on either side of a seam, that its new cut may move"
+    mending.add_argument("--width", type=float, default=cut.width_m, metavar="METRES", help=beside)
+    mending.add_argument("--blend", type=int, default=cut.blend_px, metavar="PIXELS", help="mixed at the new cut")
     return parser
 
 

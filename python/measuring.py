@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Callable
 from osgeo import ogr
 
 from ..plugin.imagery.errors import CancelledError, Level, Message, SeamInspectorWarning, SettingsError
-from ..plugin.imagery.file_identity import refuse_overwriting
+from ..plugin.imagery.file_identity import check_is_file, refuse_overwriting
 from ..plugin.imagery.gdal_calls import gdal_silenced
 from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.messages import CANCELLED
@@ -34,7 +34,7 @@ from ..plugin.seams.measure.window.window_result import WindowResult
 from ..plugin.toolkit.executors import Crew, open_executor
 from . import messages
 from .outputs import GEOTIFF, VRT, check_writing
-from .scan_files import SEAMLINES, read_seams
+from .scan_files import SEAMLINES, check_scanned, read_seams
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -70,8 +70,7 @@ def inspect_windows(
         Is asked several times a second whether to end; threads finish what they are at, a window or a block of a scan.
 
     A window that fails in a way nobody foresaw is ``not_comparable`` for that reason. Raises CancelledError when
-    cancelled, WorkersLostError when nobody is left to measure, SettingsError for settings out of their range and for
-    what is no rectangle.
+    cancelled, WorkersLostError when nobody is left to measure, SettingsError for wrong settings and no rectangles.
     """
     check_type("windows", windows, Iterable)
     if block is not None:
@@ -174,14 +173,16 @@ def mend(
     executor, progress, cancelled : optional
         As for ``inspect_windows``.
 
-    Each run of seam with what became of it: ``mended``, ``improved`` or ``left``, and why. Raises SettingsError or
-    RasterError where nothing can be mended or written, CancelledError when cancelled, WorkersLostError when nobody is
-    left to measure.
+    Each run of seam with what became of it: ``mended``, ``improved`` or ``left``, and why. Raises SettingsError for a
+    scan of another mosaic, it or RasterError where nothing can be mended or written, CancelledError when cancelled,
+    WorkersLostError when nobody is left to measure.
     """
     check_type("block", block, Block)
     check_type("seams", seams, ScanResult, *PATH_TYPES)
     check_type("mended", mended, *PATH_TYPES)
     check_type("patches", patches, *PATH_TYPES)
+    settings = settings or MendSettings()
+    MendSettings.check(settings)
     cancelled = cancelled or _nobody
     name = os.fspath(mended)
     place = Path(name)
@@ -192,18 +193,20 @@ def mend(
     read = [*block.paths, *block.files]
     read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
     refuse_overwriting({"mended": name, **made}, read)
+    check_is_file("patches", folder)
     check_writing({"mended": (name, VRT)}, ())
-    rows = seam_rows(seams) if isinstance(seams, ScanResult) else read_seams(seams)[0]
+    rows, notes = (seam_rows(seams), seams.told) if isinstance(seams, ScanResult) else read_seams(seams)
+    if notes:
+        check_scanned(notes, block)
     features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
     pieces = tuple(given_pieces(features, FIELDS, which))
-    request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings or MendSettings())
+    request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings)
     with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
         return _mended(job, crew, _rising(progress or _nobody), cancelled)
 
 
 def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:
-    """Tells a share only where it is more than all before: seams that are found, and runs that share work, are counted
-    anew."""
+    """Tells a share only where it is more than all before: found seams, and runs that share work, are counted anew."""
     most = -1.0
 
     def tell(share: float) -> None:

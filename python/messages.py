@@ -3,24 +3,19 @@ from __future__ import annotations
 
 from ..plugin.imagery.errors import Message
 
-NO_IMAGE = Message(
-    "{name} is an array of {kind} with the shape {shape}; give real numbers as (rows, columns[, bands])."
-)
-BANDS_FIRST = Message(
-    "{name} has the shape {shape}, bands first; give (rows, columns, bands): np.moveaxis({name}, 0, -1)."
-)
+NO_IMAGE = Message("{name} is an array of {kind}, shape {shape}; give real numbers as (rows, columns[, bands]).")
+BANDS_FIRST = Message("{name}, {shape}, has bands first; give (rows, columns, bands): np.moveaxis({name}, 0, -1).")
 OTHER_DIMENSIONS = Message("{name} has the dimensions {dimensions}; rename them to y and x.")
 NO_PIXEL_SIZE = Message("pixel_size_m is {value:g}; give the metres on the ground that a pixel spans, more than 0.")
-OTHER_SHAPE = Message("{name} has {columns} x {rows} pixels, the mosaic {wide} x {high}; give all on one pixel grid.")
-LABELS_OF_OTHERS = Message(
-    "labels names source {number:.0f}, of {count} sources; give 0 to {most}, and -1 where unknown."
+OTHER_SHAPE = Message("{name} has the shape {shape}; give the mosaic's rows and columns, ({rows}, {columns}).")
+OTHER_COORDINATES = Message(
+    "{name} has other coordinates {side} than the mosaic; give all on one pixel grid, or arrays without coordinates."
 )
+LABELS_OF_OTHERS = Message("labels names source {number:.0f}, of {count}; give 0 to {most}, and -1 where unknown.")
 LABELS_NOT_WHOLE = Message(
     "labels holds values that are not whole numbers ({kind}); give the number of each pixel's source, -1 where unknown."
 )
-NOT_MULTIPLE = Message(
-    "image has {columns} x {rows} pixels; cut both sides to a multiple of {step} for {levels} levels."
-)
+NOT_MULTIPLE = Message("image has {columns} x {rows} pixels; cut both sides to a multiple of {step} ({levels} levels).")
 NOT_FINITE = Message("image holds NaN, infinite or masked pixels; cut a part without them, or fill them first.")
 NAMES_TWICE = Message("names has {name} twice; give each band a name of its own.")
 NAMES_COUNT = Message("names has {given} names for {count} bands; give one for each.")
@@ -34,6 +29,4 @@ HOLDS_OTHER_DATA = Message(
     "'{output}' would be written over {path}, which holds other data than such a run writes; choose another file."
 )
 WITHOUT_SYSTEM = Message("The windows name no reference system, so they are taken in the mosaic's.")
-RECTANGLES_WITHOUT_BLOCK = Message(
-    "Rectangles lie on a mosaic; give its block, too: inspect_windows(rectangles, block)."
-)
+RECTANGLES_WITHOUT_BLOCK = Message("Rectangles lie on a mosaic; give its block: inspect_windows(rectangles, block).")

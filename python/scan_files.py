@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -40,15 +40,21 @@ def write_scan(path: PathLike, result: ScanResult, block: Block) -> None:
     check_type("path", path, *PATH_TYPES)
     check_type("result", result, ScanResult)
     check_type("block", block, Block)
-    place, mosaic = Path(os.fspath(path)), block.sheet or block.mosaic
     read = filter(None, (*block.paths, *block.files, result.told.get(SEAMLINES, "")))
-    failure = imagery_messages.FILE_NOT_WRITTEN(path=place, error="GeoPackage")
     check_writing({"output": (os.fspath(path), GEOPACKAGE)}, read)
-    scanned = [file for file, _ in states_in(result.told.get(MOSAIC_FILES, ""))]
-    if scanned != [*known_states(mosaic.ref.paths, ask=False)]:
-        raise SettingsError(messages.SCAN_OF_ANOTHER(name=mosaic.ref.name))
-    with whole_file(place) as unfinished, gdal_writing(failure):
+    check_scanned(result.told, block)
+    failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
+    with whole_file(Path(path)) as unfinished, gdal_writing(failure):
         _write_tables(str(unfinished), result, block)
+
+
+def check_scanned(notes: Mapping[str, str], block: Block) -> None:
+    """Raise SettingsError for notes of a scan of another mosaic, which is known by its files' paths or contents."""
+    ref = (block.sheet or block.mosaic).ref
+    files, scanned = known_states(ref.paths, ask=False), dict(states_in(notes.get(MOSAIC_FILES, "")))
+    held, known = ({state.content for state in states.values() if state.digest} for states in (files, scanned))
+    if files.keys() != scanned.keys() and (not held or held != known):
+        raise SettingsError(messages.SCAN_OF_ANOTHER(name=ref.name))
 
 
 def _write_tables(path: str, result: ScanResult, block: Block) -> None:

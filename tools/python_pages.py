@@ -8,6 +8,7 @@ A test fails where they differ.
 from __future__ import annotations
 
 import ast
+import inspect
 import json
 import re
 from collections.abc import Iterable, Iterator
@@ -171,8 +172,11 @@ def _cell(text: str) -> str:
 
 
 def _signature(node: ast.FunctionDef) -> str:
-    """One argument a line where they are many."""
+    """One argument a line where they are many; defaults that have a name as their values."""
     arguments = ast.unparse(node.args)
+    for name, parameter in inspect.signature(getattr(seam_inspector, node.name)).parameters.items():
+        value = f"={parameter.default!r}"
+        arguments = re.sub(rf"\b({name}: [^,=]+)=[\w.]*[A-Z]{{2}}\w*", rf"\g<1>{value}", arguments)
     whole = f"{node.name}({arguments}) -> {ast.unparse(node.returns) if node.returns else 'None'}"
     if len(whole) <= 100:
         return whole

@@ -64,8 +64,7 @@ def replacing(path: Path) -> Iterator[Path]:
 class UnfinishedFile:
     """A file in the making, in a hidden folder beside where it is to be.
 
-    It has its name there, so that what GDAL writes next to a file goes along with it, and the last step is a renaming
-    on one disk.
+    It has its name there, so that what GDAL writes next to a file goes along; the last step renames it on one disk.
     """
 
     def __init__(self, path: Path) -> None:
@@ -87,8 +86,7 @@ class UnfinishedFile:
 
     def keep(self, companions: Iterable[str] = ()) -> None:
         """It is whole and becomes what it is to be. ``companions``: endings of files beside the older one that go
-        with it, before the new one comes, which they would spoil. Raises OSError where that can't be; the older file is
-        then as it was."""
+        with it before the new one comes, which they would spoil; with an OSError all stay as they were."""
         with suppress(OSError):
             shutil.copymode(self._path, self.written)
         aside: dict[Path, Path] = {}

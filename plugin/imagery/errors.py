@@ -101,8 +101,7 @@ class Message:
 
 
 class Stated(float):
-    """A limit, for a message: written as it was stated, 2%, not 2.00%; a value over its limit so where fewer digits
-    don't show that."""
+    """A limit, for a message: written as stated, 2%, not 2.00%; a value over it so where fewer digits don't show it."""
 
     def __new__(cls, value: float, limit: float = math.inf) -> Stated:
         made = super().__new__(cls, value)

@@ -40,7 +40,6 @@ from .gdal_paths import (
 )
 from .remote_files import forget_fetched
 
-IN_MEMORY = "/vsimem/"
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
     ".shp": (".shx", ".dbf", ".prj", ".cpg"),
@@ -78,9 +77,8 @@ def refuse_overwriting(outputs: Mapping[str, str], inputs: Iterable[str]) -> Non
 
 
 def check_is_file(title: str, path: str) -> None:
-    """Raise SettingsError for a place in an archive or on a server: most of GDAL's can't be written, and are left
-    half-made."""
-    if "\0" in path or (path.startswith("/vsi") and not path.startswith(IN_MEMORY)):
+    """Raise SettingsError for a place in an archive, in memory or on a server: most of GDAL's are left half-made."""
+    if "\0" in path or path.startswith("/vsi"):
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=path))
 
 
@@ -89,8 +87,6 @@ def check_can_be_written(title: str, path: str) -> None:
     check_is_file(title, path)
     if not path.strip():
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path="''"))
-    if path.startswith(IN_MEMORY):
-        return
     with files_written(path):
         number = errno.EISDIR if path.endswith(("/", os.sep)) else 0
         with suppress(FileNotFoundError):
@@ -104,8 +100,7 @@ def check_can_be_written(title: str, path: str) -> None:
 def check_outputs(
     outputs: Iterable[tuple[str, DataPlace]], inputs: Iterable[DataPlace], indexed: Iterable[str] = ()
 ) -> None:
-    """Raise SettingsError for outputs, each with what it is called, that are one file, or a file of an input, sidecars
-    included.
+    """Raise SettingsError for outputs, each with what it is called, that are one file, or an input's or its sidecar.
 
     ``indexed``: further inputs, which may be too many to open all.
     """
@@ -131,8 +126,7 @@ def is_database(path: str) -> bool:
 
 
 def files_beside(path: str) -> set[str]:
-    """Names of the files that GDAL takes for a raster's own and that are called like it: they go with it when another
-    one takes its place."""
+    """Names of the files that GDAL takes for a raster's own and that are called like it, which go when it does."""
     name = os.path.basename(path)
     called = {name + ending for ending in (".aux.xml", ".msk", ".ovr")}
     with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more

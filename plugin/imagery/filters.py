@@ -163,8 +163,7 @@ def _whole(length: int) -> int:
 def _strips(
     bands: np.ndarray, offsets: Sequence[float], margin: int, dtype: type, mirrored: bool = False
 ) -> Iterator[tuple[int, np.ndarray]]:
-    """First row and samples (bands, rows, columns) of each strip, with a margin on all sides, continued periodically or
-    ``mirrored``.
+    """First row and samples (bands, rows, columns) of each strip with a margin all around, periodic or ``mirrored``.
 
     Rounded up to whole blocks within the margins. The next strip takes the same memory.
     """
@@ -238,8 +237,7 @@ def multiply(first: np.ndarray, second: np.ndarray, out: np.ndarray) -> None:
 
 @cache
 def numpy_has_plain_products() -> bool:
-    """Whether this process was started with GSL's CBLAS, whose names go before those of the library that numpy asks
-    for."""
+    """Whether this process was started with GSL's CBLAS, whose names go before those that numpy asks for."""
     try:
         libraries = ctypes.CDLL(None), ctypes.CDLL("libgslcblas.so.0", os.RTLD_NOLOAD)
         process, gsl = (ctypes.cast(library.cblas_sgemm, ctypes.c_void_p).value for library in libraries)
@@ -251,8 +249,7 @@ def numpy_has_plain_products() -> bool:
 def reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
     """An array in this thread's own memory, to be used until the next one of that name.
 
-    Pages fresh from the system would cost half as much time as the arithmetic. It is some 7 MB in float32, however
-    large the clip.
+    Pages fresh from the system would cost half as much time as the arithmetic. It is some 7 MB for any clip.
     """
     size = math.prod(shape) * np.dtype(dtype).itemsize
     memory = getattr(_memory, name, None)

@@ -75,8 +75,10 @@ def gdal_writing(failure: Message) -> Iterator[None]:
         try:
             yield
             failed = gdal.GetLastErrorType() >= gdal.CE_Failure
-        except RuntimeError:
-            failed = True
+        except (RuntimeError, AttributeError) as error:  # of the None that GDAL gives for what it can't make
+            failed = isinstance(error, RuntimeError) or gdal.GetLastErrorType() >= gdal.CE_Failure
+            if not failed:
+                raise
     if failed:
         raise RasterError(failure)
 

@@ -30,8 +30,7 @@ _IMAGES = (
     "BYN", "CTable2", "GTX", "ISG", "LOSLAS", "NGSGEOID", "NTv2", "netCDF", "GPKG", "MBTiles", "Rasterlite", "VRT",
     "GTI",
 )  # fmt: skip
-"""Formats of images, heights and geoids. But for VRT and GTI they name no other file, as ERS, MRF, PCIDSK, KMZ and
-services do."""
+"""Formats of images, heights and geoids. But for VRT and GTI they name no other file, as ERS, MRF and KMZ do."""
 _TABLES = (
     "GPKG", "ESRI Shapefile", "GeoJSON", "GeoJSONSeq", "TopoJSON", "ESRIJSON", "FlatGeobuf", "CSV", "SQLite", "KML",
     "LIBKML", "GML", "GPX", "DXF", "DGN", "MapInfo File", "OpenFileGDB", "Parquet", "Arrow", "XLSX", "ODS",
@@ -93,8 +92,7 @@ _NOT_ROWS = """
 
 
 def holds_only_tables(path: Path) -> bool:
-    """Whether a database that nobody chose holds rows, and no view or table of a module's making: reading it has an
-    end."""
+    """Whether a database that nobody chose holds rows, and no view or table of a module: reading it has an end."""
     if not path.is_file():
         return False
     try:
@@ -205,8 +203,7 @@ def file_stamp(path: str) -> Stamp | None:
 
 @lru_cache(100_000)
 def _kept_names(path: str, stamp: Stamp) -> tuple[str, ...]:
-    """What the file at a path names, looked at anew once it is another one: mosaics of ten thousand files are opened
-    for every window."""
+    """What the file at a path names, looked at anew once it is another one: windows open ten thousand files each."""
     return _read_names(path)
 
 

@@ -53,11 +53,11 @@ _NUMBERS: dict[type, tuple[type, str]] = {int: (Integral, "a whole number"), flo
 
 
 def check_type(name: str, value: object, *types: type) -> None:
-    """Raise SettingsError unless a value that a caller gave is of one of these types; numbers are finite, and may be
-    numpy's."""
+    """Raise SettingsError unless a value that a caller gave is of one of these types, numbers finite and no bool."""
     allowed = [_NUMBERS.get(kind, (kind, kind.__name__)) for kind in types]
     is_endless = isinstance(value, Real) and not math.isfinite(value)
-    if is_endless or not any(isinstance(value, kind) for kind, _ in allowed):
+    is_truth = isinstance(value, bool) and bool not in types
+    if is_endless or is_truth or not any(isinstance(value, kind) for kind, _ in allowed):
         words = " / ".join(word for _, word in allowed)
         shown = reprlib.repr(value) if isinstance(value, (str, Real, type(None))) else type(value).__name__
         raise SettingsError(messages.NOT_OF_TYPE(name=name, value=shown, expected=words))

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
-from typing import Any, Callable, NamedTuple, TypeVar
+from typing import Any, Callable, NamedTuple, NoReturn, TypeVar
 
 import numpy as np
 from osgeo import gdal, gdal_array
@@ -93,6 +93,15 @@ class PixelBlock(NamedTuple):
         return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
 
 
+class _Closed(NamedTuple):
+    """The dataset of a raster that is closed: raises RasterError whatever is asked of it."""
+
+    name: str
+
+    def __getattr__(self, asked: str) -> NoReturn:
+        raise RasterError(messages.RASTER_CLOSED(name=self.name))
+
+
 class OpenRaster:
     """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
 
@@ -151,7 +160,7 @@ class OpenRaster:
         return self
 
     def __exit__(self, *error: object) -> None:
-        self.dataset = None
+        self.dataset = _Closed(self.ref.name)
 
     def _network(self) -> AbstractContextManager[None]:
         return remote_settings(self._beside) if self._is_remote else nullcontext()
@@ -219,8 +228,7 @@ class OpenRaster:
 
     @cached_property
     def corners(self) -> list[np.ndarray]:
-        """Squares of ``CORNER_PX`` at the corners, (bands, rows, columns) each. Raises RasterError where they can't be
-        read."""
+        """Squares of ``CORNER_PX`` at the corners, (bands, rows, columns) each. Raises RasterError for damaged ones."""
         side = min(CORNER_PX, self.columns, self.rows)
         return [self.read(PixelWindow(column, row, side, side)).bands
                 for column in {0, self.columns - side} for row in {0, self.rows - side}]
@@ -245,8 +253,10 @@ class OpenRaster:
         return measured.index(number - 1)
 
     def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> PixelBlock:
-        """The pixels of a window, or ``size`` (columns, rows) of them, from overviews where there are some: the
-        nearest ones, or means."""
+        """The pixels of a window, or ``size`` (columns, rows) of them, the nearest or means, from overviews if any."""
+        limits.check_type("window", window, PixelWindow)
+        if 0 in (window.width, window.height) or window.cut_to(self.columns, self.rows) != window:
+            raise RasterError(messages.NOT_COVERED(name=self.ref.name))
         first = self.rows - window.row - window.height if self._is_turned else window.row
         inside = (window.column, first, window.width, window.height)
         columns, rows = size or inside[2:]

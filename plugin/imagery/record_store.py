@@ -37,8 +37,7 @@ else:
 _CHECKSUM_BYTES = 4
 _MOST_BYTES = 2**30  # of a record; the largest of ours is a twentieth of it
 _ABOUT, _LOCK, _UNFINISHED = ".about", ".lock", ".unfinished-"
-"""Names of what is no record, which begin with a dot: what the records are of, the lock, files that are being
-written."""
+"""Names of what is no record, which begin with a dot: what the records are of, the lock, unfinished files."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +57,7 @@ class RecordFiles:
     def save(self, name: str, payload: bytes, is_synced: bool = False) -> None:
         """Keep a payload in the place of an earlier one; it outlives the process, and if ``is_synced`` the power.
 
-        Raises OSError: FileNotFoundError where nobody sees the folder from here, as on a machine that does not share
-        the disk.
+        Raises OSError: FileNotFoundError where nobody sees the folder from here, as without the shared disk.
         """
         unfinished = self.folder / f"{_UNFINISHED}{uuid4().hex}"
         try:

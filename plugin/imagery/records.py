@@ -140,8 +140,7 @@ def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -
 
 
 def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, np.ndarray]:
-    """What ``packed`` made bytes of, all of it or what ``names`` say; the arrays can't be written to. To be called with
-    ``understanding``."""
+    """What ``packed`` made bytes of, or of that ``names``; arrays can't be written to. Call it ``understanding``."""
     (length,) = _LENGTH.unpack_from(record)
     place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):

@@ -43,8 +43,7 @@ def robust_sigma(residuals: np.ndarray) -> float:
 
 
 def critical_t(confidence: float, freedom: np.ndarray | float) -> np.ndarray:
-    """Two-sided critical values of Student's t: an interval of that confidence reaches so many standard errors to
-    either side.
+    """Two-sided critical values of Student's t: an interval of that confidence is so many standard errors either way.
 
     ``scipy.special.stdtrit`` of scipy 1.10, as in Debian 12, computes in memory that all threads share: two that call
     it at once get wrong values or never end. t^2 / (n + t^2) has a beta distribution, whose quantiles are safe.

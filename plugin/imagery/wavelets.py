@@ -54,6 +54,12 @@ class Curve:
     variance: float
     """Variance of the clip, DN squared; 0 for a constant clip, whose shares are NaN."""
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Curve) and repr(self) == repr(other)  # which NaN is to itself
+
+    def __hash__(self) -> int:
+        return hash(repr(self))
+
 
 @dataclass(frozen=True)
 class Products:
@@ -79,6 +85,7 @@ def check_decomposition(wavelet: str, levels: int) -> None:
         if wavelet in pywt.wavelist(kind="discrete"):
             raise SettingsError(messages.WAVELET_NOT_ORTHOGONAL(wavelet=wavelet))
         raise SettingsError(messages.WAVELET_UNKNOWN(wavelet=wavelet))
+    limits.check_type("levels", levels, int)
     if not limits.MIN_LEVELS <= levels <= limits.MAX_LEVELS:
         raise SettingsError(
             messages.LEVELS_OUT_OF_RANGE(levels=levels, least=limits.MIN_LEVELS, most=limits.MAX_LEVELS)
@@ -266,8 +273,7 @@ _STRIP = 65536  # pixels worked on at a time, so that they stay in the cache
 def measure_bands(
     bands: np.ndarray, names: Sequence[str], wavelet: str, levels: int
 ) -> tuple[dict[str, Curve], dict[str, np.ndarray]]:
-    """Curves and coarse components, by name, of bands (bands, rows, columns) with their names; luminance first where
-    there is one."""
+    """Curves and coarse components, by name, of bands (bands, rows, columns) with their names; luminance first."""
     weights = limits.LUMINANCE_WEIGHTS if has_colours(names) else ()
     curves, coarse = clip_curves(bands, wavelet, levels, weights)
     if weights:

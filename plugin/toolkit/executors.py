@@ -7,8 +7,8 @@ import tempfile
 import time
 import zipfile
 from collections.abc import Iterator
-from concurrent.futures import BrokenExecutor, Executor, Future
-from contextlib import contextmanager
+from concurrent.futures import Executor, Future
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from threading import Event, Thread
 from typing import TYPE_CHECKING, Any, Callable, Union
@@ -51,8 +51,7 @@ def open_executor(
 ) -> Iterator[tuple[Executor, int]]:
     """An executor and how many windows it should have under way.
 
-    Raises SettingsError for a cluster that can't be used, CancelledError when cancelled before it is open, and
-    WorkersLostError in the place of what a block meets when nobody is left to measure.
+    Raises SettingsError for a cluster that can't be used, CancelledError, and WorkersLostError when nobody is left.
     """
     if isinstance(crew, str) and crew:
         with _connected(crew, is_cancelled) as client, _watched(client, is_cancelled) as opened:
@@ -60,14 +59,26 @@ def open_executor(
     elif crew and not isinstance(crew, Executor):
         if not hasattr(crew, "get_executor"):
             raise SettingsError(messages.NO_EXECUTOR(given=type(crew).__name__))
+        if crew.status == "closed":
+            raise WorkersLostError(messages.EXECUTOR_LOST())
         with _watched(crew, is_cancelled) as opened:
             yield opened
     else:
         with own_threads(crew or None) as opened:
             try:
                 yield opened
-            except (BrokenExecutor, concurrent.futures.CancelledError):
+            except (RuntimeError, concurrent.futures.CancelledError) as error:
+                if isinstance(error, RuntimeError) and _takes_work(opened[0]):
+                    raise
                 raise WorkersLostError(messages.EXECUTOR_LOST()) from None
+
+
+def _takes_work(executor: Executor) -> bool:
+    """Whether it was neither shut down nor broken, for which Python has the same error as for all else."""
+    with suppress(RuntimeError):
+        executor.submit(int)
+        return True
+    return False
 
 
 @contextmanager
@@ -99,8 +110,7 @@ def _connected(address: str, is_cancelled: Callable[[], bool]) -> Iterator[Clien
 
 
 async def _check_scheduler(address: str) -> None:
-    """Dask's own client has no limit of time for the first words, and breaks off where versions differ. Raises whatever
-    those of something else lead to."""
+    """Dask's client has no limit of time for the first words, and breaks off where versions differ. Raises anything."""
     from distributed.comm.core import connect
     from distributed.security import Security
 
@@ -150,8 +160,7 @@ def _is_done(future: Future[Any], seconds: float, is_cancelled: Callable[[], boo
 
 @contextmanager
 def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
-    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends instead of
-    waiting for ever."""
+    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends."""
     address = client.scheduler.address
     preparing = _started(lambda: _prepare(client, address))
     if not _is_done(preparing, _PREPARING_SECONDS, is_cancelled):
@@ -186,23 +195,16 @@ def _why_lost(client: Client, address: str, ended: Event) -> Message | None:
     while not ended.wait(LOOK_SECONDS):
         if client.status not in ("running", "connecting"):
             return messages.SCHEDULER_LOST(address=address)
-        if _has_workers(client):
-            last_seen = time.monotonic()
-        elif time.monotonic() - last_seen > PATIENCE_SECONDS:
+        with suppress(OSError, ValueError):  # the connection is down; Dask tries to have it again
+            if client.nthreads():
+                last_seen = time.monotonic()
+        if time.monotonic() - last_seen > PATIENCE_SECONDS:
             return messages.WORKERS_LOST(address=address, seconds=PATIENCE_SECONDS)
     return None
 
 
-def _has_workers(client: Client) -> bool:
-    try:
-        return bool(client.nthreads())
-    except (OSError, ValueError):  # the connection is down; Dask tries to have it again
-        return False
-
-
 def _prepare(client: Client, address: str) -> int:
-    """Give the workers this plugin's code, whatever they have of it; those that come later get it, too. How many
-    threads they have."""
+    """Give the workers this plugin's code, later ones too, whatever they have of it. How many threads they have."""
     threads = sum(client.nthreads().values())
     if not threads:
         raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address))
@@ -224,10 +226,7 @@ def measuring_modules(plugin: Path) -> list[Path]:
 
 
 def _measuring_archive(folder: Path) -> str:
-    """An importable zip of all that measures, for the workers, which need neither QGIS nor this plugin.
-
-    It keeps the package's full name, since that is how functions and requests refer to it.
-    """
+    """An importable zip of all that measures, for workers without this plugin, by the package's full name."""
     plugin = Path(__file__).parent.parent
     package = __package__.split(".")[:-1]
     archive = folder / f"{package[0]}.zip"

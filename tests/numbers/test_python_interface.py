@@ -7,6 +7,7 @@ import json
 import math
 import pickle
 import re
+import shutil
 import subprocess
 import sys
 import warnings
@@ -23,6 +24,7 @@ from osgeo import gdal, ogr, osr
 from seam_inspector import (
     Block,
     InspectionSettings,
+    RasterError,
     ScanResult,
     ScanSettings,
     SeamInspectorError,
@@ -35,6 +37,7 @@ from seam_inspector import (
     pair_rows,
     profile_rows,
     scan,
+    seam_rows,
     window_rows,
     write_scan,
 )
@@ -43,6 +46,7 @@ from seam_inspector.plugin.acceptance.measure.delivered_rows import make_deliver
 from seam_inspector.python import command_line
 
 from tests.made_once import the_small_block
+from tests.numbers.disks import full_disk
 from tools import python_pages
 
 LOADED = """
@@ -56,6 +60,7 @@ json.dump([names, before, sorted(sys.modules)], sys.stdout)
 """
 HEAVY = {"numpy", "scipy", "pywt", "osgeo"}
 NEVER = {"qgis", "PyQt5", "PyQt6", "matplotlib", "pandas"}
+EMPTY = ScanResult((), (), ())
 METRES = 'LOCAL_CS["here",UNIT["metre",1]]'
 
 
@@ -193,6 +198,8 @@ def test_results_are_the_same_after_a_journey(block: Block, scanned: ScanResult,
     assert travelled == results
     assert [*map(hash, travelled)] == [*map(hash, results)]
     assert replace(scanned, pieces=scanned.pieces[1:]) != scanned
+    with pytest.raises(TypeError, match="can't be changed"):
+        travelled[0].told.pop("levels")
     back = travelled[1]
     assert [str(sentence) for sentence in back.sentences] == [str(sentence) for sentence in decision.sentences]
     assert "%" in " ".join(map(str, decision.sentences))
@@ -234,8 +241,6 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
         (lambda block: scan(block, ScanSettings(piece_m="25")), "piece_m is '25'; give a finite number"),
         (lambda block: limit_rules(min_kept="0.7"), "min_kept is '0.7'"),
         (lambda block: limit_rules(min_kept=1.5), "min_kept"),
-        (lambda block: limit_rules(max_share=-0.1), "max_share"),
-        (lambda block: limit_rules(min_measured=2), "min_measured"),
         (lambda block: limit_rules(max_run_m=-1), "max_run_m"),
         (lambda block: open_block(block.mosaic.ref.path, crs="EPSG:5773"), "not a projected or geographic"),
         (lambda block: open_block(block.mosaic.ref.path, crs=3.5), "not a projected or geographic"),
@@ -248,7 +253,13 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
         (lambda block: seam_inspector.decide({}, limit_rules(), lot_size="x"), "lot_size is 'x'"),
         (lambda block: scan(block, seamlines=block), "seamlines is Block; give str"),
         (lambda block: mend(block, block, "mended.vrt"), "seams is Block; give ScanResult"),
-        (lambda block: write_scan("seams.gpkg", ScanResult((), (), ()), block), "of another mosaic than mosaic.tif"),
+        (lambda block: mend(block, EMPTY, "m.vrt", InspectionSettings()), "give MendSettings"),
+        (lambda block: mend(block, EMPTY, "mended.vrt", patches="/vsimem/patches"), "not a file on a disk"),
+        (lambda block: window_rows([EMPTY]), r"results\[0\] is ScanResult; give WindowResult"),
+        (lambda block: seam_rows([EMPTY]), "result is list; give ScanResult"),
+        (lambda block: scan(block, ScanSettings(piece_m=True)), "piece_m is True; give a finite number"),
+        (lambda block: open_block(block.mosaic.ref.path, nodata=True), "nodata is True"),
+        (lambda block: write_scan("seams.gpkg", EMPTY, block), "of another mosaic than mosaic.tif"),
         (lambda block: window_rows([]).to_geodataframe(), "has no lines"),
     ],
 )
@@ -272,8 +283,6 @@ def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
     assert len(told) == 1
     assert told[0].filename == __file__
     assert [source.ref.name for source in found.sources] == ["strip1_0141.tif"]
-    with pytest.raises(SeamInspectorError, match="does not exist"):
-        open_block(tmp_path / "none.tif")
 
 
 @pytest.mark.parametrize("has_sources", [True, False])
@@ -281,9 +290,11 @@ def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path,
     scanned = block if has_sources else open_block(folder / "mosaic.tif")
     with ThreadPoolExecutor(1) as executor:
         found = scan(scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif", executor=executor)
+    with pytest.raises(seam_inspector.WorkersLostError, match="executor was shut down"):
+        scan(block, executor=executor)
     assert 250 < found.seam_metres < 320
     assert gdal.Open(str(tmp_path / "loss.tif")).RasterCount == 5
-    rows = seam_inspector.seam_rows(found)
+    rows = seam_rows(found)
     pieces = [row for row in rows if row["level"] == "piece"]
     assert sum(row["length"] for row in pieces) == pytest.approx(found.seam_metres)
     assert len(rows) - len(pieces) == len(found.stretches)
@@ -313,9 +324,9 @@ def test_seams_that_cannot_be_mended_are_left_with_a_reason(
 
 
 @pytest.mark.parametrize(("settings", "which", "words"), [
-    ({"width_m": 0}, "all", "0 m wide"), ({"width_m": -2}, "all", "-2 m wide"), ({"width_m": np.nan}, "all", "nan m"),
-    ({"width_m": np.inf}, "all", "inf m"), ({"blend_px": -1}, "all", "blend of -1"),
-    ({"blend_px": 2.5}, "all", "blend of 2.5"), ({"blend_px": 99}, "all", "blend of 99"), ({}, "x", "can't be mended"),
+    ({"width_m": 0}, "all", "0 m wide"), ({"width_m": -2}, "all", "-2 m wide"), ({"width_m": np.nan}, "all", "is nan"),
+    ({"width_m": np.inf}, "all", "width_m is inf"), ({"blend_px": -1}, "all", "blend of -1"),
+    ({"blend_px": 2.5}, "all", "is 2.5"), ({"blend_px": 99}, "all", "blend of 99"), ({}, "x", "can't be mended"),
 ])  # fmt: skip
 def test_settings_of_mending_are_checked(
     block: Block, scanned: ScanResult, tmp_path: Path, settings: dict[str, float], which: str, words: str
@@ -398,8 +409,15 @@ def test_what_is_written_is_what_was_scanned(block: Block, tmp_path: Path) -> No
     assert names == ["a.tif", *(Path(path).name for path in others)]
     assert "kept_4" in [field.GetName() for field in written.GetLayerByName("seams").schema]
     assert written.GetLayerByName("seams").GetMetadata("SEAM_INSPECTOR")["piece_m"] == "20"
+    other, copy = open_block(first), Path(shutil.copy(block.mosaic.ref.path, tmp_path))
     with pytest.raises(SettingsError, match=r"another mosaic than strip1_0141\.tif"):
-        write_scan(tmp_path / "other.gpkg", result, open_block(first))
+        write_scan(tmp_path / "other.gpkg", result, other)
+    for seams in (result, tmp_path / "seams.gpkg"):
+        with pytest.raises(SettingsError, match=r"another mosaic than strip1_0141\.tif"):
+            mend(other, seams, tmp_path / "mended.vrt")
+    assert mend(open_block(copy, others), tmp_path / "seams.gpkg", tmp_path / "mended.vrt")
+    with full_disk(20_000), pytest.raises(RasterError, match="choose another folder, or make room on the disk"):
+        write_scan(tmp_path / "full.gpkg", result, opened)
 
 
 def piece(kept: object, number: int, **others: object) -> dict[str, object]:

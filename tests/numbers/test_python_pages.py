@@ -136,7 +136,7 @@ def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tm
     del changed
     assert code("accept", seams) == 2
     assert code("accept", seams, "--rules", str(STRICT)) == 2
-    assert code("inspect", mosaic, *sources, "--at", "0", "0") == 2
+    assert code("inspect", mosaic, *sources, "--at", "-5", "-6.5e3") == 2
     gdal.Translate(f"{tmp_path}/sheet.tif", mosaic, srcWin=[0, 0, 64, 64])
     assert code("scan", f"{tmp_path}/sheet.tif", *sources, "-o", f"{tmp_path}/sheet.gpkg") == 2
     assert code("accept", f"{tmp_path}/sheet.gpkg") == 2

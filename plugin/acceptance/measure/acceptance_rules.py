@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ...imagery.documents import RuleObject, read_rules, ready_rules
 from ...imagery.errors import SettingsError
-from ...imagery.limits import check_type
+from ...imagery.limits import PATH_TYPES, check_type
 from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from . import messages
 from .sampling_plans import AQLS, DEFAULT_LEVEL, INSPECTION_LEVELS, LIMITING_QUALITIES, word_of
@@ -137,6 +137,7 @@ def ready_files() -> dict[str, Path]:
 
 def load_acceptance_rules(path: Path | str) -> AcceptanceRules:
     """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
+    check_type("path", path, *PATH_TYPES)
     return read_rules(Path(path), _acceptance_rules)
 
 

@@ -118,8 +118,7 @@ class Decision:
     why: Message
     """Its reasons: all rules that were kept, those that were broken, or what is open."""
     sentences: tuple[Message, ...]
-    """The decision with its reasons first, then the one thing that would decide it where it is undecided, then what it
-    rests on."""
+    """The decision with its reasons first, then what would decide it where it is undecided, then what it rests on."""
     rules: AcceptanceRules
     """The rules by which it was taken."""
     delivery: Delivery

@@ -337,10 +337,10 @@ SCAN_JOURNAL_IN_USE = Message(
 SCAN_JOURNAL_NOT_OPENED = Message("{path} can't be written ({error}); choose another folder for the output.")
 SCAN_JOURNAL_NOT_SAVED = Message(
     "{path} can't be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and "
-    "start the scan again with the same output to go on."
+    "start it again with the same output to go on."
 )
 SCAN_JOURNAL_NOT_READ = Message(
-    "{path} can't be read any more ({error}); start the scan again with the same output, and what is damaged is "
+    "{path} can't be read any more ({error}); start it again with the same output, and what is damaged is "
     "measured again."
 )
 SCAN_OF_ANOTHER_VERSION = Message("the plugin's version", INFO)

@@ -124,8 +124,7 @@ def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
 
 
 def guesses(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
-    """Parts that follow a source for sure almost nowhere: compression or smooth ground left nothing to tell it by.
-    (rows, columns) bool."""
+    """Parts, (rows, columns) bool, that hardly follow a source for sure: compression or smooth ground hide it."""
     if np.count_nonzero(clear) >= MIN_CLEAR * clear.size:
         return np.zeros(labels.shape, bool)
     coarse, sure = labels[::LABEL_PX, ::LABEL_PX], clear[::LABEL_PX, ::LABEL_PX]

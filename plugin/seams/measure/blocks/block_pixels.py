@@ -49,8 +49,7 @@ class BlockPixels:
         self, mosaic: Raster, refs: Sequence[RasterRef], window: PixelWindow, margin_px: int | None = 0,
         grey_factor: float = 1.0,
     ) -> None:
-        """Reads the mosaic and the sources that have pixels there, and ``margin_px`` around; None: only the parts that
-        are asked for.
+        """Reads the mosaic and the sources that have pixels there, and ``margin_px`` around; None: parts on demand.
 
         A source that can't be read is told in ``notices`` and takes no part. Raises NotCoveredError where the mosaic
         has no pixels, RasterError where it can't be read.

@@ -279,8 +279,7 @@ def _cells(
 ) -> tuple[CellTable, Learned]:
     """The middle cells of patches that follow one source for sure, and what came over the mosaic there.
 
-    ``followed``: (rows, columns), ``UNKNOWN`` where none is sure. Of many patches every second along both sides is
-    enough.
+    ``followed``: (rows, columns), ``UNKNOWN`` where none is sure. Of many patches every second on both sides will do.
     """
     step = 2 if followed.size >= _MANY else 1
     kept = [np.repeat(np.arange(count) % step == step // 2, PATCH_PX) for count in followed.shape]

@@ -66,8 +66,7 @@ class Neighbourhoods:
 
         Neighbourhoods with visible verdicts alone, with invisible ones alone and with both are drawn among themselves,
         so that both kinds remain, and one fewer than there are, so that resamples spread as much as samples do (Rao and
-        Wu 1988, Journal of the American Statistical Association 83, 231-241). A draw with fewer than two verdicts of a
-        kind is left out.
+        Wu 1988, Journal of the American Statistical Association 83, 231-241). A draw lacking two of a kind is left out.
         """
         random = np.random.default_rng(_SEED)
         drawn = np.empty((RESAMPLES, self.count), np.int64)

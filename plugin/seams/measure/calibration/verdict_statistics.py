@@ -95,8 +95,7 @@ _ALIKE = 1e-9  # share by which variances differ that are as good as equal
 def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbourhoods) -> Interval:
     """The best threshold and its 95 % interval, from the spread of the thresholds of resampled neighbourhoods.
 
-    Few neighbourhoods tell their spread badly: therefore Student's distribution. Measures are not negative, and so no
-    end is.
+    Few neighbourhoods tell their spread badly: therefore Student's distribution. No measure is negative, so no end is.
     """
     values = np.concatenate([visible, invisible])
     if np.ptp(values) == 0:

@@ -38,8 +38,7 @@ def _summed(part: np.ndarray, side: int) -> np.ndarray:
 
 
 def box_means(values: np.ndarray, sides: Sequence[int], mirrored: bool = False) -> list[np.ndarray]:
-    """Means over squares of odd sides around every sample (rows, columns), float32; the edges continue as they are, or
-    mirrored."""
+    """Means over squares of odd sides around samples (rows, columns), float32; edges go on as they are or mirrored."""
     reach = max(sides) // 2
     padded = _padded(values.astype(np.float32, copy=False), reach, mirrored)
     means = []

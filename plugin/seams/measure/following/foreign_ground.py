@@ -236,8 +236,7 @@ class _Squares:
     def _fit(
         self, number: int, noise: Mapping[int, Callable[[np.ndarray], np.ndarray]], mixed: Sequence[int]
     ) -> _Fit:
-        """What is explained where a source is followed; at least the noise that the ``mixed`` ones bring along is left
-        over."""
+        """What is explained where a source is followed; at least the noise of the ``mixed`` ones is left over."""
         cells = self.cells
         followed = self.textured & (cells.labels == number)
         left_over = noise[number](cells.energy) * cells.energy

@@ -366,8 +366,7 @@ def _learned(
 ) -> EnergyResponse:
     """The gain of a source by its energy, from squares that follow it, ``sample`` by number.
 
-    What it can't explain is no part of it: learned from the squares that it explains best, then from all that are like
-    those, round by round.
+    What it can't explain is no part of it: learned from the squares that it explains best, then from all like those.
     """
     mosaic, energy, shared = (sums.ravel()[sample] for sums in (mosaic, energy, shared))
     explains = shared * np.abs(shared) / np.maximum(mosaic * energy, 1e-9)

@@ -148,8 +148,7 @@ class Learned:
 
     filters: Filters
     left_over: Mapping[int, float]
-    """Share of the mosaic's finest detail that is left over where it was learned, of each source that it was learned
-    of."""
+    """Share of the mosaic's finest detail that is left over where it was learned, of each source it was learned of."""
 
     @property
     def taps(self) -> dict[int, np.ndarray]:

@@ -132,8 +132,7 @@ class _Patch:
 
 
 def _explained(patch: _Patch, others: Sequence[_Patch]) -> float:
-    """Share of the detail of a patch that the neighbourhoods of 3 x 3 px in others explain; nan where too few pixels
-    are in all of them."""
+    """Share of a patch's detail that neighbourhoods of 3 x 3 px in others explain; nan where few pixels are in all."""
     inner = (slice(1, -1),) * 2
     near = [sliding_window_view(other.values, (3, 3)).reshape(*other.values[inner].shape, 9) for other in others]
     both = patch.valid[inner] & np.all(

@@ -86,8 +86,7 @@ class Misfit:
 
     px: float
     share: float
-    """Share of what the finest detail of the two differs by beside the seam that would go if they fitted; 0 where they
-    do."""
+    """Share of what the two finest details differ by beside the seam that would go if they fitted; 0 where they do."""
 
 
 @dataclass(frozen=True)
@@ -267,8 +266,7 @@ class CauseEvidence:
 
 
 class Cause(str, Enum):
-    """What took part in making the window what it is, by the word that tables hold. Those that took nothing are told in
-    this order."""
+    """What made the window what it is, by the word that tables hold. Those that took nothing are told in this order."""
 
     MISSING_SOURCE = "missing source"
     FEATHERING = "feathering"

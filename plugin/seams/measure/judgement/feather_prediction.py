@@ -174,8 +174,7 @@ class Seamlines:
 def assumed_seams(rows: int, columns: int, pixel_m: tuple[float, float]) -> list[np.ndarray]:
     """Straight seams through the middle of a window, in four directions: (rows, columns) m from each of them.
 
-    Windows lie along seams, and a seam runs through its window in any direction. ``pixel_m``: height and width of a
-    pixel.
+    Windows lie along seams, which run through them in any direction. ``pixel_m``: height and width of a pixel.
     """
     y, x = np.ogrid[:rows, :columns]
     y, x = (y - (rows - 1) / 2) * pixel_m[0], (x - (columns - 1) / 2) * pixel_m[1]

@@ -114,8 +114,7 @@ class JudgedGround:
 
     @cached_property
     def following(self) -> FollowedSource:
-        """The first estimate of the window alone, with better labels; where nothing at all is explained, with its
-        own."""
+        """The first estimate of the window alone, with better labels; with its own where nothing is explained."""
         first = self.followed.following
         is_explained = (self.expected.labels != UNKNOWN).any()
         by_plane = np.array(self.followed.source_of, np.uint8)

@@ -85,8 +85,7 @@ def contrast_sensitivity(frequency: float) -> float:
 
 
 def noticeable_differences(contrast: float, kept_contrast: float, frequency: float) -> float:
-    """How many just noticeable differences lie between two contrasts at one frequency, in cycles a degree; 0 where
-    nothing is lost."""
+    """How many just noticeable differences lie between two contrasts at one frequency, cycles a degree; 0: no loss."""
     sensitivity = contrast_sensitivity(frequency)
     return max(0.0, _steps_from_nothing(contrast * sensitivity) - _steps_from_nothing(kept_contrast * sensitivity))
 

@@ -96,8 +96,7 @@ def tells_tones(unmixed: np.ndarray) -> bool:
 def eased(
     images: Sequence[np.ndarray], weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray, valid: np.ndarray
 ) -> np.ndarray:
-    """Dressed bands (bands, rows, columns) of two images cut where ``weight``, that of the first, passes one half;
-    float32 all.
+    """Dressed bands (bands, rows, columns) float32 of two images cut where ``weight``, the first's, passes one half.
 
     What is coarser than squares of 8 px is eased, each scale as far as it is wide, tones over ``EASED_PX``: what is
     finer is of one image alone, but for the few pixels in which the weight is neither 0 nor 1. Towards the edge of the
@@ -137,8 +136,7 @@ _FEWEST_STATIONS = 4
 
 
 def tone_step(plane: np.ndarray, points: np.ndarray, valid: np.ndarray) -> float | None:
-    """The step of tone across a line, ``points`` (n, 2) columns and rows in a plane (rows, columns), DN; None where it
-    is too short.
+    """The step of tone, DN, across a line of (n, 2) columns and rows in a plane (rows, columns); None: it is too short.
 
     The median over stations of 16 px of the left mean less the right one. ``plane`` is less what images without a cut
     show there, so that what changes on the ground is no step. ``valid``: (rows, columns) bool.

@@ -1,7 +1,6 @@
 """One run of seam: request -> the new cut and the pixels of its patch, or why there is none."""
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -12,6 +11,7 @@ from scipy import ndimage
 from ....imagery.clips import Clip
 from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
 from ....imagery.grids import Grid, PixelWindow
+from ....imagery.limits import check_settings
 from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
@@ -62,7 +62,8 @@ class MendSettings:
 
     def check(self) -> None:
         """Raise SettingsError when a value is out of its range."""
-        if not 0 < self.width_m < math.inf:
+        check_settings(self, MendSettings)
+        if self.width_m <= 0:
             raise SettingsError(messages.NO_WIDTH(value=self.width_m))
         if self.blend_px not in range(MOST_BLEND_PX + 1):
             raise SettingsError(messages.NO_BLEND(value=self.blend_px, most=MOST_BLEND_PX))
@@ -184,8 +185,7 @@ def _mended(request: RunRequest) -> MendedRun:
 
 
 def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float | None]:
-    """Columns and rows (n, 2) of the new cut, and the misfit of the images along it. Raises RasterError where there is
-    none."""
+    """Columns and rows (n, 2) of the new cut, and the images' misfit along it. Raises RasterError without any."""
     read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
     first_image, second_image = (read.planes.sources[side].plane for side in _SIDES)
     both = read.valid(0) & read.valid(1)
@@ -251,8 +251,7 @@ class _Pixels:
         return self._clips[source]
 
     def valid(self, source: int) -> np.ndarray:
-        """(rows, columns) bool: where the mosaic and this source have pixels; without the source's rim, which may be
-        mixed with nothing."""
+        """(rows, columns) bool: where the mosaic and this source have pixels; not its rim, mixed with nothing maybe."""
         is_valid, source_valid = np.ones(self.planes.mosaic.shape, bool), self.clip(source).valid
         if source_valid is not None:
             is_valid &= source_valid & ~widened(opened(~source_valid, SQUARE_PX), _RIM_PX)

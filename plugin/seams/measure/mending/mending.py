@@ -114,7 +114,7 @@ class MendedSeam:
     cut: MendedRun
     """What cutting it anew gave."""
     outcome: str
-    """``MENDED``, ``IMPROVED`` or ``LEFT``."""
+    """``mended``, ``improved`` or ``left``."""
     kept: float | None = None
     """kept_1 along the new cut; None where it was not measured."""
     reason: Message | None = None
@@ -302,8 +302,7 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
 
 
 def _made_patches(patches: str) -> list[str]:
-    """What their file or their folder, which is there then, holds of them already. Raises SettingsError where they
-    can't be."""
+    """What their file or folder, which is there then, holds of them already. Raises SettingsError if it can't be."""
     single = _is_file(patches)
     with files_written(patches):
         folder = Path(os.path.dirname(os.path.abspath(patches)) if single else patches)

@@ -213,8 +213,7 @@ def window_side_px(grid: Grid, settings: PlacingSettings) -> int:
 def fitting_side_m(grid: Grid, settings: PlacingSettings) -> float:
     """The side itself where mosaic and levels allow it; else one that they do, in centimetres.
 
-    The standard side grows to as many pixels as it takes to measure. Of a mosaic that no window fits on, the side
-    itself.
+    The standard side grows to as many pixels as it takes to measure, unless no window fits on the mosaic.
     """
     side_m, shorter = settings.side_m, min(grid.columns, grid.rows)
     fewest = max(imagery_limits.MIN_SIDE_PX, 2**settings.levels)

@@ -90,8 +90,7 @@ def _is_whole(cells: CellTable) -> np.ndarray:
 
 
 def _scatter_of_blocks(mosaic_energy: np.ndarray, expected: np.ndarray) -> tuple[float, float]:
-    """Standard deviation of the logarithm of own / expected between blocks, and how many blocks of one weight these
-    are as good as."""
+    """Standard deviation of log(own / expected) between blocks, and how many of one weight these are as good as."""
     known = expected > 0
     if np.count_nonzero(known) < 2:
         return 1.0, 1.0

@@ -279,8 +279,7 @@ class BlockRun:
         return self._squares[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
 
     def _called_for(self, key: BlockKey) -> np.ndarray:
-        """(UNITS, UNITS) bool: what a block calls for itself, and along its borders what only neighbours together
-        show."""
+        """(UNITS, UNITS) bool: what a block calls for itself, and at its borders what only neighbours together show."""
         side = UNITS // SQUARES
         across = called_for(self._around(key), NOTHING, pairs=(0, SQUARES))[side:-side, side:-side]
         return across | (np.unpackbits(np.frombuffer(self._wanted[key], np.uint8)).reshape(UNITS, UNITS) > 0)

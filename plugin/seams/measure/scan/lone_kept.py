@@ -231,8 +231,7 @@ RUNS_LENGTHS = (1.0, 2.0, 4.0)
 def judge_pieces(
     seams: LoneSeams, pieces: Sequence[SeamPiece], pixel_m: float, levels: int = 1
 ) -> list[JudgedPiece]:
-    """Every piece by itself, in their order; levels beyond the first are not told. ``pixel_m``: side of a pixel on the
-    ground."""
+    """Every piece by itself, in their order; levels beyond the first are not told. ``pixel_m``: side of a pixel."""
     return [_judged(piece, kept, seams.judgeable_px, pixel_m, levels) for piece, kept in zip(pieces, seams.by_piece())]
 
 

@@ -202,8 +202,7 @@ class ScanJournal(RecordFolder):
     """Whether all who measure see the files."""
 
     def save(self, name: str, payload: bytes) -> None:
-        """Keep what somebody measured who could not. Raises SettingsError when the disk is full; what was saved before
-        stays."""
+        """Keep what somebody measured who could not. Raises SettingsError on a full disk; what was saved stays."""
         try:
             self.files.save(name, payload)
         except OSError as error:

@@ -215,6 +215,19 @@ def _fitting(
             return None
 
 
+class Notes(dict[str, str]):
+    """Words by their keys; nobody changes them."""
+
+    def _refuse(self, *_: Any, **__: Any) -> Any:
+        raise TypeError("what a scan tells can't be changed; take dict(told)")
+
+    __setitem__ = __delitem__ = __ior__ = clear = pop = popitem = setdefault = update = _refuse
+
+    def __reduce__(self) -> tuple[type[Notes], tuple[dict[str, str]]]:
+        """What a copy, or another process, makes it of."""
+        return Notes, (dict(self),)
+
+
 @dataclass(frozen=True)
 class ScanResult:
     """What a scan tells."""
@@ -244,6 +257,9 @@ class ScanResult:
     sources: tuple[str, ...] = ()
     """Names of the orthoimages, parts of one image as one, by the numbers of ``polygons``."""
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "told", Notes(self.told))
+
     @property
     def features(self) -> tuple[JudgedPiece, ...]:
         """Features of the layer SEAMS: all pieces, then the stretches."""
@@ -264,7 +280,7 @@ class ScanResult:
 
     @property
     def failed_metres(self) -> float:
-        """Length of the pieces that failed: that keep less than ``STANDARD_LEAST_KEPT``."""
+        """Length of the pieces that failed: that keep less than 0.7 (``STANDARD_LEAST_KEPT``)."""
         return metres(self.pieces, PieceState.FAILED)
 
     @property
@@ -305,6 +321,7 @@ def seam_rows(result: ScanResult) -> TableRows:
     The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
     mosaic's reference system.
     """
+    imagery_limits.check_type("result", result, ScanResult)
     features, kinds = result.features, {**kinds_of(SEAM_COLUMNS, _levels(result.features)), GEOMETRY: "text"}
     rows = TableRows(wkt=result.told.get(SYSTEM, ""), kinds=kinds)
     for row, feature in zip(_field_rows(features), features):

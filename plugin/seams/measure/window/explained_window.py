@@ -123,8 +123,7 @@ def _in_file_values(explanation: Explanation, mosaic_factor: float, factors: Seq
 
 
 def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.ndarray | None:
-    """The source that each pixel of all that is read was taken from by the seam cells, else ``UNKNOWN``; None where no
-    cell says any."""
+    """The source of each pixel that is read by the seam cells, else ``UNKNOWN``; None where no cell says any."""
     if not request.cells or request.window is None:
         return None
     paths = [(path, place) for place, source in enumerate(sources) for path in source.clip.raster.ref.paths]

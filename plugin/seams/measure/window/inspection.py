@@ -79,6 +79,7 @@ class Block:
         """
         settings = settings or InspectionSettings()
         InspectionSettings.check(settings)
+        imagery_limits.check_type("window_id", window_id, int)
         try:
             xmin, ymin, xmax, ymax = map(float, getattr(extent, "bounds", extent))
         except (TypeError, ValueError):
@@ -120,14 +121,13 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
 
     What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
     ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
-    when none of the sources can, ``crs`` is none or a neighbour lies on another grid, SeamlineError when the cells
-    can't.
+    when no source can, ``crs`` is none or a neighbour lies on another grid, SeamlineError when the cells can't.
     """
     wkt = known_wkt(crs)
     imagery_limits.check_type("mosaic", mosaic, *imagery_limits.PATH_TYPES)
     imagery_limits.check_type("cells", cells, *imagery_limits.PATH_TYPES)
     sources, neighbours = paths_of("sources", sources), paths_of("neighbours", neighbours)
-    if nodata is not None and not isinstance(nodata, Real):
+    if nodata is not None and (isinstance(nodata, bool) or not isinstance(nodata, Real)):
         imagery_limits.check_type("nodata", nodata, float)
     value = None if nodata is None else float(nodata)
     sheet = describe_mosaic(RasterRef(os.fspath(mosaic), wkt, value))

@@ -106,8 +106,7 @@ class WindowResult:
 
     @property
     def profile(self) -> SeamProfile | None:
-        """What is kept along the seam; None without one, or where it can't be told, as where it is more than any seam
-        leaves."""
+        """What is kept along the seam; None without one, or where it can't be told, or is more than any seam leaves."""
         profile = self.explanation.profile if self.explanation else None
         return None if profile is not None and profile.low > MAX_KEPT_LOW else profile
 

@@ -313,8 +313,7 @@ def window_rows(results: Iterable[WindowResult]) -> TableRows:
     The fields are those of the table OUTPUT (docs/reference/tables.md); lengths in metres, shares of 1, DN for grey
     values. Raises SettingsError for what are no results, such as one alone.
     """
-    check_type("results", results, Iterable)
-    listed = list(results)
+    listed = _checked(results)
     return _table(_ROW_COLUMNS, listed, _most_levels(listed))
 
 
@@ -323,7 +322,7 @@ def profile_rows(results: Iterable[WindowResult]) -> TableRows:
 
     The fields are those of the table PROFILES; a window without a seam has no rows.
     """
-    return _table(PROFILE_COLUMNS, chain.from_iterable(map(bins_of, results)))
+    return _table(PROFILE_COLUMNS, chain.from_iterable(map(bins_of, _checked(results))))
 
 
 def curve_rows(results: Iterable[WindowResult]) -> TableRows:
@@ -331,7 +330,7 @@ def curve_rows(results: Iterable[WindowResult]) -> TableRows:
 
     The fields are those of the table CURVES.
     """
-    return _table(CURVE_COLUMNS, chain.from_iterable(map(curves_of, results)))
+    return _table(CURVE_COLUMNS, chain.from_iterable(map(curves_of, _checked(results))))
 
 
 def pair_rows(results: Iterable[WindowResult]) -> TableRows:
@@ -339,9 +338,16 @@ def pair_rows(results: Iterable[WindowResult]) -> TableRows:
 
     The fields are those of the table PAIRS; the sources' composite comes last.
     """
+    listed = _checked(results)
+    return _table(PAIR_COLUMNS, chain.from_iterable(map(pairs_of, listed)), _most_levels(listed))
+
+
+def _checked(results: Iterable[WindowResult]) -> list[WindowResult]:
+    check_type("results", results, Iterable)
     listed = list(results)
-    most = _most_levels(listed)
-    return _table(PAIR_COLUMNS, chain.from_iterable(map(pairs_of, listed)), most)
+    for number, result in enumerate(listed):
+        check_type(f"results[{number}]", result, WindowResult)
+    return listed
 
 
 def _table(columns: Sequence[Column[Any]], results: Iterable[object], levels: int = 0) -> TableRows:

@@ -93,7 +93,7 @@ def test_a_damaged_record_is_measured_again(path: Path) -> None:
     files = RecordFiles(damaged.parent)
     with pytest.raises(OSError, match="Input/output error"):
         files.load("block 0 0")
-    with pytest.raises(SettingsError, match=r"can't be read any more .*; start the scan again"):
+    with pytest.raises(SettingsError, match=r"can't be read any more .*; start it again"):
         held(FIRST_LOOK, files, (0, 0))
     assert reopened(path)[0] == {key: payload for key, payload in RESULTS.items() if key != "block 0 0"}
 
@@ -125,7 +125,7 @@ def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> N
         journal.save("block 2", b"z" * 1000)  # a small one still finds room
     assert str(caught.value) == (
         f"{path} can't be written (File too large). What was measured is saved (blocks done: 1); make room on "
-        "the disk and start the scan again with the same output to go on."
+        "the disk and start it again with the same output to go on."
     )
     journal.save("block 1", b"y" * 200_000)
     journal.close()
