@@ -25,7 +25,14 @@ from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES, PieceState
 from ...imagery.statistics import DECIDED
 from . import messages
-from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
+from .acceptance_rules import (
+    FAILED_SHARE,
+    LONGEST_FAILURE,
+    MEASURED_SHARE,
+    AcceptanceRule,
+    AcceptanceRules,
+    limits_in_words,
+)
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
 from .delivery import Delivery, Seal, SheetState
 from .failure_runs import failure_runs, unknown_runs
@@ -333,19 +340,9 @@ def _why(
     reasons = [reason for reason, _ in doubts] + [rule.sentence for rule in outcomes if rule.passed is wanted]
     reasons += [reason for reason, _ in unsealed]
     if rules.is_of_file:
-        listed = reduce(lambda first, also: messages.WITH(first=first, also=also), _limits(rules))
-        reasons.append(messages.LIMITS_ARE(limits=listed))
+        reasons.append(messages.LIMITS_ARE(limits=limits_in_words(rules)))
     once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
     return reduce(lambda first, also: messages.AND(why=first, also=also), once)
-
-
-def _limits(rules: AcceptanceRules) -> Iterator[Message]:
-    """The limits that there are, and those that are missing."""
-    yield messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))
-    share, run = rules.limit(FAILED_SHARE), rules.limit(LONGEST_FAILURE)
-    yield messages.NO_LIMIT_OF_SHARE() if share is None else messages.LIMIT_OF_SHARE(limit=Stated(share))
-    yield messages.NO_LIMIT_OF_RUN() if run is None else messages.LIMIT_OF_RUN(limit=Stated(run))
-    yield messages.LIMIT_OF_MEASURED(limit=Stated(rules.limit(MEASURED_SHARE) or 0.0))
 
 
 def _advice_by_rules(

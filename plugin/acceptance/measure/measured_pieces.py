@@ -81,11 +81,13 @@ def metre_figures(
     }
     failed, failures = metres[PieceState.FAILED], [piece for piece in pieces if piece.state is PieceState.FAILED]
     lengths = {decided.piece.number: decided.piece.length_m for decided in pieces}
+    kept = (decided.piece.kept_1 for decided in pieces if decided.state in (PieceState.PASSED, PieceState.FAILED))
     return MetreFigures(
         name, len(pieces), len(failures), math.fsum(metres.values()),
         metres[PieceState.NO_DETAIL], metres[PieceState.PASSED] + failed, failed,
         math.fsum(decided.piece.length_m for decided in pieces if decided.is_unclear), _longest_m(runs, lengths),
         math.fsum(decided.piece.length_m for decided in failures if decided.is_unclear), _longest_m(unknown, lengths),
+        min((share for share in kept if share is not None), default=None),
     )  # fmt: skip
 
 

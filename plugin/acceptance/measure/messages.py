@@ -58,9 +58,11 @@ WITH = Message("{first}, {also}", INFO)
 LIMIT_OF_KEPT = Message("at least {limit:.0%} kept", INFO)
 LIMIT_OF_SHARE = Message("at most {limit:.2%} failed", INFO)
 NO_LIMIT_OF_SHARE = Message("no limit for the share that failed", INFO)
-LIMIT_OF_RUN = Message("at most {limit:.1f} m failed without a break", INFO)
+LIMIT_OF_RUN = Message("at most {limit:.1f} m without a break", INFO)
 NO_LIMIT_OF_RUN = Message("no limit for a failure without a break", INFO)
 LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
+SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql}", INFO)
+SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq} %", INFO)
 SHARE_KEPT = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
 SHARE_EXCEEDED = Message("{value:.2%} of the measured metres failed and only {limit:.2%} may", INFO)
 SHARE_OPEN = Message(
@@ -117,14 +119,15 @@ BORDER_WITHOUT_SEAM = Message(
 BORDER_HIDDEN = Message(
     "along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these "
     "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
-PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
-PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
+PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may", INFO)
+PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may", INFO)
 BY_AQL = Message(
-    "{standard}, lot of {lot}, code letter {letter}; {producers:.1%} of lots with {good} failing pieces, the AQL of "
-    "{aql}, are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted", INFO)
+    "{standard}, lot of {lot}, level {level}, AQL {aql}, code letter {letter}; {producers:.1%} of lots with {good} "
+    "failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted",
+    INFO)
 BY_LQ = Message(
-    "{standard}, isolated lot of {lot}; {consumers:.1%} of lots with {bad} failing pieces, the limiting quality of "
-    "{lq:g} %, are accepted, {producers:.1%} of those with {good} ({share:.1%}) are rejected", INFO)
+    "{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {producers:.1%} of lots with {good} failing pieces "
+    "({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
@@ -207,7 +210,6 @@ LAYER_LACKS_SEAMS = Message(
     "{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows "
     "have no line.", WARNING)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
-WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest "
     "failure of the delivery can't be determined from it.", INFO)

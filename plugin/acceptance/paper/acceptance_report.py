@@ -17,18 +17,18 @@ from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, syst
 from ...toolkit.resources import plugin_commit
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
-from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, PlanOutcome
+from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from ..measure.seen_ground import SeenGround
 from .charts import STATE_COLOURS, pale, profile_figure, seams_figure
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name
 from .paper_head import iso_date
 from .words import (
+    CHECKS,
     DIGEST_STANDARD,
     NOTHING,
     QUALITY_STANDARDS,
     SHEET_COLOURS,
-    check_word,
     failing_sentence,
     jnd_words,
     metres,
@@ -36,7 +36,6 @@ from .words import (
     outcome_title,
     outcome_value,
     outcome_word,
-    plan_words,
     share,
     share_beside,
     sheet_word,
@@ -97,7 +96,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         unknown_count=len(decision.unknown_runs),
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
-        plan=None if decision.plan is None else _plan_facts(decision.plan),
         layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
         images=_Listing.of(
@@ -299,15 +297,14 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
         words = tr("what the operator saw"), "", tr("no loss in the window of a piece")
         source = 0
     else:
-        kept = [piece.kept_1 for piece in decision.delivery.pieces if piece.kept_1 is not None]
         limit = decision.rules.least_kept
         least = filled(tr("at least {least} in each piece"), least=share_beside(limit, limit))
-        words = check_word(KEPT), share_beside(min(kept, default=None), limit), least
+        words = CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit), least
         source = 1 + sources.index(decision.rules.kept_source)
     yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
     for outcome in decision.outcomes:
         yield dict(zip(_RULE_KEYS, (
-            check_word(outcome.check), outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
+            CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
             outcome.passed is not True, 1 + sources.index(outcome.source),
         )))  # fmt: skip
 
@@ -406,23 +403,3 @@ def _pictures(
 def _image_title(name: str, dates: Mapping[str, str]) -> str:
     day = dates.get(name) or dates.get(name.rpartition(".")[0], "")
     return filled(tr("Orthoimage {name}"), name=f"{name} ({day})" if day else name)
-
-
-def _plan_facts(outcome: PlanOutcome) -> list[tuple[str, str]]:
-    plan, risk = outcome.plan, outcome.characteristic
-    facts = [
-        (tr("plan"), plan_words(plan)),
-        (tr("code letter"), plan.code_letter),
-        (tr("lot"), filled(tr("{count} pieces of seam"), count=plan.lot_size)),
-        (tr("sample"), filled(tr("{count} pieces of seam, of which {measured} were measured"),
-            count=plan.sample_size, measured=outcome.inspected)),
-        (tr("accepted up to"), filled(tr("{count} failed pieces in the sample"), count=plan.acceptance_number)),
-        (tr("found"), filled(tr("{count} failed pieces in the sample"), count=outcome.nonconforming)),
-        (tr("producer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is rejected"),
-            risk=share(risk.producers_risk, 1), quality=share(risk.good_quality, 1))),
-        (tr("consumer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is accepted"),
-            risk=share(risk.consumers_risk, 1), quality=share(risk.limiting_quality, 1))),
-    ]  # fmt: skip
-    if outcome.seed is not None:
-        facts.append((tr("seed of the drawing"), str(outcome.seed)))
-    return facts
