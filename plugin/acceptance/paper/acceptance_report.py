@@ -19,7 +19,8 @@ from ...toolkit.translation import band_title, filled, formatted, sentence, show
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from ..measure.seen_ground import SeenGround
-from .charts import STATE_COLOURS, pale, profile_figure, seams_figure
+from .charts import profile_figure
+from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name
 from .paper_head import iso_date
@@ -61,7 +62,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     decision, defects = record.decision, record.defects
     kept = () if decision.by_observer else (decision.rules.kept_source,)
     sources = list(dict.fromkeys([*kept, *(outcome.source for outcome in decision.outcomes)]))
-    figure = seams_figure(decision, defects[:MOST_ROWS], record.mosaics)
     sheet_words = [sheet_word(outcome, figures) for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)]
     parts = [*_parts(record)]
     texts = [_defect_text(defect, decision.rules.least_kept) for defect in defects[:MOST_ROWS]]
@@ -86,7 +86,8 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sheets_sentence=_sheets_sentence(sheet_words),
         whole=_sheet_row(decision.whole, "", decision.by_observer) if len(decision.sheets) > 1 else None,
         findings=[(sheet.name, "; ".join(sheet.findings)) for sheet in decision.delivery.outlines if sheet.findings],
-        map=None if figure is None else svg_text(figure),
+        map=decision_map(decision, defects[:MOST_ROWS], record.mosaics),
+        map_px=MAP_PX,
         map_legend=_legend(decision),
         is_sample=decision.delivery.sampled_numbers is not None,
         by_observer=decision.by_observer,
@@ -334,7 +335,7 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
         if not all(sheet.piece_count for sheet in decision.sheets):
             shown[None] = tr("No seams")
         entries += [
-            (pale(SHEET_COLOURS[outcome]), filled(tr("sheet: {verdict}"), verdict=word))
+            (SHEET_COLOURS[outcome], filled(tr("sheet: {verdict}"), verdict=word))
             for outcome, word in shown.items()
         ]
     return entries
