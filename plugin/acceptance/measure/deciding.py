@@ -306,22 +306,15 @@ def _open_ends(pieces: Sequence[DecidedPiece], rules: AcceptanceRules, figures: 
 
 def _rule_sentence(rule: AcceptanceRule, value: float, low: float, high: float, passed: bool | None) -> Message:
     """The outcome in words; ``passed``: None where it can't be told."""
-    limit, beyond = Stated(rule.limit), value if rule.is_least else Stated(value, rule.limit)
-    kept, broken, open_ = {
-        MEASURED_SHARE: (
-            messages.MEASURED_ENOUGH(value=value, limit=limit),
-            *[messages.MEASURED_TOO_LITTLE(value=beyond, limit=limit)] * 2,
-        ),
-        FAILED_SHARE: (
-            messages.SHARE_KEPT(value=value, limit=limit), messages.SHARE_EXCEEDED(value=beyond, limit=limit),
-            messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high),
-        ),
-        LONGEST_FAILURE: (
-            messages.RUN_KEPT(value=value, limit=limit), messages.RUN_EXCEEDED(value=beyond, limit=limit),
-            messages.RUN_OPEN(value=value, limit=limit, low=low, high=high),
-        ),
+    limit, shown = Stated(rule.limit), Stated(value, rule.limit) if passed is False else value
+    closed, open_ = {
+        MEASURED_SHARE: (messages.MEASURED, None),
+        FAILED_SHARE: (messages.SHARE_FAILED, messages.SHARE_OPEN),
+        LONGEST_FAILURE: (messages.RUN_FAILED, messages.RUN_OPEN),
     }[rule.check]
-    return open_ if passed is None else kept if passed else broken
+    if passed is None and open_ is not None:
+        return open_(value=value, limit=limit, low=low, high=high)
+    return closed(value=shown, limit=limit)
 
 
 def _of_sample(outcome: RuleOutcome) -> RuleOutcome:

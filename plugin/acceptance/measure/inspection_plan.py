@@ -108,8 +108,7 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     if passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
     else:
-        words = messages.PLAN_KEPT if passed else messages.PLAN_EXCEEDED
-        sentence = words(nonconforming=failed, inspected=outcome.inspected, limit=most)
+        sentence = messages.SAMPLE_FAILED(nonconforming=failed, inspected=outcome.inspected, limit=most)
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
 
 

@@ -253,7 +253,7 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
          filled(tr("{share} of the ground with texture"), share=share(ground.unexplained, 1)), ground.unexplained_at),
         (names[2], ground.nodata, share(ground.nodata, 1), ground.nodata_at),
     ):
-        where = filled(tr("; around {places}"), places="; ".join(map(str, places))) if places else ""
+        where = filled(tr("; around {places}"), places="; ".join(places)) if places else ""
         is_reason = decision.accepted is not True and figure > 0 and name != names[2]
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 

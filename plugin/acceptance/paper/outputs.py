@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from qgis.core import (
     QgsFeature,
+    QgsFeatureSink,
     QgsGeometry,
     QgsPointXY,
     QgsProcessingException,
@@ -19,7 +20,8 @@ from qgis.core import (
 )
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
-from ...imagery.open_raster import describe, describe_mosaic, placed
+from ...imagery.file_identity import local_states
+from ...imagery.open_raster import describe_mosaic
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.records import Column
 from ...toolkit.algorithms.run import Run
@@ -33,13 +35,11 @@ from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, defect_
 from .inspection_record import (
     Digest,
     InspectionRecord,
-    described_bands,
+    ScannedLoss,
     file_digests,
     listed_images,
-    mosaic_files,
     rated_images,
-    scan_settings,
-    scanned_sources,
+    scanned_loss,
     text_digest,
 )
 from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
@@ -47,9 +47,6 @@ from .words import rounded
 
 if TYPE_CHECKING:
     from .defect_files import Proving
-
-ScannedLoss = tuple[Raster, Mapping[str, str]]  # a picture of losses, and how its scan says it was measured
-
 
 @dataclass(frozen=True)
 class ReadFiles:
@@ -64,16 +61,16 @@ class ReadFiles:
 
 def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> dict[str, Any]:
     """Write what is wanted; what can't be written is told, and does not cost the decision."""
-    losses = read.losses
-    loss, settings = losses[0] if len(losses) == 1 else (None, next((scan for _, scan in losses), {}))
-    bands = () if loss is None else described_bands(loss.ref)
-    scanned = [path for raster, _ in losses for path in scanned_sources(raster.ref)]
+    loss = read.losses[0] if len(read.losses) == 1 else None
+    settings = next((scan.settings for scan in read.losses), {})
+    scanned = [path for scan in read.losses for path in scan.sources]
     report = run.file_path(REPORT)
     mosaics = _mosaics(run, read.mosaics) if run.parameters.get(DEFECTS) or report else ()
     images = proving.orthoimages(run, scanned, mosaics)
     record = InspectionRecord(
         decision, tuple((sheet, whole_path(address)) for sheet, address in read.seams), whole_path(read.windows),
-        whole_path(read.rules), mosaics, loss, settings, bands, stated_head(run),
+        whole_path(read.rules), mosaics, loss.raster if loss else None, settings, loss.bands if loss else (),
+        stated_head(run),
         listed_images(decision, (whole_path(image.path) for image in images)), radiometry=rated_images(run),
         report=str(report or ""),
     )
@@ -96,10 +93,10 @@ def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> di
 def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Digest, ...]:
     """Raises CancelledError where the paper is not wanted any more."""
     run.doing(tr("Digests of the files"))
-    paths = [*mosaic_files(read.mosaics), *([record.rules] if record.rules else [])]
-    files = file_digests(paths, run.goes_on)
+    paths = local_states(path for mosaic in read.mosaics for path in mosaic.paths)
+    files = file_digests([*paths, *filter(None, [record.rules])], run.goes_on)
     if files is None:
-        raise CancelledError(messages.DIGESTS_STOPPED())
+        raise CancelledError(messages.PAPER_STOPPED())
     layers = record.decision.delivery.layers
     digested = [layer for layer in layers if layer.digest]
     lists = [Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested]
@@ -111,13 +108,8 @@ def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Diges
 
 
 def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
-    crs = reference_system(decision.delivery.wkt)
-    layout = column_fields(SHEET_COLUMNS), QgsWkbTypes.Type.MultiPolygon, crs
-    try:
-        sink, destination = run.optional_sink(SHEETS_OUT, *layout)
-    except QgsProcessingException:
-        run.tell(messages.SHEETS_NOT_WRITTEN())
-        return {}
+    layout = column_fields(SHEET_COLUMNS), QgsWkbTypes.Type.MultiPolygon
+    sink, destination = _sink(run, SHEETS_OUT, tr("Decided sheets"), decision, *layout)
     if sink is None:
         return {}
     run.write(sink, sheet_features(decision))
@@ -125,13 +117,24 @@ def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
     return {SHEETS_OUT: destination}
 
 
+def _sink(
+    run: Run, output: str, title: str, decision: Decision, *layout: Any
+) -> tuple[QgsFeatureSink | None, str | None]:
+    """The sink of a layer and its destination; none where it is not wanted, or can't be written, which is told."""
+    try:
+        return run.optional_sink(output, *layout, reference_system(decision.delivery.wkt))
+    except QgsProcessingException:
+        run.tell(messages.LAYER_NOT_WRITTEN(name=title))
+        return None, None
+
+
 def scanned_losses(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
-    """The pictures of losses that a scan wrote, each with what it says of how it was measured; others are told."""
+    """The pictures of losses that a scan wrote; others are told."""
     losses: list[ScannedLoss] = []
     for ref in refs:
         try:
-            if settings := scan_settings(ref):
-                losses.append((placed(describe(ref)), settings))
+            if loss := scanned_loss(ref):
+                losses.append(loss)
             else:
                 run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
         except RasterError as error:
@@ -144,7 +147,7 @@ def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
     mosaics = []
     for ref in refs:
         try:
-            if scan_settings(ref):
+            if scanned_loss(ref):
                 run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
                 continue
             mosaics.append(describe_mosaic(ref))
@@ -158,13 +161,8 @@ def _write_defects(
     pictures: dict[int, DefectPicture],
 ) -> dict[str, Any]:
     """The layer; fills in the pictures by the failures' numbers, for the report too."""
-    try:
-        crs = reference_system(decision.delivery.wkt)
-        layout = column_fields(DEFECT_COLUMNS), QgsWkbTypes.Type.MultiLineString, crs
-        sink, destination = run.optional_sink(DEFECTS, *layout)
-    except QgsProcessingException:
-        run.tell(messages.DEFECTS_NOT_WRITTEN())
-        sink, destination = None, None
+    layout = column_fields(DEFECT_COLUMNS), QgsWkbTypes.Type.MultiLineString
+    sink, destination = _sink(run, DEFECTS, tr("Failures"), decision, *layout)
     if sink is None:
         _cut_pictures(run, defects, maker, pictures)
         return {}

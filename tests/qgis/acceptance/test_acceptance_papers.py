@@ -163,7 +163,7 @@ def test_a_run_that_is_stopped_leaves_no_layer_without_the_failures(tmp_path: Pa
     run("acceptmosaic", log, SEAMS=[seams(KEPT)], MOSAIC=[mosaic], **given)
     assert [row["length"] for row in rows(path)] == [75, 25]
     assert [row["picture"] for row in rows(path)] == [NULL, NULL]
-    assert any("The run was stopped: the failures have no pictures" in said for said in log.warnings + log.errors)
+    assert any("The run was stopped: there is neither report nor XML" in said for said in log.warnings + log.errors)
     assert not (tmp_path / "r.html").exists()
 
 
