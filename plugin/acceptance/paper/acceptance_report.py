@@ -44,7 +44,7 @@ from .words import (
 
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
 MOST_LAYERS = 40  # most layers of seams that are listed with where they were read from
-MOST_IMAGES = 1000  # listed with their dates: some 25 pages
+MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
 _LONG = 12  # rows of a list above which it is folded up
 _MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
@@ -85,7 +85,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sheets=[_sheet_row(*row, decision.by_observer) for row in zip(decision.sheets, sheet_words)],
         sheets_sentence=_sheets_sentence(sheet_words),
         whole=_sheet_row(decision.whole, "", decision.by_observer) if len(decision.sheets) > 1 else None,
-        findings=[(sheet.name, "; ".join(sheet.findings)) for sheet in decision.delivery.outlines if sheet.findings],
+        findings=record.faults,
         map=decision_map(decision, defects[:MOST_ROWS], record.mosaics),
         map_px=MAP_PX,
         map_legend=_legend(decision),
@@ -97,13 +97,10 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         unknown_count=len(decision.unknown_runs),
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
-        layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
-        layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
+        layers=_Listing.of(record.seams, 1, MOST_LAYERS),
         images=_Listing.of(
-            (image.path or image.name, iso_date(image.date), _bytes(image.size))
-            for image in record.images[:MOST_IMAGES]
+            (image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images
         ),
-        images_left_out=max(len(record.images) - MOST_IMAGES, 0),
         digests=_Listing.of((digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests),
         standards=[*_standards(decision, record)],
     )  # fmt: skip
@@ -116,18 +113,20 @@ class _Listing:
     folder: str  # that all files of a long list lie in, said once; empty where they lie in several
     rows: list[list[str]]  # files without that folder
     columns: int  # how many of it stand beside each other
+    left_out: int  # rows that are too many
 
     @classmethod
-    def of(cls, rows: Iterable[Sequence[str]], at: int = 0) -> _Listing:
+    def of(cls, rows: Iterable[Sequence[str]], at: int = 0, most: int = MOST_FILES) -> _Listing:
         """``at``: the place of the cell that names a file."""
-        listed = [[*row] for row in rows]
+        every = [[*row] for row in rows]
+        listed = every[:most]
         names = [row[at] for row in listed]
         folders = {name[: -len(file_name(name))] for name in names if file_name(name) != name}
         is_long = len(listed) > _LONG
         folder = folders.pop() if is_long and len(folders) == 1 else ""
         for row, name in zip(listed, names):
             row[at] = name[len(folder) :] if name.startswith(folder) else name
-        return cls(folder, listed, 3 if is_long and not folders else 1)
+        return cls(folder, listed, 3 if is_long and not folders else 1, len(every) - len(listed))
 
 
 def _how(record: InspectionRecord) -> HowMeasured:
@@ -201,7 +200,7 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
     if decision.whole.not_measured_m:
         yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
     yield from _ground_parts(decision)
-    faulty = sum(bool(sheet.findings) for sheet in decision.delivery.outlines)
+    faulty = len(record.faults)
     name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
         words = filled(tr("sheets with findings: {count} of {all}"), count=faulty, all=count)
@@ -209,10 +208,10 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         yield name, result, words, faulty > 0
     else:
         yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
-    outcomes = [image.outcome for image in record.radiometry]
-    worst = next((outcome for outcome in _WORST_FIRST if outcome in outcomes), None)
-    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(outcomes),
-        rejected=outcomes.count(AcceptanceOutcome.REJECTED), open=outcomes.count(AcceptanceOutcome.UNDECIDED))
+    rejected, undecided = (len(record.rated(outcome)) for outcome in _WORST_FIRST[:2])
+    worst = next((outcome for outcome in _WORST_FIRST if record.rated(outcome)), None)
+    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(record.radiometry),
+        rejected=rejected, open=undecided)
     if worst is None:
         yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
     else:
@@ -262,9 +261,8 @@ def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:
     """The images that are not accepted, those by the same limits together, the worst first."""
     for outcome in _WORST_FIRST[:2]:
         together: dict[tuple[str, ...], list[str]] = {}
-        for image in record.radiometry:
-            if image.outcome is outcome:
-                together.setdefault(image.failed_by, []).append(image.name)
+        for image in record.rated(outcome):
+            together.setdefault(image.failed_by, []).append(image.name)
         for failed_by, names in together.items():
             yield [outcome_title(outcome), "; ".join(failed_by) or NOTHING, ", ".join(names)]
 

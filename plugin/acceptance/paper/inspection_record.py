@@ -91,6 +91,15 @@ class InspectionRecord:
     def defects(self) -> tuple[Defect, ...]:
         return defects_of(self.decision)
 
+    @property
+    def faults(self) -> list[tuple[str, str]]:
+        """Sheets with what was found wrong with their files."""
+        return [(sheet.name, "; ".join(sheet.findings)) for sheet in self.decision.delivery.outlines if sheet.findings]
+
+    def rated(self, outcome: AcceptanceOutcome) -> list[RatedImage]:
+        """The images whose radiometry came out so."""
+        return [image for image in self.radiometry if image.outcome is outcome]
+
 
 @dataclass(frozen=True, eq=False)
 class ScannedLoss:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import uuid
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -164,35 +164,33 @@ def _risk(plan_outcome: PlanOutcome, inspected: Evaluation) -> QualityElement:
 
 def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
     """Files and radiometry, as far as they were checked: they do not change the decision."""
-    delivery = record.decision.delivery
-    if delivery.is_checked:
-        faults = [(sheet.name, "; ".join(sheet.findings)) for sheet in delivery.outlines if sheet.findings]
+    if record.decision.delivery.is_checked:
         yield QualityElement(
             USABILITY, "files", tr("completeness and form of the files"),
             tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
-            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")), (Quantity((len(faults),), ONE),),
-            Conformance(tr("form of the delivery"), _each_said(faults) or tr("No findings"), not faults),
+            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")),
+            (Quantity((len(record.faults),), ONE),),
+            Conformance(tr("form of the delivery"), _said(record.faults) or tr("No findings"), not record.faults),
         )
     if record.radiometry:
-        outcomes = [image.outcome for image in record.radiometry]
-        open_ = [image for image in record.radiometry if image.outcome is not AcceptanceOutcome.ACCEPTED]
-        failed_by = dict.fromkeys(source for image in open_ for source in image.failed_by)
-        counts = tuple(outcomes.count(outcome) for outcome in (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
-        said = [(image.name, "; ".join((outcome_title(image.outcome), *image.failed_by))) for image in open_]
+        rejected, undecided = map(record.rated, (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
+        failed_by = dict.fromkeys(source for image in (*rejected, *undecided) for source in image.failed_by)
+        words = ("; ".join((outcome_title(image.outcome), *image.failed_by)) for image in (*rejected, *undecided))
+        images = _said(zip((image.name for image in (*rejected, *undecided)), words))
         yield QualityElement(
             ACCURACY, "radiometry", tr("radiometry"),
             tr("Images beyond the limits of radiometry, and those for which it is unknown."),
             Evaluation(FULL, tr("All pixels of each image ('Check radiometry').")),
-            (Quantity(counts, ONE, tr("images rejected; images undecided")),),
+            (Quantity((len(rejected), len(undecided)), ONE, tr("images rejected; images undecided")),),
             Conformance(
-                "; ".join(failed_by) or tr("limits of radiometry"), _each_said(said) or tr("All images are accepted."),
-                False if counts[0] else None if counts[1] else True,
+                "; ".join(failed_by) or tr("limits of radiometry"), images or tr("All images are accepted."),
+                False if rejected else None if undecided else True,
             ),
         )
 
 
-def _each_said(said: Sequence[tuple[str, str]]) -> str:
-    return " ".join(f"{name}: {words}." for name, words in said)
+def _said(each: Iterable[tuple[str, str]]) -> str:
+    return " ".join(f"{name}: {words}." for name, words in each)
 
 
 def _conformance(outcome: RuleOutcome | None) -> Conformance | None:
