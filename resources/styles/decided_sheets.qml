@@ -67,7 +67,7 @@
       <text-style isExpression="0" fontFamily="DejaVu Sans" fontSize="6.5" fontSizeUnit="Point" fontWeight="50" fontItalic="0" textColor="64,72,80,255" textOpacity="1" fontKerning="1" multilineHeight="1" blendMode="0" fieldName="sheet">
         <text-buffer bufferDraw="1" bufferSize="0.6" bufferSizeUnits="MM" bufferColor="255,255,255,255" bufferOpacity="1" bufferNoFill="1" bufferJoinStyle="128" bufferBlendMode="0"/>
       </text-style>
-      <placement placement="1" quadOffset="8" xOffset="1" yOffset="1" offsetUnits="MM" dist="0" distUnits="MM" offsetType="0" priority="5" polygonPlacementFlags="2" placementFlags="10" preserveRotation="1" geometryGeneratorEnabled="1" geometryGeneratorType="PointGeometry" layerType="UnknownGeometry" geometryGenerator="with_variable('seen', intersection($geometry, transform(@map_extent, @map_crs, @layer_crs)), make_point(x_min(@seen), y_max(@seen)))"/>
+      <placement placement="1" quadOffset="8" xOffset="1" yOffset="1" offsetUnits="MM" dist="0" distUnits="MM" offsetType="0" priority="5" polygonPlacementFlags="2" placementFlags="10" preserveRotation="1" geometryGeneratorEnabled="1" geometryGeneratorType="PointGeometry" layerType="UnknownGeometry" geometryGenerator="make_point(x_min($geometry), y_max($geometry))"/>
       <rendering drawLabels="1" displayAll="0" obstacle="0" obstacleType="1" obstacleFactor="1" fontMaxPixelSize="10000" fontMinPixelSize="0" fontLimitPixelSize="0" limitNumLabels="0" maxNumLabels="2000" scaleVisibility="0" upsidedownLabels="0" unplacedVisibility="0" labelPerPart="0" mergeLines="0" minFeatureSize="0" zIndex="0"/>
     </settings>
   </labeling>

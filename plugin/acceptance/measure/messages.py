@@ -293,11 +293,10 @@ SOURCES_BELIEVED = Message(
     "The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: "
     "make sure that the mosaic was made from them.", INFO)
 SEAMS_GIVEN = Message(
-    "The seams of {name} are those of the given seamlines; a missing one is noticed only if it is longer than some 150 "
-    "pixels.",
-    INFO)
+    "The seams are those of the given seamlines ({name}); a missing one is noticed only if it is longer than some 150 "
+    "pixels.", INFO)
 SEAMS_FOUND = Message(
-    "In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
+    "The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer's "
     "seamlines to the scan to measure all of them.", WARNING)
 RADIOMETRY_NO_TABLE = Message(
     "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it.")

@@ -54,6 +54,7 @@ OUTCOME_STATES = {
 }  # fmt: skip
 """How the decision looks on the page."""
 _WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, AcceptanceOutcome.ACCEPTED
+_PALE = "59"  # opacity of a sheet's colour
 _RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
@@ -239,13 +240,16 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         for name in names:
             yield name, tr("Not checked"), tr("not stated in the layers of seams"), False
         return
-    given = tr("given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}")
-    without_given = tr("found: {judged}; borders without a measured seam: {unseen}")
-    words = filled(given if "given" in ground.seams else without_given, judged=metres(judged),
-        seen=metres(ground.seen_m(judged)), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
+    apart = ground.unseen_m + ground.unchanged_m
+    is_given = "given" in ground.seams
+    words = filled(tr("given: {judged}, found: {seen}") if is_given else tr("found: {judged}"), judged=metres(judged),
+        seen=metres(ground.seen_m(judged)))
+    if apart:
+        words += filled(tr("; found and not given: {unseen}, given and not found: {unchanged}") if is_given else (
+            tr("; borders without a measured seam: {unseen}")
+        ), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
     if ground.looked_at < 1:
         words += filled(tr("; looked at: {share} of the mosaic"), share=share(ground.looked_at, 0))
-    apart = ground.unseen_m + ground.unchanged_m
     for name, figure, figures, places in (
         (names[0], apart, words, ground.unseen_at),
         (names[1], ground.unexplained,
@@ -333,7 +337,7 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
         if not all(sheet.piece_count for sheet in decision.sheets):
             shown[None] = tr("No seams")
         entries += [
-            (SHEET_COLOURS[outcome], filled(tr("sheet: {verdict}"), verdict=word))
+            (SHEET_COLOURS[outcome] + _PALE, filled(tr("sheet: {verdict}"), verdict=word))
             for outcome, word in shown.items()
         ]
     return entries

@@ -135,6 +135,8 @@ def _draw_coordinates(painter: QPainter, settings: QgsMapSettings) -> None:
     size, (left, bottom, right, top) = settings.outputSize(), box_extent(settings.visibleExtent())
     painter.setPen(QPen(QColor(STATE_COLOURS[PieceState.PASSED]), 2))
     painter.drawRect(1, 1, size.width() - 2, size.height() - 2)
+    painter.setBackgroundMode(Qt.BGMode.OpaqueMode)
+    painter.setBackground(QColor(255, 255, 255, 190))
     step = round_below(max(right - left, top - bottom) / _TICKS)
     for low, high, place, inwards in (
         (left, right, lambda x: _pixel(settings, x, bottom), QPointF(0, -_INSET_PX)),
@@ -149,7 +151,7 @@ def _draw_scale_bar(painter: QPainter, rows: int, metres: float) -> None:
     """Draw a round length below the map on the left, north on the right; ``metres``: of a pixel."""
     length = round_below(0.25 * MAP_PX * metres)
     words = formatted(length / 1000, "g") + " km" if length >= 1000 else formatted(length, "g") + " m"
-    painter.fillRect(QRectF(_INSET_PX, rows + _INSET_PX, length / metres, _INSET_PX), Qt.GlobalColor.black)
+    painter.fillRect(QRectF(_INSET_PX, rows + _INSET_PX, length / metres, _INSET_PX / 2), Qt.GlobalColor.black)
     painter.setPen(Qt.GlobalColor.black)
     painter.drawText(_INSET_PX, rows + _STRIP_PX - _INSET_PX, words)
     painter.drawText(MAP_PX - 6 * _INSET_PX, rows + _STRIP_PX - 2 * _INSET_PX, "\u2191 " + tr("N"))
