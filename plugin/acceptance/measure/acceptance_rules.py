@@ -101,8 +101,8 @@ def limits_in_words(rules: AcceptanceRules) -> Message:
         parts.append(messages.NO_LIMIT_OF_RUN() if run is None else messages.LIMIT_OF_RUN(limit=Stated(run)))
     parts.append(messages.LIMIT_OF_MEASURED(limit=Stated(rules.limit(MEASURED_SHARE) or 0.0)))
     if sampling is not None:
-        parts.append(messages.SAMPLED_BY_LQ(lq=sampling.lq) if sampling.lq else (
-            messages.SAMPLED_BY_AQL(level=sampling.inspection_level, aql=sampling.aql)))
+        parts.append(messages.SAMPLED_BY_LQ(lq=float(sampling.lq)) if sampling.lq else (
+            messages.SAMPLED_BY_AQL(level=sampling.inspection_level, aql=float(sampling.aql))))
     return reduce(lambda first, also: messages.WITH(first=first, also=also), parts)
 
 

@@ -17,6 +17,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
+from typing import Optional
 
 import numpy as np
 
@@ -41,16 +42,19 @@ from .measured_pieces import (
     ends_within,
     is_unclear,
     known_within,
+    measured_with,
     metre_figures,
     seen_state,
     sheet_figures,
     state_of,
+    surely_failed_m,
     windows_over,
 )
 from .seen_ground import SeenGround, ground_sentences, unseen_seams
 
 _WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
 _NAMED = 3  # layers that a sentence names
+_SPARE = 0.05  # of the metres, by which forecasts of what will be measured may be too large
 
 
 def decide(
@@ -285,9 +289,12 @@ class _Ruling:
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
-        longest = self.figures.longest_failure_m or 0.0
-        failed = [decided for decided in self.longest if decided.state is PieceState.FAILED]
-        return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), max(
+        longest, failures = self.figures.longest_failure_m or 0.0, dict[Optional[int], list[DecidedPiece]]()
+        for decided in self.longest:
+            if decided.state is PieceState.FAILED:
+                failures.setdefault(decided.run, []).append(decided)
+        sure = max((surely_failed_m(run, self.rules.least_kept) for run in failures.values()), default=0.0)
+        return longest, min(sure, longest), max(
             longest, self.figures.longest_unknown_m, _hiding_m(self.pieces, self.rules.rule(LONGEST_FAILURE))
         )
 
@@ -351,7 +358,7 @@ def _advice_by_rules(
     if (lacking := whole.not_measured_m) and (MEASURED_SHARE in is_open or not whole.measured_m):
         wanted = max((rules.limit(MEASURED_SHARE) or 0.0) * whole.judged_m - whole.measured_m, 0.0)
         has_sources = any(states_in(layer.settings.get(SOURCE_FILES, "")) for layer in delivery.layers)
-        yield messages.WOULD_MEASURE(wanted=wanted, lacking=lacking) if has_sources else (
+        yield _longer_pieces(whole, pieces, rules, wanted) if has_sources else (
             messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
         )
     longest = is_open.get(LONGEST_FAILURE)
@@ -366,6 +373,22 @@ def _advice_by_rules(
         yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=allowed)
     if (count := sum(decided.is_unclear for decided in pieces)) and is_open:
         yield messages.WOULD_TELL_APART(count=count, metres=whole.unclear_m)
+
+
+def _longer_pieces(
+    whole: MetreFigures, pieces: Sequence[DecidedPiece], rules: AcceptanceRules, wanted: float
+) -> Message:
+    """The shortest pieces that would measure as much as is wanted, where they are short enough for the rules."""
+    longest = MOST_OF_RUN * (rules.limit(LONGEST_FAILURE) or math.inf)
+    typical = float(np.median([decided.piece.length_m for decided in pieces]))
+    lengths = [times * typical for times in (2, 4) if times * typical <= longest] or [typical]
+    shares = {length: measured_with(pieces, rules.least_kept, length) for length in lengths}
+    least = min((rules.limit(MEASURED_SHARE) or 0.0) + _SPARE, 1.0)
+    enough = [length for length, share in shares.items() if share >= least]
+    piece = min(enough, default=lengths[-1])
+    return (messages.WOULD_MEASURE if enough else messages.WOULD_JUDGE)(
+        wanted=wanted, lacking=whole.not_measured_m, piece=piece, share=shares[piece]
+    )
 
 
 def _layers(delivery: Delivery) -> Iterator[Message]:

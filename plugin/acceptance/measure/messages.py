@@ -61,8 +61,8 @@ NO_LIMIT_OF_SHARE = Message("no limit for the share that failed", INFO)
 LIMIT_OF_RUN = Message("at most {limit:.1f} m without a break", INFO)
 NO_LIMIT_OF_RUN = Message("no limit for a failure without a break", INFO)
 LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
-SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql}", INFO)
-SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq} %", INFO)
+SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql:g}", INFO)
+SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq:g} %", INFO)
 SHARE_FAILED = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
 SHARE_OPEN = Message(
     "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to "
@@ -117,7 +117,7 @@ BORDER_HIDDEN = Message(
     "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
 SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may", INFO)
 BY_AQL = Message(
-    "{standard}, lot of {lot}, level {level}, AQL {aql}, code letter {letter}; {producers:.1%} of lots with {good} "
+    "{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {producers:.1%} of lots with {good} "
     "failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted",
     INFO)
 BY_LQ = Message(
@@ -145,8 +145,13 @@ ROW_NOT_MEASURED = Message(
 MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
-    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field "
-    "'reason' of the seams says why; scan with longer pieces, or judge windows there by eye (JUDGE observer).", WARNING)
+    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
+    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured, or judge windows there by eye (JUDGE "
+    "observer).", WARNING)
+WOULD_JUDGE = Message(
+    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
+    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure, so judge windows there by eye "
+    "(JUDGE observer); the field 'reason' of the seams says why.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
     "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING)
