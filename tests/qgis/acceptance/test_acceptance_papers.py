@@ -129,7 +129,7 @@ def test_a_scan_without_some_orthoimages_is_told(tmp_path: Path, loss: str) -> N
         "found no orthoimage for 14\u00a0% of the mosaic, most of it around 500010.0, 5400020.0" in said
         for said in outcome.log.warnings
     )
-    assert any("the scan found the seams from the pixels" in said for said in outcome.log.warnings)
+    assert any("The scan found the seams from the pixels" in said for said in outcome.log.warnings)
     assert accept(LOSS=loss).log.warnings == []
 
 
