@@ -6,15 +6,13 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
 from typing import Any
 
 from ...imagery.rasters import Raster
 from ...imagery.seam_totals import PieceState
 from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.picture_files import encoded
-from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, system_name
-from ...toolkit.resources import plugin_commit
+from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
@@ -22,7 +20,7 @@ from ..measure.seen_ground import SeenGround
 from .charts import profile_figure
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
-from .inspection_record import InspectionRecord, file_name
+from .inspection_record import InspectionRecord, file_name, how_measured
 from .paper_head import iso_date
 from .words import (
     CHECKS,
@@ -70,7 +68,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     save_page(
         path,
         "acceptance",
-        _how(record),
+        how_measured(record),
         title=record.head.title or tr("Acceptance of an orthophoto mosaic"),
         head=[*record.head.rows],
         verdict=_verdict(decision, parts),
@@ -128,27 +126,6 @@ class _Listing:
         for row, name in zip(listed, names):
             row[at] = name[len(folder) :] if name.startswith(folder) else name
         return cls(folder, listed, 3 if is_long and not folders else 1, len(every) - len(listed))
-
-
-def _how(record: InspectionRecord) -> HowMeasured:
-    decision = record.decision
-    names = {
-        "wavelet": tr("wavelet"), "levels": tr("levels"), "density": tr("density"),
-        "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
-    }  # fmt: skip
-    settings = [
-        (tr("commit of the plugin"), plugin_commit()),
-        (tr("rules"), decision.rules.name),
-        (tr("file of the rules"), record.rules),
-        (tr("which pieces fail"), failing_sentence(decision)),
-        (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
-        *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
-        (tr("layer of windows"), record.windows),
-        (tr("reference system"), system_name(decision.delivery.wkt)),
-    ]
-    rasters = each_raster(tr("mosaic"), record.mosaics)
-    rasters += each_raster(tr("picture of losses"), [record.loss] if record.loss else [])
-    return HowMeasured(settings, rasters, record.made_at.date())
 
 
 def _verdict(decision: Decision, parts: Sequence[tuple[str, str, str, bool]]) -> tuple[str, str, str, str]:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
+from statistics import median
 from typing import Callable
 
 from ...imagery.documents import json_document
@@ -17,12 +18,15 @@ from ...imagery.open_raster import OpenRaster, placed
 from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
 from ...toolkit.layers import features
+from ...toolkit.pages.templates import HowMeasured, each_raster, system_name
+from ...toolkit.resources import plugin_commit
 from ...toolkit.table_fields import attributes, text, whole_number
 from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, defects_of
 from ..measure.delivery import in_words
 from .paper_head import RADIOMETRY, PaperHead
+from .words import failing_sentence, metres
 
 _SETTINGS_DOMAIN = "SEAM_INSPECTOR"  # as the scan writes it
 _LISTS = ("mosaic", "sources")  # of the settings: paths as JSON
@@ -99,6 +103,28 @@ class InspectionRecord:
     def rated(self, outcome: AcceptanceOutcome) -> list[RatedImage]:
         """The images whose radiometry came out so."""
         return [image for image in self.radiometry if image.outcome is outcome]
+
+
+def how_measured(record: InspectionRecord) -> HowMeasured:
+    """The settings and rasters that a decision rests on."""
+    decision = record.decision
+    names = {
+        "wavelet": tr("wavelet"), "levels": tr("levels"), "density": tr("density"),
+        "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
+    }  # fmt: skip
+    settings = [
+        (tr("commit of the plugin"), plugin_commit()),
+        (tr("rules"), decision.rules.name),
+        (tr("file of the rules"), record.rules),
+        (tr("which pieces fail"), failing_sentence(decision)),
+        (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
+        *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
+        (tr("layer of windows"), record.windows),
+        (tr("reference system"), system_name(decision.delivery.wkt)),
+    ]
+    rasters = each_raster(tr("mosaic"), record.mosaics)
+    rasters += each_raster(tr("picture of losses"), [record.loss] if record.loss else [])
+    return HowMeasured(settings, rasters, record.made_at.date())
 
 
 @dataclass(frozen=True, eq=False)

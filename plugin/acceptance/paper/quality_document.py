@@ -16,13 +16,13 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
-from ...toolkit.pages.templates import HowMeasured, environment, system_code, whole_path
+from ...toolkit.pages.templates import environment, system_code, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import AcceptanceOutcome, Decision, PlanOutcome, RuleOutcome
 from ..measure.delivery import extent_of
 from ..measure.inspection_plan import plan_sentence
-from .inspection_record import InspectionRecord
+from .inspection_record import InspectionRecord, how_measured
 from .words import CHECKS, failing_sentence, outcome_title, share
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
@@ -213,7 +213,7 @@ def save_quality_document(path: Path, record: InspectionRecord) -> None:
 
 
 def quality_document(record: InspectionRecord) -> str:
-    decision = record.decision
+    decision, how = record.decision, how_measured(record)
     sheets = decision.delivery.sheets
     names = ", ".join(sheets[:_NAMED]) + (f" (+{len(sheets) - _NAMED})" if len(sheets) > _NAMED else "")
     text = environment().get_template("quality.xml.j2").render(
@@ -231,8 +231,8 @@ def quality_document(record: InspectionRecord) -> str:
         loss=record.loss,
         loss_bands=record.loss_bands,
         loss_path=whole_path(record.loss.ref.path) if record.loss else "",
-        software=HowMeasured().software,
-        steps=list(_steps(record)),
+        software=how.software,
+        steps=[f"{name}: {value}" for name, value in how.settings if value],
         sources=_sources(record),
     )  # fmt: skip
     return _NO_XML.sub("\ufffd", text.lstrip())
@@ -247,15 +247,6 @@ def _in_degrees(decision: Decision) -> Extent | None:
     with suppress(RasterError):
         return extent_on(extent_of(vertices), decision.delivery.wkt, _DEGREES)
     return None
-
-
-def _steps(record: InspectionRecord) -> Iterator[str]:
-    if record.scan:
-        settings = ", ".join(f"{name} {value}" for name, value in record.scan.items())
-        yield filled(tr("The seams were measured (scanmosaic): {settings}."), settings=settings)
-    rules = record.decision.rules
-    yield filled(tr("The delivery was decided on (acceptmosaic) by the rules '{rules}'."), rules=rules.name)
-    yield failing_sentence(record.decision)
 
 
 def _sources(record: InspectionRecord) -> list[str]:
