@@ -21,7 +21,7 @@ from .charts import profile_figure
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
-from .paper_head import iso_date
+from .paper_head import head_rows, iso_date
 from .words import (
     CHECKS,
     DIGEST_STANDARD,
@@ -69,8 +69,8 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         path,
         "acceptance",
         how_measured(record),
-        title=record.head.title or tr("Acceptance of an orthophoto mosaic"),
-        head=[*record.head.rows],
+        title=record.title,
+        head=[*head_rows(record.head)],
         verdict=_verdict(decision, parts),
         advice=sentence(decision.sentences[1]) if is_undecided and len(decision.sentences) > 1 else "",
         failing=failing_sentence(decision),

@@ -25,7 +25,7 @@ from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, defects_of
 from ..measure.delivery import in_words
-from .paper_head import RADIOMETRY, PaperHead
+from .paper_head import RADIOMETRY, TITLE
 from .words import failing_sentence, metres
 
 _SETTINGS_DOMAIN = "SEAM_INSPECTOR"  # as the scan writes it
@@ -84,12 +84,16 @@ class InspectionRecord:
     loss: Raster | None = None  # the picture of losses of the scan
     scan: Mapping[str, str] = field(default_factory=dict)  # how the seams were measured: ``ScannedLoss.settings``
     loss_bands: tuple[str, ...] = ()  # names of the bands of the picture of losses
-    head: PaperHead = field(default_factory=PaperHead)  # which delivery it is of, under which contract
+    head: Mapping[str, str] = field(default_factory=dict)  # which delivery it is of, under which contract: stated_head
     images: tuple[ListedImage, ...] = ()  # the orthoimages, by name
     digests: tuple[Digest, ...] = ()  # digests of what was decided on; none where they were not wanted
     radiometry: tuple[RatedImage, ...] = ()  # the images whose radiometry was checked; none where it was not
     report: str = ""  # the page that is written beside the XML; empty for none
     made_at: datetime = field(default_factory=lambda: datetime.now(timezone.utc).replace(microsecond=0))
+
+    @property
+    def title(self) -> str:
+        return self.head.get(TITLE) or tr("Acceptance of an orthophoto mosaic")
 
     @property
     def defects(self) -> tuple[Defect, ...]:

@@ -23,6 +23,7 @@ from ..measure.decision import AcceptanceOutcome, Decision, PlanOutcome, RuleOut
 from ..measure.delivery import extent_of
 from ..measure.inspection_plan import plan_sentence
 from .inspection_record import InspectionRecord, how_measured
+from .paper_head import head_rows
 from .words import CHECKS, failing_sentence, outcome_title, share
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
@@ -221,8 +222,8 @@ def quality_document(record: InspectionRecord) -> str:
         language=_LANGUAGES.get(language(), "eng"),
         moment=record.made_at.isoformat(),
         sheets=sheets,
-        title=f"{record.head.title or tr('Acceptance of an orthophoto mosaic')}: {names}",
-        head="; ".join(f"{name}: {value}" for name, value in record.head.rows),
+        title=f"{record.title}: {names}",
+        head="; ".join(f"{name}: {value}" for name, value in head_rows(record.head)),
         sentences=[*map(sentence, decision.sentences)],
         system=system_code(decision.delivery.wkt),
         extent=_in_degrees(decision),
