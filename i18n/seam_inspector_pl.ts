@@ -89,7 +89,7 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="90"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
@@ -99,7 +99,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="93"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -479,7 +479,7 @@
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="125"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="129"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -1434,7 +1434,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
@@ -2244,7 +2244,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="103"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
@@ -3795,7 +3795,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="220"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="224"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -4253,7 +4253,7 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/decision_map.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/decision_map.py" line="156"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4733,7 +4733,7 @@
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="112"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="98"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
@@ -5885,12 +5885,12 @@
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="112"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="112"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -6790,7 +6790,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="121"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -7090,32 +7090,32 @@
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="91"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="160"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="112"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="120"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="124"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="125"/>
         <source>The figures and the decision for a metadata catalogue: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
@@ -7160,42 +7160,42 @@
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="112"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="113"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="117"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="113"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="117"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="118"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="122"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="119"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="123"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="126"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="127"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="130"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
@@ -7255,27 +7255,27 @@
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="94"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="95"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="94"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="95"/>
         <source>Whether the delivery meets the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="95"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="96"/>
         <source>All rules together: the delivery is accepted if none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="127"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="128"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
         <source>Each piece of seam: what the operator saw in its window.</source>
         <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
     </message>
@@ -7295,12 +7295,12 @@
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="119"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="120"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="125"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
@@ -7310,17 +7310,17 @@
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="159"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="160"/>
         <source>risks of the plan of sampling</source>
         <translation>ryzyka planu kontroli wyrywkowej</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="162"/>
         <source>producer&apos;s risk; limiting quality</source>
         <translation>ryzyko dostawcy; jakość graniczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="116"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="117"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -8065,7 +8065,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="72"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="96"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -9481,67 +9481,67 @@
         <translation>arkusz: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="95"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="90"/>
         <source>Digests of the files</source>
         <translation>Skróty kryptograficzne plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="102"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
         <source>rows of {layer}</source>
         <translation>wiersze warstwy {layer}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="106"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="101"/>
         <source>list of orthoimages</source>
         <translation>lista ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Title of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Contract</source>
         <translation>Umowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Number of the order or contract that the delivery belongs to.</source>
         <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Producer</source>
         <translation>Wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Who made the delivery.</source>
         <translation>Kto wykonał dostawę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Client</source>
         <translation>Zamawiający</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Who ordered the delivery and decides on it.</source>
         <translation>Kto zamówił dostawę i o niej decyduje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Delivery</source>
         <translation>Dostawa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>What the delivery is called.</source>
         <translation>Nazwa dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="31"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="30"/>
         <source>Date of the delivery</source>
         <translation>Data dostawy</translation>
     </message>
@@ -9566,22 +9566,22 @@
         <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="113"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="99"/>
         <source>As the scan wrote it; one for each sheet if they were scanned separately, in the order of SEAMS. The XML refers to it. It also says with which orthoimages and settings the seams were measured, if their layer does not.</source>
         <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="108"/>
         <source>SHA-256 of the mosaic&apos;s files, the seams, the rules and the list of orthoimages, for the report and the XML. It takes as long as reading the files once.</source>
         <translation>SHA-256 plików ortofotomapy, linii mozaikowania, reguł i listy ortoobrazów, do raportu i XML. Trwa tyle, ile jednokrotne odczytanie plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="117"/>
         <source>One polygon for each sheet, with its verdict by the same limits and its metres.</source>
         <translation>Jeden poligon na każdy arkusz, z oceną według tych samych granic i z metrami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="112"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="107"/>
         <source>Decided sheets</source>
         <translation>Ocenione arkusze</translation>
     </message>
@@ -9825,7 +9825,7 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="120"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
@@ -9875,12 +9875,12 @@
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="154"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="155"/>
         <source>Producer&apos;s risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer&apos;s risk).</source>
         <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy, w której udział niezgodnych odcinków wynosi {good}. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem {risk} (ryzyko odbiorcy).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="118"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="104"/>
         <source>The table that &apos;Check radiometry&apos; made of the sheets: its result is shown on the cover beside the decision, which it does not change.</source>
         <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
     </message>
@@ -10331,32 +10331,32 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="171"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="172"/>
         <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
         <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="174"/>
         <source>form of the delivery</source>
         <translation>postać dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="184"/>
         <source>All pixels of each image (&apos;Check radiometry&apos;).</source>
         <translation>Wszystkie piksele każdego obrazu („Sprawdź radiometrię”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="185"/>
         <source>images rejected; images undecided</source>
         <translation>obrazy odrzucone; obrazy nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="187"/>
         <source>limits of radiometry</source>
         <translation>wymagania radiometrii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="187"/>
         <source>All images are accepted.</source>
         <translation>Wszystkie obrazy przyjęto.</translation>
     </message>
@@ -10450,12 +10450,12 @@
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="170"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="171"/>
         <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
         <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="183"/>
         <source>Images beyond the limits of radiometry, and those for which it is unknown.</source>
         <translation>Obrazy, które nie spełniają wymagań radiometrii, oraz te, których nie da się ocenić.</translation>
     </message>
@@ -10465,7 +10465,7 @@
         <translation>za mało</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="94"/>
         <source>The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
     </message>
@@ -10851,7 +10851,7 @@
         <translation>niejasne: {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="32"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="31"/>
         <source>2026-11-23 or 23.11.2026; the report uses the first form.</source>
         <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
     </message>
@@ -11497,7 +11497,7 @@
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="124"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
     </message>

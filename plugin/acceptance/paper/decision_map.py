@@ -45,7 +45,7 @@ from ...toolkit.translation import formatted, tr
 from ..measure.decision import DecidedPiece, Decision, Defect
 from ..measure.delivery import extent_of
 from .defect_files import DEFECT_COLUMNS, defect_features
-from .outputs import SHEET_COLUMNS, sheet_features
+from .sheet_layer import SHEET_COLUMNS, sheet_features
 
 STATE_COLOURS = {
     PieceState.NO_DETAIL: "#b9bec4", PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9",
@@ -74,8 +74,7 @@ def decision_map(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
     for set_dots in (image.setDotsPerMeterX, image.setDotsPerMeterY):
         set_dots(round(_DPI / 0.0254))
     settings, layers = QgsMapSettings(), [*_layers(decision, defects)]
-    settings.setLayers(layers)
-    settings.setDestinationCrs(layers[0].crs())
+    settings.setLayers(layers)  # all of one system, so that the map needs none
     settings.setExtent(box)
     settings.setOutputSize(QSize(MAP_PX, rows))
     settings.setOutputDpi(_DPI)

@@ -2,17 +2,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from qgis.core import (
-    QgsFeature,
     QgsFeatureSink,
-    QgsGeometry,
-    QgsPointXY,
     QgsProcessingException,
     QgsProcessingUtils,
     QgsProviderRegistry,
@@ -23,14 +19,13 @@ from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.file_identity import local_states
 from ...imagery.open_raster import describe_mosaic
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.records import Column
 from ...toolkit.algorithms.run import Run
 from ...toolkit.pages.templates import whole_path
 from ...toolkit.reference_systems import reference_system
-from ...toolkit.table_fields import column_features, column_fields
+from ...toolkit.table_fields import column_fields
 from ...toolkit.translation import filled, tr
 from ..measure import messages
-from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
+from ..measure.decision import Decision, Defect
 from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, defect_features, save_pictures
 from .inspection_record import (
     Digest,
@@ -43,7 +38,7 @@ from .inspection_record import (
     text_digest,
 )
 from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
-from .words import rounded
+from .sheet_layer import SHEET_COLUMNS, sheet_features
 
 if TYPE_CHECKING:
     from .defect_files import Proving
@@ -206,57 +201,3 @@ def _cut_pictures(
         run.tell(messages.PICTURES_MISSING(count=missing))
     if len(defects) > len(shown):
         run.tell(messages.PICTURES_LIMITED(shown=len(shown), count=len(defects)))
-
-
-@dataclass(frozen=True, eq=False)
-class _DecidedSheet:
-    figures: MetreFigures
-    outcome: AcceptanceOutcome | None  # None without seams, or where the delivery was decided on by a sample
-    findings: tuple[str, ...]  # what is wrong with its file; none where that was not looked at
-
-
-def _word(sheet: _DecidedSheet) -> str | None:
-    if not sheet.figures.piece_count:
-        return _NO_SEAMS
-    return sheet.outcome.value if sheet.outcome else None
-
-
-_NO_SEAMS = "no_seams"
-SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
-    Column("sheet", "text", lambda sheet: sheet.figures.name),
-    Column("verdict", "text", _word),
-    Column("length", "real", lambda sheet: rounded(sheet.figures.total_m)),
-    Column("measured", "real", lambda sheet: rounded(sheet.figures.measured_m)),
-    Column("failed", "real", lambda sheet: rounded(sheet.figures.failed_m)),
-    Column("failed_share", "real", lambda sheet: (
-        None if sheet.figures.failed_share is None else rounded(100 * sheet.figures.failed_share)
-    )),
-    Column("longest_failure", "real", lambda sheet: rounded(sheet.figures.longest_failure_m)),
-    Column("pieces", "integer", lambda sheet: sheet.figures.piece_count),
-    Column("failed_pieces", "integer", lambda sheet: sheet.figures.failed_count),
-    Column("findings", "text", lambda sheet: "; ".join(sheet.findings) or None),
-)
-
-
-def sheet_features(decision: Decision) -> Iterator[QgsFeature]:
-    """In the order of ``decision.sheets``; a sheet of which no place is known has no outline."""
-    rings = decision.delivery.sheet_rings()
-    findings = {sheet.name: sheet.findings for sheet in decision.delivery.outlines}
-    rows = [
-        _DecidedSheet(figures, outcome, findings.get(figures.name, ()))
-        for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)
-    ]
-    for row, feature in zip(rows, column_features(SHEET_COLUMNS, rows)):
-        if outline := rings.get(row.figures.name):
-            feature.setGeometry(_polygon(outline))
-        yield feature
-
-
-def _polygon(rings: Sequence[np.ndarray]) -> QgsGeometry:
-    """What lies within an odd number of rings: parts lie beside each other, holes within parts."""
-    shape = QgsGeometry()
-    for ring in rings:
-        part = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in ring.tolist()]])
-        shape = part if shape.isNull() else shape.symDifference(part)
-    shape.convertToMultiType()
-    return shape
