@@ -314,14 +314,19 @@ def _open_ends(pieces: Sequence[DecidedPiece], rules: AcceptanceRules, figures: 
 def _rule_sentence(rule: AcceptanceRule, value: float, low: float, high: float, passed: bool | None) -> Message:
     """The outcome in words; ``passed``: None where it can't be told."""
     limit, shown = Stated(rule.limit), Stated(value, rule.limit) if passed is False else value
+    if rule.check == MEASURED_SHARE:
+        return messages.MEASURED(value=value, limit=limit)
     closed, open_ = {
-        MEASURED_SHARE: (messages.MEASURED, None),
-        FAILED_SHARE: (messages.SHARE_FAILED, messages.SHARE_OPEN),
-        LONGEST_FAILURE: (messages.RUN_FAILED, messages.RUN_OPEN),
+        FAILED_SHARE: (
+            messages.SHARE_FAILED(value=shown, limit=limit),
+            messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high),
+        ),
+        LONGEST_FAILURE: (
+            messages.RUN_FAILED(value=shown, limit=limit),
+            messages.RUN_OPEN(value=value, limit=limit, low=low, high=high),
+        ),
     }[rule.check]
-    if passed is None and open_ is not None:
-        return open_(value=value, limit=limit, low=low, high=high)
-    return closed(value=shown, limit=limit)
+    return open_ if passed is None else closed
 
 
 def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
@@ -386,8 +391,9 @@ def _longer_pieces(
     least = min((rules.limit(MEASURED_SHARE) or 0.0) + _SPARE, 1.0)
     enough = [length for length, share in shares.items() if share >= least]
     piece = min(enough, default=lengths[-1])
-    return (messages.WOULD_MEASURE if enough else messages.WOULD_JUDGE)(
-        wanted=wanted, lacking=whole.not_measured_m, piece=piece, share=shares[piece]
+    lacking, share = whole.not_measured_m, shares[piece]
+    return messages.WOULD_MEASURE(wanted=wanted, lacking=lacking, piece=piece, share=share) if enough else (
+        messages.WOULD_JUDGE(wanted=wanted, lacking=lacking, piece=piece, share=share)
     )
 
 

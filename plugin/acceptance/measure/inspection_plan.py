@@ -50,19 +50,21 @@ def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
 
 def plan_sentence(plan: SamplingPlan) -> Message:
     """How many pieces are inspected and may fail, by which standard, and what is risked; of a whole lot nothing is."""
-    risks, lot = operating_characteristic(plan), {"standard": plan.standard, "lot": plan.lot_size}
-    figures = {
-        "producers": risks.producers_risk, "good": round(risks.good_quality * plan.lot_size),
-        "share": risks.good_quality, "consumers": risks.consumers_risk,
-        "bad": round(risks.limiting_quality * plan.lot_size), "limiting": risks.limiting_quality,
-    }  # fmt: skip
+    risks = operating_characteristic(plan)
+    good, bad = round(risks.good_quality * plan.lot_size), round(risks.limiting_quality * plan.lot_size)
+    by_risk = messages.RISKS(
+        good=good, share=risks.good_quality, producers=risks.producers_risk, bad=bad, limiting=risks.limiting_quality,
+        consumers=risks.consumers_risk,
+    )  # fmt: skip
     if plan.is_whole_lot:
-        words = messages.WITHOUT_SAMPLE(**lot)
+        words = messages.WITHOUT_SAMPLE(standard=plan.standard, lot=plan.lot_size)
     elif plan.lq is not None:
-        words = messages.BY_LQ(lq=plan.lq, **lot, **figures)
+        words = messages.BY_LQ(standard=plan.standard, lot=plan.lot_size, lq=plan.lq, risks=by_risk)
     else:
-        level = {"level": plan.inspection_level, "aql": plan.aql, "letter": plan.code_letter}
-        words = messages.BY_AQL(**lot, **level, **figures)
+        words = messages.BY_AQL(
+            standard=plan.standard, lot=plan.lot_size, level=plan.inspection_level, aql=plan.aql,
+            letter=plan.code_letter, risks=by_risk,
+        )  # fmt: skip
     size, most = plan.sample_size, plan.acceptance_number
     return messages.PLANNED_BY_STANDARD(size=size, lot=plan.lot_size, acceptance=most, plan=words)
 

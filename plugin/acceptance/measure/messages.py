@@ -116,13 +116,11 @@ BORDER_HIDDEN = Message(
     "along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these "
     "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
 SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may", INFO)
-BY_AQL = Message(
-    "{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {producers:.1%} of lots with {good} "
-    "failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted",
-    INFO)
-BY_LQ = Message(
-    "{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {producers:.1%} of lots with {good} failing pieces "
-    "({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted", INFO)
+BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}", INFO)
+BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}", INFO)
+RISKS = Message(
+    "{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with "
+    "{bad} ({limiting:.1%}) are accepted", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
@@ -262,7 +260,7 @@ LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
 
 
-LAYER_NOT_WRITTEN = Message(
+RESULT_NOT_WRITTEN = Message(
     "The layer '{name}' can't be written; choose another folder, and close the file where it is open.")
 PICTURES_NOT_WRITTEN = Message(
     "The folder {folder} can't be written ({error}), so the layer of failures has no pictures.")

@@ -119,7 +119,7 @@ def _sink(
     try:
         return run.optional_sink(output, *layout, reference_system(decision.delivery.wkt))
     except QgsProcessingException:
-        run.tell(messages.LAYER_NOT_WRITTEN(name=title))
+        run.tell(messages.RESULT_NOT_WRITTEN(name=title))
         return None, None
 
 
