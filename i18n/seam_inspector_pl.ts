@@ -89,7 +89,7 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="90"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
@@ -99,7 +99,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="93"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -479,7 +479,7 @@
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="129"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -739,7 +739,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="296"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -1434,7 +1434,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
@@ -2244,7 +2244,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="103"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
@@ -3697,7 +3697,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="305"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -3781,12 +3781,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="140"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="140"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -3795,7 +3795,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="202"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="224"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -3840,12 +3840,12 @@
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="117"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="117"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4253,7 +4253,7 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="234"/>
+        <location filename="../plugin/acceptance/paper/decision_map.py" line="156"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4733,7 +4733,7 @@
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="112"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="98"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
@@ -5438,7 +5438,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="79"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="63"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -5885,12 +5885,12 @@
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -6335,7 +6335,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="160"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="156"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -6790,7 +6790,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="121"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -7040,372 +7040,287 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="44"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="28"/>
         <source>least: {least:g}</source>
         <translation>najmniej: {least:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="47"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="31"/>
         <source>failed: {share:.2f} %</source>
         <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="33"/>
         <source>share of detail kept (kept_1)</source>
         <translation>zachowana część detali (kept_1)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="50"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="34"/>
         <source>metres that kept less (%)</source>
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="109"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="111"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
-        <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
-        <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>{name} is not the picture of losses of a scan and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
-        <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
-        <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="91"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="125"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="160"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="112"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="120"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="124"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="125"/>
         <source>The figures and the decision for a metadata catalogue: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="12"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="43"/>
         <source>least detail kept</source>
         <translation>najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="13"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="32"/>
         <source>share of the seams that failed</source>
         <translation>niezgodna część linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="14"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="37"/>
         <source>longest failure without a break</source>
         <translation>najdłuższa nieprzerwana usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="15"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="52"/>
         <source>share of the seams that was measured</source>
         <translation>zmierzona część linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="16"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="48"/>
         <source>failed pieces in the sample</source>
         <translation>niezgodne odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="101"/>
         <source>A piece of seam fails where the operator saw a loss in its window, whatever it kept.</source>
         <translation>Odcinek jest niezgodny tam, gdzie operator widział stratę w jego oknie, niezależnie od tego, ile zachował.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="83"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="103"/>
         <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="119"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="139"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="290"/>
-        <source>The seams were measured (scanmosaic): {settings}.</source>
-        <translation>Linie mozaikowania zmierzono (scanmosaic): {settings}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="292"/>
-        <source>The delivery was decided on (acceptmosaic) by the rules &apos;{rules}&apos;.</source>
-        <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="117"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="117"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="122"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="123"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="126"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="127"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="130"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="275"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="277"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="277"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="281"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="414"/>
-        <source>plan</source>
-        <translation>plan</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="415"/>
-        <source>code letter</source>
-        <translation>znak literowy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
-        <source>lot</source>
-        <translation>partia</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="416"/>
-        <source>{count} pieces of seam</source>
-        <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="417"/>
-        <source>sample</source>
-        <translation>próba</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="417"/>
-        <source>{count} pieces of seam, of which {measured} were measured</source>
-        <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="419"/>
-        <source>accepted up to</source>
-        <translation>przyjęcie do</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="419"/>
-        <source>{count} failed pieces in the sample</source>
-        <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="420"/>
-        <source>found</source>
-        <translation>stwierdzono</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="421"/>
-        <source>producer&apos;s risk</source>
-        <translation>ryzyko dostawcy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="423"/>
-        <source>consumer&apos;s risk</source>
-        <translation>ryzyko odbiorcy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="427"/>
-        <source>seed of the drawing</source>
-        <translation>ziarno losowania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="103"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="95"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="103"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="95"/>
         <source>Whether the delivery meets the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="96"/>
         <source>All rules together: the delivery is accepted if none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="114"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="128"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
         <source>Each piece of seam: what the operator saw in its window.</source>
         <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="33"/>
         <source>Length of the pieces of seam that failed, divided by the measured length.</source>
         <translation>Długość niezgodnych odcinków względem długości zmierzonej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="38"/>
         <source>Length of the longest row of failed pieces that follow each other without a break, across sheets too.</source>
         <translation>Długość najdłuższego nieprzerwanego ciągu niezgodnych odcinków, także przez granice arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="44"/>
         <source>Share of the finest detail of the orthoimages that is left in the piece of seam that kept least.</source>
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="195"/>
-        <source>Drawn at random with the seed {seed}.</source>
-        <translation>Wylosowano z ziarnem losowania {seed}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="198"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="120"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="125"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="48"/>
         <source>Pieces of seam in the sample that failed.</source>
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="160"/>
         <source>risks of the plan of sampling</source>
         <translation>ryzyka planu kontroli wyrywkowej</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="162"/>
         <source>producer&apos;s risk; limiting quality</source>
         <translation>ryzyko dostawcy; jakość graniczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="221"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="117"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -7520,44 +7435,34 @@
         <translation>{why}; {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
-        <source>{value:.2%} of the measured metres failed and only {limit:.2%} may</source>
-        <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
-        <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
-        <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
@@ -7655,32 +7560,22 @@
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
-        <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
-        <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
-        <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
-        <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, but {line:.1f} m along the line); the field is used, so check that it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
@@ -7855,42 +7750,42 @@
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="217"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="203"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="217"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="203"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="145"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="141"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="146"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="142"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="149"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="145"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="157"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="153"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="158"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="154"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="161"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="157"/>
         <source>Starts the random draw: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -8170,7 +8065,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="74"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="96"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -8208,7 +8103,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -8268,10 +8163,6 @@
     <message>
         <source>Pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy najdłuższych usterek: {shown} z {count}.</translation>
-    </message>
-    <message>
-        <source>The plan of sampling and its risk</source>
-        <translation>Plan kontroli i jego ryzyko</translation>
     </message>
     <message>
         <source>seams read from</source>
@@ -8454,11 +8345,6 @@
         <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="423"/>
-        <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
-        <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
         <source>ISO 2859-1, level II, AQL 1.0</source>
@@ -9395,317 +9281,307 @@
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to {high:.2%}</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
         <source>{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
         <source>{metres:.0f} m of seam are missing</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
         <source>The layers of seams were measured with different settings: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
         <source>{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
-        <source>The run was stopped: there is neither report nor XML.</source>
-        <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
-        <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
-        <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
         <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
         <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
         <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="276"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="305"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="408"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="385"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="259"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="386"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="386"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
         <source>Its orthoimages, cut hard</source>
-        <translation>Te same ortoobrazy, cięte ostro</translation>
+        <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="317"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="98"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="90"/>
         <source>Digests of the files</source>
         <translation>Skróty kryptograficzne plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
         <source>rows of {layer}</source>
         <translation>wiersze warstwy {layer}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="101"/>
         <source>list of orthoimages</source>
         <translation>lista ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Title of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Contract</source>
         <translation>Umowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Number of the order or contract that the delivery belongs to.</source>
         <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Producer</source>
         <translation>Wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Who made the delivery.</source>
         <translation>Kto wykonał dostawę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Client</source>
         <translation>Zamawiający</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Who ordered the delivery and decides on it.</source>
         <translation>Kto zamówił dostawę i o niej decyduje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Delivery</source>
         <translation>Dostawa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>What the delivery is called.</source>
         <translation>Nazwa dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="31"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="30"/>
         <source>Date of the delivery</source>
         <translation>Data dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="225"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="53"/>
         <source>Length of seam that could be measured, divided by the length of all seams on ground with detail.</source>
         <translation>Długość linii mozaikowania, którą dało się zmierzyć, do długości wszystkich linii mozaikowania w terenie z detalami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="19"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="59"/>
         <source>Accepted</source>
         <translation>Przyjęto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="20"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="60"/>
         <source>Rejected</source>
         <translation>Odrzucono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="21"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="61"/>
         <source>Undecided</source>
         <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="113"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="99"/>
         <source>As the scan wrote it; one for each sheet if they were scanned separately, in the order of SEAMS. The XML refers to it. It also says with which orthoimages and settings the seams were measured, if their layer does not.</source>
         <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="108"/>
         <source>SHA-256 of the mosaic&apos;s files, the seams, the rules and the list of orthoimages, for the report and the XML. It takes as long as reading the files once.</source>
         <translation>SHA-256 plików ortofotomapy, linii mozaikowania, reguł i listy ortoobrazów, do raportu i XML. Trwa tyle, ile jednokrotne odczytanie plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="117"/>
         <source>One polygon for each sheet, with its verdict by the same limits and its metres.</source>
         <translation>Jeden poligon na każdy arkusz, z oceną według tych samych granic i z metrami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="130"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="107"/>
         <source>Decided sheets</source>
         <translation>Ocenione arkusze</translation>
     </message>
@@ -9949,7 +9825,7 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="120"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
@@ -9974,27 +9850,7 @@
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
-        <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
-        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
-        <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
-        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
-        <source>{standard}, lot of {lot}, code letter {letter}; {producers:.1%} of lots with {good} failing pieces, the AQL of {aql}, are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
-        <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
-        <source>{standard}, isolated lot of {lot}; {consumers:.1%} of lots with {bad} failing pieces, the limiting quality of {lq:g} %, are accepted, {producers:.1%} of those with {good} ({share:.1%}) are rejected</source>
-        <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
@@ -10004,52 +9860,37 @@
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
         <source>images rejected: {rejected}, undecided: {open} of {all}</source>
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="421"/>
-        <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
-        <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="193"/>
-        <source>accepted up to {most} failed pieces.</source>
-        <translation>przyjęcie do {most} niezgodnych odcinków.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="155"/>
         <source>Producer&apos;s risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer&apos;s risk).</source>
         <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy, w której udział niezgodnych odcinków wynosi {good}. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem {risk} (ryzyko odbiorcy).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="42"/>
-        <source>{standard}, single sampling of an isolated lot (procedure A), limiting quality {lq:g} %</source>
-        <translation>{standard}, plan jednostopniowy dla partii izolowanej (procedura A), jakość graniczna {lq:g} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="118"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="104"/>
         <source>The table that &apos;Check radiometry&apos; made of the sheets: its result is shown on the cover beside the decision, which it does not change.</source>
         <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="153"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="149"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, by ISO 2859-2: at least three times the percentage that you want.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="152"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="148"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -10350,11 +10191,6 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
-        <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
-        <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
-    </message>
-    <message>
         <location filename="../plugin/imagery/messages.py" line="16"/>
         <source>{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it again.</source>
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
@@ -10495,32 +10331,32 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="172"/>
         <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
         <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="174"/>
         <source>form of the delivery</source>
         <translation>postać dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="184"/>
         <source>All pixels of each image (&apos;Check radiometry&apos;).</source>
         <translation>Wszystkie piksele każdego obrazu („Sprawdź radiometrię”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="170"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="185"/>
         <source>images rejected; images undecided</source>
         <translation>obrazy odrzucone; obrazy nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="172"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="187"/>
         <source>limits of radiometry</source>
         <translation>wymagania radiometrii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="172"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="187"/>
         <source>All images are accepted.</source>
         <translation>Wszystkie obrazy przyjęto.</translation>
     </message>
@@ -10579,14 +10415,9 @@
         <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="69"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
-        <source>the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m</source>
-        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
@@ -10599,47 +10430,42 @@
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
-        <source>only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can&apos;t be decided</source>
-        <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
         <source>{parameter} is &apos;{value}&apos;, which is not a date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="156"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="171"/>
         <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
         <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="168"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="183"/>
         <source>Images beyond the limits of radiometry, and those for which it is unknown.</source>
         <translation>Obrazy, które nie spełniają wymagań radiometrii, oraz te, których nie da się ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="119"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="139"/>
         <source>too little</source>
         <translation>za mało</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="94"/>
         <source>The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
     </message>
@@ -10649,7 +10475,7 @@
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="150"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="146"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -11015,42 +10841,42 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="139"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="135"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="338"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="32"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="31"/>
         <source>2026-11-23 or 23.11.2026; the report uses the first form.</source>
         <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="48"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="50"/>
         <source>below it a loss is called significant</source>
         <translation>poniżej niej strata uchodzi za istotną</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="49"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="51"/>
         <source>Beeldmateriaal (NL) lets 2 % deviate if it is not contiguous</source>
         <translation>Beeldmateriaal (NL) dopuszcza 2 % odstępstw, jeśli nie są ciągłe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="50"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="52"/>
         <source>half a standard window of 100 m</source>
         <translation>połowa standardowego okna 100 m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="51"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="53"/>
         <source>nothing is accepted on a guess</source>
         <translation>niczego nie przyjmuje się na podstawie domysłu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="110"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="112"/>
         <source>the software&apos;s default ({parameter}): {origin}</source>
         <translation>wartość domyślna programu ({parameter}): {origin}</translation>
     </message>
@@ -11104,12 +10930,12 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
         <source>rows of {name} were changed: {metres:.0f} m that failed in its scan now pass</source>
         <translation>w warstwie {name} zmieniono wiersze tak, że {metres:.0f} m zakwestionowanych przez skan przechodzi pomyślnie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
         <source>parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
@@ -11394,157 +11220,147 @@
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>{share:.2%} of the mosaic of {name} could not be read, for example around {place}</source>
         <translation>nie udało się odczytać {share:.2%} ortofotomapy {name}, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
         <source>sheets of which nothing was measured: {count} ({names})</source>
         <translation>arkusze, z których niczego nie zmierzono: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>sheets that are missing in the mosaic that was scanned: {count} ({names})</source>
         <translation>arkusze, których brakuje w zeskanowanej ortofotomapie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>sheets whose pixels can&apos;t all be read: {count} ({names})</source>
         <translation>arkusze, których pikseli nie da się w całości odczytać: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
         <source>sheets that differ from others where they overlap, which nobody has checked: {count} ({names})</source>
         <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
         <source>layers of seams have another reference system than their scan gave them: {count} ({names})</source>
         <translation>warstwy linii mozaikowania w innym układzie współrzędnych, niż nadało im skanowanie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
         <source>layers of seams without the seal of a scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania bez pieczęci skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
         <source>the files given are not the ones that were scanned: {names}</source>
         <translation>podano pliki, które nie są tymi, które skanowano: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
         <source>files were changed since they were scanned: {count} ({names})</source>
         <translation>pliki zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
         <source>files of the scanned mosaic can no longer be found: {count} ({names})</source>
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
         <source>{judged:.0f} m of seam are judged, but the scan saw the orthoimage change along {seen:.0f} m: {unseen:.0f} m of these are not counted (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
         <source>A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Ciąg odcinków, których nie zmierzono, wraz z niezgodnymi wśród nich, jest dłuższy, niż może być usterka: {metres:.1f} m w miejscu {x:.1f}, {y:.1f} w {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="143"/>
         <source>There are {count} more such rows.</source>
         <translation>Dalszych takich ciągów: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="171"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the layer of a sheet without seams.</source>
         <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the decision can&apos;t be repeated.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="300"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
-        <source>given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}</source>
-        <translation>podane: {judged}, znalezione: {seen}; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="245"/>
-        <source>found: {judged}; borders without a measured seam: {unseen}</source>
-        <translation>znalezione: {judged}; granice, o których nie mówi żadna linia mozaikowania: {unseen}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="249"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="229"/>
         <source>; looked at: {share} of the mosaic</source>
         <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="233"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
         <source>; around {places}</source>
         <translation>; przy {places}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -11656,11 +11472,6 @@
         <translation>bez granicy udziału niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
-        <source>at most {limit:.1f} m failed without a break</source>
-        <translation>najwyżej {limit:.1f} m niezgodnych bez przerwy</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
         <source>no limit for a failure without a break</source>
         <translation>bez granicy długości nieprzerwanej usterki</translation>
@@ -11676,22 +11487,22 @@
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz odcinki mają do {metres:.1f} m, co może ukryć dłuższą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
         <source>layers of seams whose mosaics are not given: {count} ({names})</source>
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
         <source>Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are unknown: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="124"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
@@ -11701,7 +11512,7 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="110"/>
         <source>{judged:.0f} m of seam are judged, but along {unchanged:.0f} m of them both sides show the same orthoimage; {limit:.0%} may differ</source>
         <translation>oceniono {judged:.0f} m linii mozaikowania, a na {unchanged:.0f} m z nich ortofotomapa nie zmienia ortoobrazu; różnica może wynosić {limit:.0%}</translation>
     </message>
@@ -11846,122 +11657,112 @@
         <translation>reguł „{rules}”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
         <source>What was not measured is assumed to be as good as the rest. If all of it failed, {worst:.1%} would fail, and {limit:.1%} may.</source>
         <translation>Przyjęto, że to, czego nie zmierzono, jest tak dobre jak reszta. Gdyby wszystko to było niezgodne, niezgodnych byłoby {worst:.1%}, a może być {limit:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, or judge windows there by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy po ich bokach albo oceń tam okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>What would decide it: a verdict on the pieces whose intervals include the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye (JUDGE observer).</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają granicę ({metres:.0f} m, odcinki: {count}). Oceń na nich okna wzrokowo (JUDGE observer).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki dla ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer); pole &apos;reason&apos; linii mozaikowania mówi, dlaczego nie zmierzono każdego z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
         <source>What would decide it: layers without what was scanned twice.</source>
         <translation>Co by rozstrzygnęło: warstwy bez tego, co zeskanowano dwukrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are not counted and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>Skanowanie {name} nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
         <source>The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
         <translation>Ortofotomapa {name} przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
         <source>Along {metres:.0f} m of the seamlines given for {name} the mosaic shows the same orthoimage on both sides; they are not seams.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania podanych dla {name} ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
         <source>Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.</source>
         <translation>Wewnątrz swojego obrysu {share:.1%} ortofotomapy {name} nie ma pikseli, najwięcej w okolicy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
         <source>Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.</source>
         <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
         <source>The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
-        <source>The seams of {name} are those of the given seamlines; a missing one is noticed only if it is longer than some 150 pixels.</source>
-        <translation>Linie mozaikowania {name} są podane; brakującą widać, gdy jest dłuższa niż około 150 pikseli.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>Judged in the bands: {bands}</source>
         <translation>Oceniono w kanałach: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>of these may keep enough (95 %)</source>
         <translation>z nich może zachować dość (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="396"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="373"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="396"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="373"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="44"/>
-        <source>{standard}, single sampling, level {level}, AQL {aql}</source>
-        <translation>{standard}, plan jednostopniowy, poziom {level}, AQL {aql}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="72"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="92"/>
         <source>{loss}, not visible</source>
         <translation>{loss}, niewidoczna</translation>
     </message>
@@ -11974,21 +11775,6 @@
         <location filename="../plugin/acceptance/planinspection.py" line="46"/>
         <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; count, as many as you choose.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; count – taka, jaką podasz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="95"/>
-        <source>at least {MIN_KEPT} % kept, at most {MAX_SHARE} % failed, at most {MAX_RUN} m without a break, at least {MIN_MEASURED} % measured</source>
-        <translation>zachowane co najmniej {MIN_KEPT} %, najwyżej {MAX_SHARE} % niezgodnych, najwyżej {MAX_RUN} m bez przerwy, zmierzone co najmniej {MIN_MEASURED} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="97"/>
-        <source>at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled at level {INSPECTION_LEVEL}, AQL {AQL}</source>
-        <translation>zachowane co najmniej {MIN_KEPT} %, zmierzone co najmniej {MIN_MEASURED} %, próba na poziomie {INSPECTION_LEVEL}, AQL {AQL}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="99"/>
-        <source>at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled as an isolated lot, LQ {LQ} %</source>
-        <translation>zachowane co najmniej {MIN_KEPT} %, zmierzone co najmniej {MIN_MEASURED} %, próba jak z partii izolowanej, LQ {LQ} %</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="30"/>
@@ -12156,12 +11942,12 @@
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
@@ -12186,12 +11972,12 @@
         <translation>Uzasadnienie słowami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
         <source>some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: {names}</source>
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
         <source>What would decide it: a scan with the complete orthoimages as rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
@@ -12406,12 +12192,8 @@
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
     <message>
-        <source>In the pictures dashes mark the failure. The frame marks the middle of the piece that kept least; beside it, at 2x: the mosaic, its orthoimages cut hard, and each orthoimage. Marks at the edges show where the seam enters and leaves; chequers mark ground without data. The curve is the scan&apos;s own measurement of that piece: grey is the strip that is judged, the thick line what is kept in it, the red one the limit.</source>
-        <translation>Na obrazach wzdłuż usterki biegnie linia przerywana. W obwódce jest środek odcinka, który zachował najmniej: obok w powiększeniu 2×, tak jak ma go ortofotomapa, jak dają go jej ortoobrazy cięte ostro, i same ortoobrazy. Znaki na krawędziach wskazują, gdzie linia mozaikowania wchodzi i wychodzi; szachownica jest tam, gdzie nie ma danych. Krzywa to pomiar tego odcinka przez skanowanie: szary jest oceniany pas, gruba linia to, co się w nim zachowało, czerwona to granica.</translation>
-    </message>
-    <message>
         <source>Kept by the worst piece, by distance from the seam</source>
-        <translation>Zachowane przez najgorszy odcinek, według odległości od linii mozaikowania</translation>
+        <translation>Zachowane w najgorszym odcinku, według odległości od linii</translation>
     </message>
     <message>
         <source>kept by its pieces, one after the other: {pieces}</source>
@@ -12437,44 +12219,34 @@
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
-        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field &apos;reason&apos; of the seams says why; scan with longer pieces, or judge windows there by eye (JUDGE observer).</source>
-        <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Pole &apos;reason&apos; linii mozaikowania mówi dlaczego; skanuj z dłuższymi odcinkami albo oceń tam okna wzrokowo (JUDGE observer).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
         <source>What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all seamlines, or with none.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the present files.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece may pass although a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all belong to the delivery.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
-        <source>In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s seamlines to the scan to measure all of them.</source>
-        <translation>W {name} linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z podanymi liniami wykonawcy metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="36"/>
@@ -12630,6 +12402,100 @@
         <location filename="../plugin/imagery/messages.py" line="18"/>
         <source>{name} is closed; open it again to read it.</source>
         <translation>Plik {name} jest zamknięty; otwórz go ponownie, aby go odczytać.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
+        <source>at most {limit:.1f} m without a break</source>
+        <translation>najwyżej {limit:.1f} m bez przerwy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may</source>
+        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <source>kept_1 of {count} pieces of {name} is no share that a seam can keep (such as &apos;{value}&apos;; write 86 % as 0.86); they count as not measured.</source>
+        <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; na przykład „{value}”; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <source>The layer &apos;{name}&apos; can&apos;t be written; choose another folder, and close the file where it is open.</source>
+        <translation>Nie można zapisać warstwy „{name}”; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
+        <source>The seams are those of the given seamlines ({name}); a missing one is noticed only if it is longer than some 150 pixels.</source>
+        <translation>Linie mozaikowania są podane ({name}); brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
+        <source>The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer&apos;s seamlines to the scan to measure all of them.</source>
+        <translation>Linie mozaikowania znaleziono z pikseli ({name}), a szerokie wtapianie część z nich ukrywa. Podaj przy skanowaniu linie od wykonawcy, aby zmierzyć wszystkie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
+        <source>The run was stopped: there is neither report nor XML, and the failures may have no pictures.</source>
+        <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="222"/>
+        <source>given: {judged}, found: {seen}</source>
+        <translation>podane: {judged}, znalezione: {seen}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="222"/>
+        <source>found: {judged}</source>
+        <translation>znalezione: {judged}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="225"/>
+        <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
+        <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <source>; borders without a measured seam: {unseen}</source>
+        <translation>; granice bez zmierzonej linii: {unseen}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
+        <source>sampled at level {level}, AQL {aql:g}</source>
+        <translation>próba według poziomu {level}, AQL {aql:g}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
+        <source>sampled as an isolated lot, LQ {lq:g} %</source>
+        <translation>próba z partii izolowanej, LQ {lq:g} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
+        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with pieces of {piece:.0f} m, with which some {share:.0%} would be measured, or judge windows there by eye (JUDGE observer).</source>
+        <translation>Co by to rozstrzygnęło: zmierzenie co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Skanuj z odcinkami po {piece:.0f} m, co pozwoli zmierzyć około {share:.0%}, albo oceń tam okna na oko (JUDGE observer).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
+        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of {piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure, so judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why.</source>
+        <translation>Co by to rozstrzygnęło: zmierzenie co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Odcinki po {piece:.0f} m pozwoliłyby zmierzyć około {share:.0%}, a dłuższe mogą ukryć usterkę, więc oceń tam okna na oko (JUDGE observer); pole &apos;reason&apos; linii podaje przyczynę.</translation>
+    </message>
+    <message>
+        <source>Dashes mark the failure, the frame the middle of the piece that kept least. Beside it at 2x: the mosaic, its orthoimages cut hard, and each orthoimage; marks at the edges show the seam, chequers ground without data. The curve is what the scan measured of that piece: grey is the judged strip, the thick line what is kept in it, red the limit.</source>
+        <translation>Linia przerywana biegnie wzdłuż usterki, w ramce jest środek odcinka, który zachował najmniej. Obok w powiększeniu 2×: ortofotomapa, jej ortoobrazy cięte ostro i każdy ortoobraz; znaki na krawędziach wskazują linię mozaikowania, szachownica brak danych. Krzywa to pomiar tego odcinka przez skanowanie: szary jest oceniany pas, gruba linia to, co się w nim zachowało, czerwona to granica.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <source>{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}</source>
+        <translation>{standard}, liczność partii {lot}, poziom {level}, AQL {aql:g}, znak literowy {letter}; {risks}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
+        <source>{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}</source>
+        <translation>{standard}, partia izolowana o liczności {lot}, jakość graniczna {lq:g} %; {risks}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
+        <source>{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
+        <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
 </context>
 </TS>

@@ -4,7 +4,6 @@ The decision knows no orthoimages and the inspection no decisions; here the two 
 """
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -25,8 +24,7 @@ if TYPE_CHECKING:
     from .toolkit.algorithms.run import Run
 
 _MOST_IMAGES = 2
-_AROUND_M = 40.0  # side of the ground by which orthoimages are cut: it tells which of them is followed where
-_SNAPPED_PX = 8  # windows are trimmed to a multiple of it
+_AROUND_PX = 416, 272, 176  # sides of ground that tells which orthoimage is followed where: less where pixels lack
 
 
 class ProvenAcceptMosaic(AcceptMosaic):
@@ -67,8 +65,8 @@ class ProvenAcceptMosaic(AcceptMosaic):
 
 
 def proof_panels(block: Block, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:
-    """A part of the mosaic, of its orthoimages and of their cut, by what is measured in the 40 m around it; empty where
-    no orthoimage shows it.
+    """A part of the mosaic, of its orthoimages and of their cut, by what is measured around it; empty where no
+    orthoimage shows it.
 
     ``sides``: what the two orthoimages beside the seam are called; those of other names that lie there are left out
     where both are found.
@@ -76,17 +74,18 @@ def proof_panels(block: Block, part: PixelWindow, sides: tuple[str, str]) -> Seq
     from .seams.measure.window.inspection import InspectionSettings, window_request
 
     grid = block.mosaic.grid
-    more = max(math.ceil(_AROUND_M / grid.ground_sample_distance) - part.width, 0) // 2 + _SNAPPED_PX
-    around = PixelWindow(part.column - more, part.row - more, part.width + 2 * more, part.height + 2 * more)
-    around = around.moved_into(grid.columns, grid.rows).cut_to(grid.columns, grid.rows)
-    request = window_request(block, 1, grid.window_extent(around), InspectionSettings())
-    window, sources = request.window, _beside(request.sources, sides)
-    if window is None or not sources:
-        return ()
-    row, column = part.row - window.row, part.column - window.column
-    if min(row, column) < 0 or row + part.height > window.height or column + part.width > window.width:
-        return ()
-    panels = tuple(_panels(replace(request, sources=sources), (row, column, part.width, part.height)))
+    panels: tuple[ProofPanel, ...] = ()
+    for side_px in _AROUND_PX:
+        around = part.with_margin((side_px - part.width) // 2).moved_into(grid.columns, grid.rows)
+        extent = grid.window_extent(around.cut_to(grid.columns, grid.rows))
+        request = window_request(block, 1, extent, InspectionSettings())
+        window, sources = request.window, _beside(request.sources, sides)
+        if window is None or not sources or min(map(min, window.margins_of(part))) < 0:
+            continue
+        place = part.row - window.row, part.column - window.column, part.width, part.height
+        panels = max(panels, tuple(_panels(replace(request, sources=sources), place)), key=len)
+        if len(panels) > 1 + min(len(sources), _MOST_IMAGES):  # with the cut
+            break
     return panels if len(panels) > 1 else ()
 
 

@@ -164,7 +164,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         delivery, notices = read_delivery(self._seams, run.context.transformContext())
         run.tell(*notices)
         self._scans = scanned_losses(run, self._losses)
-        delivery = with_sheets(with_settings(delivery, [settings for _, settings in self._scans]), run)
+        delivery = with_sheets(with_settings(delivery, [scan.settings for scan in self._scans]), run)
         delivery = replace(delivery, files=file_doubts(
             delivery.layers, _paths(self._mosaics), _paths(self._images), [layer.folder for layer in self._seams]
         ))  # fmt: skip

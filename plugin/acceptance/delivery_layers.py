@@ -29,11 +29,11 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
-from ..imagery.seam_totals import TOTALS_DOMAIN, possible_kept
+from ..imagery.seam_totals import TOTALS_DOMAIN
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import known_system, reference_system, transformation
-from ..toolkit.table_fields import Attributes, attributes, number, text, whole_number
+from ..toolkit.table_fields import Attributes, attributes, text, whole_number
 from ..toolkit.translation import tr
 from .measure import messages
 from .measure.delivered_rows import LayerDoubts, united_delivery
@@ -60,9 +60,8 @@ def judged_windows(
         if extent is not None:
             windows.append(
                 SeenWindow(
-                    text(row["window_id"]) or text(row.feature.id()), extent, text(row["cause"]), text(row["causes"]),
-                    text(row["verdict"]), possible_kept(number(row["kept_1"])), text(row["observer"]),
-                    text(row["observer_2"]), text(row["remark"]), text(row["remark_2"]),
+                    text(row["window_id"]) or text(row.feature.id()), extent,
+                    *(text(row[name]) for name in ("cause", "verdict", "observer", "observer_2", "remark", "remark_2")),
                 )
             )
     if not any(

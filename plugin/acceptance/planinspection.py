@@ -92,20 +92,18 @@ class PlanInspection(SeamInspectorAlgorithm):
         self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .measure.inspection_plan import drawn_sample
-        from .planned_sample import delivered_lot, planned, write_sample
+        from .measure.inspection_plan import drawn_sample, plan_sentence, rule_plan
+        from .planned_sample import delivered_lot, write_sample
 
         run.tell(*self._notices)
         delivery, lot = delivered_lot(run, self._seams, self._mosaic, run.text(SHEET_FIELD), run.real(PIECE))
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
-        plan, count = None, min(run.whole(COUNT), size)
-        if run.word(stated.PLAN) != BY_COUNT:
-            plan, said = planned(run, size)
-            count = plan.sample_size
-        sample = drawn_sample(lot, count, run.whole(SEED))
-        run.tell(said if plan else messages.PLANNED_BY_COUNT(size=len(sample), lot=size))
+        rule = stated.sampling_rule(run)
+        plan = None if rule is None else rule_plan(size, rule)
+        sample = drawn_sample(lot, min(run.whole(COUNT), size) if plan is None else plan.sample_size, run.whole(SEED))
+        run.tell(plan_sentence(plan) if plan else messages.PLANNED_BY_COUNT(size=len(sample), lot=size))
         if plan is not None and len(sample) < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))
         on = None if self._mosaic is None or run.word(UNIT) != WINDOWS else (self._mosaic, run.real(SIDE))

@@ -27,13 +27,11 @@ from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system, transformation
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
-from . import stated_rules as stated
 from .delivery_layers import SeamLayer, common_system, read_delivery
 from .measure import messages
 from .measure.delivered_rows import united_settings
 from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order, metres_in_unit
-from .measure.inspection_plan import cut_pieces, operating_characteristic, plan_sentence
-from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
+from .measure.inspection_plan import cut_pieces
 from .sheet_index import with_sheets
 
 _STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
@@ -114,18 +112,6 @@ def delivered_lot(
     if len(placed) < len(delivery.pieces):
         run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(placed)))
     return delivery, placed
-
-
-def planned(run: Run, size: int) -> tuple[SamplingPlan, Message]:
-    """The plan of a standard for a lot of a size, and in words how many are inspected, and what that risks."""
-    if run.word(stated.PLAN) == stated.ISOLATED:
-        plan = isolated_lot_plan(size, stated.standard_quality(run, stated.LQ))
-    else:
-        plan = single_sampling_plan(size, stated.standard_quality(run, stated.AQL), run.word(stated.INSPECTION_LEVEL))
-    return plan, messages.PLANNED_BY_STANDARD(
-        size=plan.sample_size, lot=size, acceptance=plan.acceptance_number,
-        plan=plan_sentence(plan, operating_characteristic(plan)),
-    )
 
 
 def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow:

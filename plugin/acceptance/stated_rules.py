@@ -1,6 +1,7 @@
 """The rules that a run's parameters state: ready ones, a file, or limits one by one; never two of these at once."""
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.run import Run
-from ..toolkit.translation import filled, formatted, tr
+from ..toolkit.translation import filled, sentence, tr
 from .measure import acceptance_rules as limits
 from .measure import messages
 from .measure.acceptance_rules import (
@@ -21,6 +22,7 @@ from .measure.acceptance_rules import (
     AcceptanceRule,
     AcceptanceRules,
     SamplingRule,
+    limits_in_words,
     load_acceptance_rules,
     ready_files,
 )
@@ -60,7 +62,7 @@ def stated_rules(run: Run) -> AcceptanceRules:
     if path and ready:
         raise SettingsError(messages.TWO_RULES(ready=ready, name=Path(path).name))
     if not path and not ready:
-        return _of_parameters(given)
+        return _of_parameters(run, given)
     rules = in_users_language(load_acceptance_rules(Path(path) if path else ready_files()[ready]))
     said = _as_parameters(rules)
     for name, value in given.items():
@@ -78,6 +80,14 @@ def standard_quality(run: Run, name: str) -> str:
     return word_of(run.raster_value(name), known) or usual
 
 
+def sampling_rule(run: Run, source: str = "") -> SamplingRule | None:
+    """The plan of a standard that a run asks for; None where it asks for none."""
+    plan = run.word(PLAN)
+    if plan == ISOLATED:
+        return SamplingRule("", "", source, standard_quality(run, LQ))
+    return SamplingRule(standard_quality(run, AQL), run.word(INSPECTION_LEVEL), source) if plan == ISO2859 else None
+
+
 def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
     """For QGIS's own check: qualities that are numbers, or written in another way, as the standard's words."""
     words = {name: word_of(parameters.get(name), known) for name, (known, _) in QUALITIES.items()}
@@ -91,38 +101,24 @@ def _given(run: Run) -> dict[str, Any]:
     }  # fmt: skip
 
 
-_NAMES = {
-    ALL: QT_TR_NOOP("at least {MIN_KEPT} % kept, at most {MAX_SHARE} % failed, at most {MAX_RUN} m without a break, at "
-                    "least {MIN_MEASURED} % measured"),
-    ISO2859: QT_TR_NOOP("at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled at level "
-                        "{INSPECTION_LEVEL}, AQL {AQL}"),
-    ISOLATED: QT_TR_NOOP("at least {MIN_KEPT} % kept, at least {MIN_MEASURED} % measured, sampled as an isolated lot, "
-                         "LQ {LQ} %"),
-}  # fmt: skip
 _CHECKS = {MAX_SHARE: (FAILED_SHARE, 100), MAX_RUN: (LONGEST_FAILURE, 1), MIN_MEASURED: (MEASURED_SHARE, 100)}
 """What each limit is of, and how many of the parameter's units are one of the rule's."""
 
 
-def _of_parameters(given: dict[str, Any]) -> AcceptanceRules:
+def _of_parameters(run: Run, given: dict[str, Any]) -> AcceptanceRules:
     def source(name: str) -> str:
         if given[name] != DEFAULTS[name]:
             return filled(tr("stated for this decision ({parameter})"), parameter=name)
         text = tr("the software's default ({parameter}): {origin}")
         return filled(text, parameter=name, origin=tr(_ORIGINS[name]))
 
-    plan, shown = given[PLAN], {**given, MIN_KEPT: 100 * given[MIN_KEPT]}
-    numbers = {name: float(value) if name in (AQL, LQ) else value for name, value in shown.items()}
-    words = {name: formatted(number, "g") if isinstance(number, float) else number for name, number in numbers.items()}
-    sampling = None
-    if plan == ISO2859:
-        sampling = SamplingRule(given[AQL], given[INSPECTION_LEVEL], source(PLAN))
-    elif plan == ISOLATED:
-        sampling = SamplingRule("", "", source(PLAN), given[LQ])
-    rules = tuple(
+    sampling = None if given[PLAN] == ALL else sampling_rule(run, source(PLAN))
+    ruled = tuple(
         AcceptanceRule(check, given[name] / scale, source(name)) for name, (check, scale) in _CHECKS.items()
-        if plan == ALL or name == MIN_MEASURED
+        if sampling is None or name == MIN_MEASURED
     )
-    return AcceptanceRules(filled(tr(_NAMES[plan]), **words), given[MIN_KEPT], source(MIN_KEPT), rules, sampling)
+    rules = AcceptanceRules("", given[MIN_KEPT], source(MIN_KEPT), ruled, sampling)
+    return replace(rules, name=sentence(limits_in_words(rules)))
 
 
 def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:

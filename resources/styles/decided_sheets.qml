@@ -1,5 +1,5 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis version="3.22.16-Białowieża" styleCategories="Symbology|MapTips">
+<qgis version="3.22.16-Białowieża" labelsEnabled="1" styleCategories="Symbology|Labeling|MapTips">
   <renderer-v2 attr="verdict" symbollevels="0" type="categorizedSymbol" forceraster="0" referencescale="-1" enableorderby="0">
     <categories>
       <category value="accepted" label="Accepted" symbol="0" render="true"/>
@@ -62,6 +62,15 @@
       </symbol>
     </symbols>
   </renderer-v2>
+  <labeling type="simple">
+    <settings calloutType="simple">
+      <text-style isExpression="0" fontFamily="DejaVu Sans" fontSize="6.5" fontSizeUnit="Point" fontWeight="50" fontItalic="0" textColor="64,72,80,255" textOpacity="1" fontKerning="1" multilineHeight="1" blendMode="0" fieldName="sheet">
+        <text-buffer bufferDraw="1" bufferSize="0.6" bufferSizeUnits="MM" bufferColor="255,255,255,255" bufferOpacity="1" bufferNoFill="1" bufferJoinStyle="128" bufferBlendMode="0"/>
+      </text-style>
+      <placement placement="1" quadOffset="8" xOffset="1" yOffset="1" offsetUnits="MM" dist="0" distUnits="MM" offsetType="0" priority="5" polygonPlacementFlags="2" placementFlags="10" preserveRotation="1" geometryGeneratorEnabled="1" geometryGeneratorType="PointGeometry" layerType="UnknownGeometry" geometryGenerator="make_point(x_min($geometry), y_max($geometry))"/>
+      <rendering drawLabels="1" displayAll="0" obstacle="0" obstacleType="1" obstacleFactor="1" fontMaxPixelSize="10000" fontMinPixelSize="0" fontLimitPixelSize="0" limitNumLabels="0" maxNumLabels="2000" scaleVisibility="0" upsidedownLabels="0" unplacedVisibility="0" labelPerPart="0" mergeLines="0" minFeatureSize="0" zIndex="0"/>
+    </settings>
+  </labeling>
   <blendMode>0</blendMode>
   <featureBlendMode>0</featureBlendMode>
   <layerGeometryType>2</layerGeometryType>

@@ -3,11 +3,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import reduce
 from pathlib import Path
 
 from ...imagery.documents import RuleObject, read_rules, ready_rules
-from ...imagery.errors import SettingsError
+from ...imagery.errors import Message, SettingsError, Stated
 from ...imagery.limits import PATH_TYPES, check_type
 from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from . import messages
@@ -90,6 +91,21 @@ class AcceptanceRules:
         return next((rule for rule in self.rules if rule.check == check), None)
 
 
+def limits_in_words(rules: AcceptanceRules) -> Message:
+    """The limits that there are, and those that are missing where no plan of sampling stands for them."""
+    share, run, sampling = rules.limit(FAILED_SHARE), rules.limit(LONGEST_FAILURE), rules.sampling
+    parts = [messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))]
+    if share is not None or sampling is None:
+        parts.append(messages.NO_LIMIT_OF_SHARE() if share is None else messages.LIMIT_OF_SHARE(limit=Stated(share)))
+    if run is not None or sampling is None:
+        parts.append(messages.NO_LIMIT_OF_RUN() if run is None else messages.LIMIT_OF_RUN(limit=Stated(run)))
+    parts.append(messages.LIMIT_OF_MEASURED(limit=Stated(rules.limit(MEASURED_SHARE) or 0.0)))
+    if sampling is not None:
+        parts.append(messages.SAMPLED_BY_LQ(lq=float(sampling.lq)) if sampling.lq else (
+            messages.SAMPLED_BY_AQL(level=sampling.inspection_level, aql=float(sampling.aql))))
+    return reduce(lambda first, also: messages.WITH(first=first, also=also), parts)
+
+
 def limit_rules(
     min_kept: float = STANDARD_KEPT,
     max_share: float = STANDARD_FAILED_SHARE,
@@ -113,9 +129,8 @@ def limit_rules(
     def source(value: float, standard: float) -> str:
         return OWN_LIMIT if value == standard else "stated for this decision"
 
-    return AcceptanceRules(
-        f"at least {100 * min_kept:g} % kept, at most {100 * max_share:g} % failed, at most {max_run_m:g} m without a "
-        f"break, at least {100 * min_measured:g} % measured",
+    rules = AcceptanceRules(
+        "",
         min_kept,
         source(min_kept, STANDARD_KEPT),
         (
@@ -124,6 +139,7 @@ def limit_rules(
             AcceptanceRule(MEASURED_SHARE, min_measured, source(min_measured, STANDARD_MEASURED_SHARE)),
         ),
     )
+    return replace(rules, name=str(limits_in_words(rules)))
 
 
 SUBJECT = "acceptance"  # subject of the ready files

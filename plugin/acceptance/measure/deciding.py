@@ -17,6 +17,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
+from typing import Optional
 
 import numpy as np
 
@@ -25,7 +26,14 @@ from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES, PieceState
 from ...imagery.statistics import DECIDED
 from . import messages
-from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
+from .acceptance_rules import (
+    FAILED_SHARE,
+    LONGEST_FAILURE,
+    MEASURED_SHARE,
+    AcceptanceRule,
+    AcceptanceRules,
+    limits_in_words,
+)
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
 from .delivery import Delivery, Seal, SheetState
 from .failure_runs import failure_runs, unknown_runs
@@ -34,16 +42,19 @@ from .measured_pieces import (
     ends_within,
     is_unclear,
     known_within,
+    measured_with,
     metre_figures,
     seen_state,
     sheet_figures,
     state_of,
+    surely_failed_m,
     windows_over,
 )
 from .seen_ground import SeenGround, ground_sentences, unseen_seams
 
 _WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
 _NAMED = 3  # layers that a sentence names
+_SPARE = 0.05  # of the metres, by which forecasts of what will be measured may be too large
 
 
 def decide(
@@ -278,9 +289,12 @@ class _Ruling:
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
-        longest = self.figures.longest_failure_m or 0.0
-        failed = [decided for decided in self.longest if decided.state is PieceState.FAILED]
-        return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), max(
+        longest, failures = self.figures.longest_failure_m or 0.0, dict[Optional[int], list[DecidedPiece]]()
+        for decided in self.longest:
+            if decided.state is PieceState.FAILED:
+                failures.setdefault(decided.run, []).append(decided)
+        sure = max((surely_failed_m(run, self.rules.least_kept) for run in failures.values()), default=0.0)
+        return longest, min(sure, longest), max(
             longest, self.figures.longest_unknown_m, _hiding_m(self.pieces, self.rules.rule(LONGEST_FAILURE))
         )
 
@@ -299,22 +313,20 @@ def _open_ends(pieces: Sequence[DecidedPiece], rules: AcceptanceRules, figures: 
 
 def _rule_sentence(rule: AcceptanceRule, value: float, low: float, high: float, passed: bool | None) -> Message:
     """The outcome in words; ``passed``: None where it can't be told."""
-    limit, beyond = Stated(rule.limit), value if rule.is_least else Stated(value, rule.limit)
-    kept, broken, open_ = {
-        MEASURED_SHARE: (
-            messages.MEASURED_ENOUGH(value=value, limit=limit),
-            *[messages.MEASURED_TOO_LITTLE(value=beyond, limit=limit)] * 2,
-        ),
+    limit, shown = Stated(rule.limit), Stated(value, rule.limit) if passed is False else value
+    if rule.check == MEASURED_SHARE:
+        return messages.MEASURED(value=value, limit=limit)
+    closed, open_ = {
         FAILED_SHARE: (
-            messages.SHARE_KEPT(value=value, limit=limit), messages.SHARE_EXCEEDED(value=beyond, limit=limit),
+            messages.SHARE_FAILED(value=shown, limit=limit),
             messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high),
         ),
         LONGEST_FAILURE: (
-            messages.RUN_KEPT(value=value, limit=limit), messages.RUN_EXCEEDED(value=beyond, limit=limit),
+            messages.RUN_FAILED(value=shown, limit=limit),
             messages.RUN_OPEN(value=value, limit=limit, low=low, high=high),
         ),
     }[rule.check]
-    return open_ if passed is None else kept if passed else broken
+    return open_ if passed is None else closed
 
 
 def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
@@ -333,19 +345,9 @@ def _why(
     reasons = [reason for reason, _ in doubts] + [rule.sentence for rule in outcomes if rule.passed is wanted]
     reasons += [reason for reason, _ in unsealed]
     if rules.is_of_file:
-        listed = reduce(lambda first, also: messages.WITH(first=first, also=also), _limits(rules))
-        reasons.append(messages.LIMITS_ARE(limits=listed))
+        reasons.append(messages.LIMITS_ARE(limits=limits_in_words(rules)))
     once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
     return reduce(lambda first, also: messages.AND(why=first, also=also), once)
-
-
-def _limits(rules: AcceptanceRules) -> Iterator[Message]:
-    """The limits that there are, and those that are missing."""
-    yield messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))
-    share, run = rules.limit(FAILED_SHARE), rules.limit(LONGEST_FAILURE)
-    yield messages.NO_LIMIT_OF_SHARE() if share is None else messages.LIMIT_OF_SHARE(limit=Stated(share))
-    yield messages.NO_LIMIT_OF_RUN() if run is None else messages.LIMIT_OF_RUN(limit=Stated(run))
-    yield messages.LIMIT_OF_MEASURED(limit=Stated(rules.limit(MEASURED_SHARE) or 0.0))
 
 
 def _advice_by_rules(
@@ -361,7 +363,7 @@ def _advice_by_rules(
     if (lacking := whole.not_measured_m) and (MEASURED_SHARE in is_open or not whole.measured_m):
         wanted = max((rules.limit(MEASURED_SHARE) or 0.0) * whole.judged_m - whole.measured_m, 0.0)
         has_sources = any(states_in(layer.settings.get(SOURCE_FILES, "")) for layer in delivery.layers)
-        yield messages.WOULD_MEASURE(wanted=wanted, lacking=lacking) if has_sources else (
+        yield _longer_pieces(whole, pieces, rules, wanted) if has_sources else (
             messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
         )
     longest = is_open.get(LONGEST_FAILURE)
@@ -376,6 +378,23 @@ def _advice_by_rules(
         yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=allowed)
     if (count := sum(decided.is_unclear for decided in pieces)) and is_open:
         yield messages.WOULD_TELL_APART(count=count, metres=whole.unclear_m)
+
+
+def _longer_pieces(
+    whole: MetreFigures, pieces: Sequence[DecidedPiece], rules: AcceptanceRules, wanted: float
+) -> Message:
+    """The shortest pieces that would measure as much as is wanted, where they are short enough for the rules."""
+    longest = MOST_OF_RUN * (rules.limit(LONGEST_FAILURE) or math.inf)
+    typical = float(np.median([decided.piece.length_m for decided in pieces]))
+    lengths = [times * typical for times in (2, 4) if times * typical <= longest] or [typical]
+    shares = {length: measured_with(pieces, rules.least_kept, length) for length in lengths}
+    least = min((rules.limit(MEASURED_SHARE) or 0.0) + _SPARE, 1.0)
+    enough = [length for length, share in shares.items() if share >= least]
+    piece = min(enough, default=lengths[-1])
+    lacking, share = whole.not_measured_m, shares[piece]
+    return messages.WOULD_MEASURE(wanted=wanted, lacking=lacking, piece=piece, share=share) if enough else (
+        messages.WOULD_JUDGE(wanted=wanted, lacking=lacking, piece=piece, share=share)
+    )
 
 
 def _layers(delivery: Delivery) -> Iterator[Message]:

@@ -60,6 +60,7 @@ class MetreFigures:
     longest_failure_m: float | None  # metres of the failed pieces in the longest failure; None where they are a sample
     failed_unclear_m: float = 0.0  # metres that failed, in pieces whose interval reaches above the limit
     longest_unknown_m: float = 0.0  # metres of the longest row of pieces that failed or were not measured
+    least_kept: float | None = None  # share kept by the measured piece that kept least; None where none was measured
 
     @property
     def judged_m(self) -> float:

@@ -55,9 +55,7 @@ class LayerDoubts:
     without_line: int = 0
     without_line_m: float = 0.0  # what the field says of these, metres
     kept: list[float] = field(default_factory=list)
-    claimed: list[float] = field(default_factory=list)
-    """Shares kept by pieces with a verdict: where the scan has none, its interval is too wide, any number may stand."""
-    words: list[str] = field(default_factory=list)  # that stand where numbers should
+    impossible: list[str] = field(default_factory=list)  # what stands where shares should
     lengths: list[tuple[float, float]] = field(default_factory=list)
     """In the field and along the line, metres, where they differ."""
     along: dict[str, list[tuple[float, float]]] = field(default_factory=dict)  # stations and lengths by seam, metres
@@ -66,15 +64,18 @@ class LayerDoubts:
     failed_m: float = 0.0  # metres that fail as the scan fails them, by what the rows say of what is kept
 
     def see_kept(self, written: str, kept: float | None, verdict: str = "") -> float | None:
-        """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing that is no share."""
+        """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing that is no share.
+
+        Where the scan has no verdict its interval is too wide, and any number may stand.
+        """
         if kept is None:
-            if written and written.lower() not in ("nan", "inf", "-inf"):
-                self.words.append(written)
-            return None
-        self.kept.append(kept)
-        if verdict != NO_VERDICT:
-            self.claimed.append(kept)
-        return possible_kept(kept)
+            is_share = written.lower() in ("", "nan", "inf", "-inf")
+        else:
+            self.kept.append(kept)
+            is_share = kept >= 0 and (kept <= MOST_KEPT or verdict == NO_VERDICT)
+        if not is_share:
+            self.impossible.append(written)
+        return None if kept is None else possible_kept(kept)
 
     def see_length(self, length: float, line: float) -> None:
         """A length from the field, beside that of the line."""
@@ -156,12 +157,8 @@ class LayerDoubts:
         """What is doubtful, by what stands beside rows, too. Raises SettingsError where ``kept_1`` are no shares."""
         if self.kept and (middle := float(np.median(self.kept))) > MOST_KEPT:
             raise SettingsError(messages.KEPT_NO_SHARES(name=self.sheet, value=middle))
-        if self.words:
-            yield messages.KEPT_NO_NUMBERS(count=len(self.words), name=self.sheet, value=self.words[0])
-        if negative := sum(kept < 0 for kept in self.kept):
-            yield messages.KEPT_NEGATIVE(count=negative, name=self.sheet)
-        if large := sum(kept > MOST_KEPT for kept in self.claimed):
-            yield messages.KEPT_LARGE(count=large, name=self.sheet, value=max(self.claimed))
+        if self.impossible:
+            yield messages.KEPT_IMPOSSIBLE(count=len(self.impossible), name=self.sheet, value=self.impossible[0])
         if self.lengths:
             length, line = max(self.lengths, key=lambda pair: abs(np.log(pair[0] / pair[1])))
             yield messages.LENGTHS_DIFFER(count=len(self.lengths), name=self.sheet, length=length, line=line)

@@ -100,9 +100,7 @@ class SeenWindow:
     window_id: str
     extent: Extent  # in the delivery's reference system
     cause: str = ""  # the strongest one
-    causes: str = ""  # all of them, strongest first, joined by semicolons
     verdict: str = ""  # the tool's
-    kept_1: float | None = None
     observer: str = ""  # what the first operator saw: visible, invisible, unsure or nothing
     observer_2: str = ""
     remark: str = ""

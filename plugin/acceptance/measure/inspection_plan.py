@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Sequence
 
 import numpy as np
 from scipy import stats
@@ -48,20 +48,25 @@ def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
     return single_sampling_plan(lot_size, rule.aql, rule.inspection_level)
 
 
-def plan_sentence(plan: SamplingPlan, risks: OperatingCharacteristic) -> Message:
-    """The standard, and what is risked; of a whole lot nothing is."""
-    if plan.is_whole_lot:
-        return messages.WITHOUT_SAMPLE(standard=plan.standard, lot=plan.lot_size)
+def plan_sentence(plan: SamplingPlan) -> Message:
+    """How many pieces are inspected and may fail, by which standard, and what is risked; of a whole lot nothing is."""
+    risks = operating_characteristic(plan)
     good, bad = round(risks.good_quality * plan.lot_size), round(risks.limiting_quality * plan.lot_size)
-    if plan.lq is not None:
-        return messages.BY_LQ(
-            standard=plan.standard, lot=plan.lot_size, bad=bad, lq=plan.lq, consumers=risks.consumers_risk, good=good,
-            share=risks.good_quality, producers=risks.producers_risk,
-        )
-    return messages.BY_AQL(
-        standard=plan.standard, lot=plan.lot_size, letter=plan.code_letter, good=good, aql=plan.aql,
-        producers=risks.producers_risk, bad=bad, limiting=risks.limiting_quality, consumers=risks.consumers_risk,
-    )
+    by_risk = messages.RISKS(
+        good=good, share=risks.good_quality, producers=risks.producers_risk, bad=bad, limiting=risks.limiting_quality,
+        consumers=risks.consumers_risk,
+    )  # fmt: skip
+    if plan.is_whole_lot:
+        words = messages.WITHOUT_SAMPLE(standard=plan.standard, lot=plan.lot_size)
+    elif plan.lq is not None:
+        words = messages.BY_LQ(standard=plan.standard, lot=plan.lot_size, lq=plan.lq, risks=by_risk)
+    else:
+        words = messages.BY_AQL(
+            standard=plan.standard, lot=plan.lot_size, level=plan.inspection_level, aql=plan.aql,
+            letter=plan.code_letter, risks=by_risk,
+        )  # fmt: skip
+    size, most = plan.sample_size, plan.acceptance_number
+    return messages.PLANNED_BY_STANDARD(size=size, lot=plan.lot_size, acceptance=most, plan=words)
 
 
 def sampled_lot(
@@ -93,7 +98,8 @@ def sampled_lot(
     needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
     outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
     ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
-    return outcome, ruled, tuple(_notices(plan, used_seed, len(measured), given))
+    notice = messages.DRAWN(size=plan.sample_size, given=len(measured), seed=seed)
+    return outcome, ruled, (plan_sentence(plan), *(() if used_seed is None else (notice,)))
 
 
 def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> RuleOutcome:
@@ -104,19 +110,8 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     if passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
     else:
-        words = plan_sentence(plan, outcome.characteristic)
-        sentence = (
-            messages.PLAN_KEPT(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=words) if passed
-            else messages.PLAN_EXCEEDED(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=words)
-        )  # fmt: skip
+        sentence = messages.SAMPLE_FAILED(nonconforming=failed, inspected=outcome.inspected, limit=most)
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
-
-
-def _notices(plan: SamplingPlan, seed: int | None, measured: int, given: Sequence[int] | None) -> Iterator[Message]:
-    if seed is not None:
-        yield messages.DRAWN(size=plan.sample_size, given=measured, seed=seed)
-    if given is None and plan.is_whole_lot:
-        yield messages.WHOLE_LOT(lot=plan.lot_size)
 
 
 CONSUMERS_RISK = 0.10  # ISO 2859-1:1999, 12.6: the limiting quality is that accepted with 10 %

@@ -13,6 +13,8 @@ from .decision import DecidedPiece, FailureRun, MetreFigures
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 
 NO_VERDICT = "not_comparable"  # the scan's word
+_SURE = 0.975  # probability: the lower end of a 95 % interval
+MEASURED = (PieceState.PASSED, PieceState.FAILED)
 
 
 def state_of(piece: DeliveredPiece, least_kept: float) -> PieceState:
@@ -49,6 +51,37 @@ def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
     return NORMAL_95 * math.fsum(squares) ** 0.5
 
 
+def surely_failed_m(pieces: Sequence[DecidedPiece], least_kept: float) -> float:
+    """Metres of the longest row among pieces of a failure, in their order, that failed all, as sure as their intervals
+    say; one that passed among them would break it."""
+    chances = [
+        failing_chance(decided.piece.kept_1, decided.piece.kept_low, decided.piece.kept_high, least_kept)
+        if decided.is_unclear else 1.0 for decided in pieces
+    ]  # fmt: skip
+    logs = np.concatenate([[0.0], np.cumsum(np.log(np.maximum(chances, 1e-9)))])
+    metres = np.concatenate([[0.0], np.cumsum([decided.piece.length_m for decided in pieces])])
+    first = np.searchsorted(-logs, -logs + math.log(_SURE))
+    return float((metres - metres[first]).max())
+
+
+def measured_with(pieces: Iterable[DecidedPiece], least_kept: float, piece_m: float) -> float:
+    """The share of the metres on ground with detail that would be measured in pieces of a length, 0 to 1.
+
+    Intervals narrow by the root of the length, as those of pieces that are put together do. What scans measured at 2
+    and 4 times the length lay within 0.06 of that (Brighton, a generated block, the same half smooth; JPEG 60 and 75).
+    """
+    measured = total = 0.0
+    for piece in (decided.piece for decided in pieces if decided.state is not PieceState.NO_DETAIL):
+        total += piece.length_m
+        kept, low, high = piece.kept_1, piece.kept_low, piece.kept_high
+        has_verdict, narrower = piece.verdict != NO_VERDICT, min(piece.length_m / piece_m, 1.0) ** 0.5
+        if kept and low and high:
+            low, high = (kept * (end / kept) ** narrower for end in (low, high))
+            has_verdict |= narrower < 1
+        measured += piece.length_m * (piece_state(kept, low, high, least_kept, has_verdict) in MEASURED)
+    return measured / total if total else 0.0
+
+
 def ends_within(pieces: Sequence[DecidedPiece]) -> float:
     """Half the 95 % interval of the metres that failed, as failures end inside of pieces and sums are of whole ones; m.
 
@@ -81,11 +114,13 @@ def metre_figures(
     }
     failed, failures = metres[PieceState.FAILED], [piece for piece in pieces if piece.state is PieceState.FAILED]
     lengths = {decided.piece.number: decided.piece.length_m for decided in pieces}
+    kept = (decided.piece.kept_1 for decided in pieces if decided.state in MEASURED)
     return MetreFigures(
         name, len(pieces), len(failures), math.fsum(metres.values()),
         metres[PieceState.NO_DETAIL], metres[PieceState.PASSED] + failed, failed,
         math.fsum(decided.piece.length_m for decided in pieces if decided.is_unclear), _longest_m(runs, lengths),
         math.fsum(decided.piece.length_m for decided in failures if decided.is_unclear), _longest_m(unknown, lengths),
+        min((share for share in kept if share is not None), default=None),
     )  # fmt: skip
 
 

@@ -58,16 +58,16 @@ WITH = Message("{first}, {also}", INFO)
 LIMIT_OF_KEPT = Message("at least {limit:.0%} kept", INFO)
 LIMIT_OF_SHARE = Message("at most {limit:.2%} failed", INFO)
 NO_LIMIT_OF_SHARE = Message("no limit for the share that failed", INFO)
-LIMIT_OF_RUN = Message("at most {limit:.1f} m failed without a break", INFO)
+LIMIT_OF_RUN = Message("at most {limit:.1f} m without a break", INFO)
 NO_LIMIT_OF_RUN = Message("no limit for a failure without a break", INFO)
 LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
-SHARE_KEPT = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
-SHARE_EXCEEDED = Message("{value:.2%} of the measured metres failed and only {limit:.2%} may", INFO)
+SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql:g}", INFO)
+SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq:g} %", INFO)
+SHARE_FAILED = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
 SHARE_OPEN = Message(
     "{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to "
     "{high:.2%}", INFO)
-RUN_KEPT = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
-RUN_EXCEEDED = Message("the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m", INFO)
+RUN_FAILED = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
 RUN_OPEN = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
     "{high:.1f} m by the intervals of its pieces", INFO)
@@ -77,9 +77,7 @@ RUN_UNKNOWN = Message(
 RUN_IN_PIECE = Message(
     "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to "
     "{metres:.1f} m long, which can hide a longer one", INFO)
-MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
-MEASURED_TOO_LITTLE = Message(
-    "only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can't be decided", INFO)
+MEASURED = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may", INFO)
 MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be read, for example around {place}", INFO)
@@ -117,14 +115,12 @@ BORDER_WITHOUT_SEAM = Message(
 BORDER_HIDDEN = Message(
     "along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these "
     "{value:.2%} of the metres may have failed and {limit:.2%} may", INFO)
-PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
-PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
-BY_AQL = Message(
-    "{standard}, lot of {lot}, code letter {letter}; {producers:.1%} of lots with {good} failing pieces, the AQL of "
-    "{aql}, are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted", INFO)
-BY_LQ = Message(
-    "{standard}, isolated lot of {lot}; {consumers:.1%} of lots with {bad} failing pieces, the limiting quality of "
-    "{lq:g} %, are accepted, {producers:.1%} of those with {good} ({share:.1%}) are rejected", INFO)
+SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may", INFO)
+BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}", INFO)
+BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}", INFO)
+RISKS = Message(
+    "{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with "
+    "{bad} ({limiting:.1%}) are accepted", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
@@ -147,8 +143,13 @@ ROW_NOT_MEASURED = Message(
 MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
-    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. The field "
-    "'reason' of the seams says why; scan with longer pieces, or judge windows there by eye (JUDGE observer).", WARNING)
+    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
+    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured, or judge windows there by eye (JUDGE "
+    "observer).", WARNING)
+WOULD_JUDGE = Message(
+    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
+    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure, so judge windows there by eye "
+    "(JUDGE observer); the field 'reason' of the seams says why.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
     "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING)
@@ -207,7 +208,6 @@ LAYER_LACKS_SEAMS = Message(
     "{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows "
     "have no line.", WARNING)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
-WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest "
     "failure of the delivery can't be determined from it.", INFO)
@@ -247,13 +247,9 @@ SEAMS_OVERLAP = Message(
     "{metres:.0f} m of seam in {sheets} lie on other seams and count twice; leave out what was scanned twice.", WARNING)
 KEPT_NO_SHARES = Message(
     "The median of kept_1 in {name} is {value:g}, but it is a share, 1 if all is kept; write 86 % as 0.86.")
-KEPT_NO_NUMBERS = Message(
-    "kept_1 of {count} pieces of {name} is not a number (such as '{value}'; write decimals with a point); they count "
-    "as not measured.", WARNING)
-KEPT_NEGATIVE = Message("kept_1 of {count} pieces of {name} is below 0; they count as not measured.", WARNING)
-KEPT_LARGE = Message(
-    "kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so "
-    "check whether they are shares.", WARNING)
+KEPT_IMPOSSIBLE = Message(
+    "kept_1 of {count} pieces of {name} is no share that a seam can keep (such as '{value}'; write 86 % as 0.86); they "
+    "count as not measured.", WARNING)
 LENGTHS_DIFFER = Message(
     "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, but {line:.1f} m "
     "along the line); the field is used, so check that it holds metres.", WARNING)
@@ -264,8 +260,8 @@ LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
 
 
-DEFECTS_NOT_WRITTEN = Message(
-    "The layer of failures can't be written; choose another folder, and close the file where it is open.")
+RESULT_NOT_WRITTEN = Message(
+    "The layer '{name}' can't be written; choose another folder, and close the file where it is open.")
 PICTURES_NOT_WRITTEN = Message(
     "The folder {folder} can't be written ({error}), so the layer of failures has no pictures.")
 PICTURES_MISSING = Message(
@@ -300,20 +296,16 @@ SOURCES_BELIEVED = Message(
     "The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: "
     "make sure that the mosaic was made from them.", INFO)
 SEAMS_GIVEN = Message(
-    "The seams of {name} are those of the given seamlines; a missing one is noticed only if it is longer than some 150 "
-    "pixels.",
-    INFO)
+    "The seams are those of the given seamlines ({name}); a missing one is noticed only if it is longer than some 150 "
+    "pixels.", INFO)
 SEAMS_FOUND = Message(
-    "In {name} the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
+    "The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer's "
     "seamlines to the scan to measure all of them.", WARNING)
 RADIOMETRY_NO_TABLE = Message(
     "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it.")
 MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, not a mosaic; no pictures are cut from it.", WARNING)
 PAPER_STOPPED = Message(
-    "The run was stopped: the failures have no pictures, and there is neither report nor XML.", WARNING)
-DIGESTS_STOPPED = Message("The run was stopped: there is neither report nor XML.", WARNING)
-SHEETS_NOT_WRITTEN = Message(
-    "The layer of decided sheets can't be written; choose another folder, and close the file where it is open.")
+    "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
 DATE_IS_NONE = Message("{parameter} is '{value}', which is not a date; write it as 2026-11-23 or 23.11.2026.")
 # the files of a delivery; what is found at a sheet goes into tables
 NO_DELIVERY = Message("Neither a folder nor sheets are given; choose the folder of the delivery, or its index.")

@@ -22,19 +22,10 @@ finds of them in samples, differ by less."""
 TOLD_UNEXPLAINED = 0.03  # share of a mosaic without orthoimage that is told, as the scan does
 
 
-@dataclass(frozen=True)
-class SeenPlace:
-    """A part of the ground."""
-
-    x: float  # its middle, x and y, in the reference system of its layer
-    y: float
-    width_m: float | None = None  # from west to east; None where the scan does not say
-    height_m: float | None = None
-
-    def __str__(self) -> str:
-        """For sentences; lengths are whole metres."""
-        size = "" if self.width_m is None or self.height_m is None else f" ({self.width_m:.0f} x {self.height_m:.0f} m)"
-        return f"{self.x:.1f}, {self.y:.1f}{size}"
+def _place(x: float, y: float, width_m: float | None = None, height_m: float | None = None) -> str:
+    """A part of the ground by its middle in the reference system of its layer, and by its size where that is known."""
+    size = "" if width_m is None or height_m is None else f" ({width_m:.0f} x {height_m:.0f} m)"
+    return f"{x:.1f}, {y:.1f}{size}"
 
 
 @dataclass(frozen=True)
@@ -51,10 +42,10 @@ class SeenGround:
     unexplained: float = 0.0  # share of the ground with texture that follows no orthoimage; the largest of the scans
     nodata: float = 0.0  # share of the mosaic within its outline that has no pixels; the largest of the scans
     looked_at: float = 1.0  # share of the mosaic that was looked at; the smallest of the scans
-    unseen_at: tuple[SeenPlace, ...] = ()
-    hidden_at: tuple[SeenPlace, ...] = ()
-    unexplained_at: tuple[SeenPlace, ...] = ()
-    nodata_at: tuple[SeenPlace, ...] = ()
+    unseen_at: tuple[str, ...] = ()
+    hidden_at: tuple[str, ...] = ()
+    unexplained_at: tuple[str, ...] = ()
+    nodata_at: tuple[str, ...] = ()
 
     @classmethod
     def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
@@ -62,9 +53,9 @@ class SeenGround:
         def figures(name: str, nothing: float) -> list[float]:
             return numbers_in(settings.get(name, "")) or [nothing]
 
-        def places(name: str) -> tuple[SeenPlace, ...]:
+        def places(name: str) -> tuple[str, ...]:
             held = map(numbers_in, settings.get(name, "").replace(",", ";").split(";"))
-            return tuple(SeenPlace(*numbers) for numbers in held if len(numbers) in (2, 4))
+            return tuple(_place(*numbers) for numbers in held if len(numbers) in (2, 4))
 
         return cls(
             frozenset({"given", "found"}.intersection(settings.get("seams", "").split(", "))),
@@ -128,7 +119,7 @@ def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message
     """What one scan saw beside its seams, and where it could not find or measure any."""
     ground = SeenGround.of_settings(settings)
     if ground.unexplained >= TOLD_UNEXPLAINED:
-        place = "; ".join(map(str, ground.unexplained_at))
+        place = "; ".join(ground.unexplained_at)
         yield messages.SCAN_UNEXPLAINED(name=name, share=ground.unexplained, place=place)
     if ground.unseen_m:
         yield messages.SCAN_UNSEEN(name=name, metres=ground.unseen_m, place=_first(ground.unseen_at))
@@ -142,5 +133,5 @@ def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message
         yield messages.SOURCES_NOT_GIVEN(name=name, names=names)
 
 
-def _first(places: tuple[SeenPlace, ...]) -> str:
-    return str(places[0]) if places else "-"
+def _first(places: tuple[str, ...]) -> str:
+    return places[0] if places else "-"

@@ -6,29 +6,28 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
 from typing import Any
 
 from ...imagery.rasters import Raster
 from ...imagery.seam_totals import PieceState
 from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.picture_files import encoded
-from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, system_name
-from ...toolkit.resources import plugin_commit
+from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
-from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, PlanOutcome
+from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from ..measure.seen_ground import SeenGround
-from .charts import STATE_COLOURS, pale, profile_figure, seams_figure
+from .charts import profile_figure
+from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
-from .inspection_record import InspectionRecord, file_name
-from .paper_head import iso_date
+from .inspection_record import InspectionRecord, file_name, how_measured
+from .paper_head import head_rows, iso_date
 from .words import (
+    CHECKS,
     DIGEST_STANDARD,
     NOTHING,
     QUALITY_STANDARDS,
     SHEET_COLOURS,
-    check_word,
     failing_sentence,
     jnd_words,
     metres,
@@ -36,7 +35,6 @@ from .words import (
     outcome_title,
     outcome_value,
     outcome_word,
-    plan_words,
     share,
     share_beside,
     sheet_word,
@@ -44,7 +42,7 @@ from .words import (
 
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
 MOST_LAYERS = 40  # most layers of seams that are listed with where they were read from
-MOST_IMAGES = 1000  # listed with their dates: some 25 pages
+MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
 _LONG = 12  # rows of a list above which it is folded up
 _MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
@@ -54,6 +52,7 @@ OUTCOME_STATES = {
 }  # fmt: skip
 """How the decision looks on the page."""
 _WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, AcceptanceOutcome.ACCEPTED
+_PALE = "59"  # opacity of a sheet's colour
 _RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
@@ -62,7 +61,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     decision, defects = record.decision, record.defects
     kept = () if decision.by_observer else (decision.rules.kept_source,)
     sources = list(dict.fromkeys([*kept, *(outcome.source for outcome in decision.outcomes)]))
-    figure = seams_figure(decision, defects[:MOST_ROWS], record.mosaics)
     sheet_words = [sheet_word(outcome, figures) for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)]
     parts = [*_parts(record)]
     texts = [_defect_text(defect, decision.rules.least_kept) for defect in defects[:MOST_ROWS]]
@@ -70,9 +68,9 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     save_page(
         path,
         "acceptance",
-        _how(record),
-        title=record.head.title or tr("Acceptance of an orthophoto mosaic"),
-        head=[*record.head.rows],
+        how_measured(record),
+        title=record.title,
+        head=[*head_rows(record.head)],
         verdict=_verdict(decision, parts),
         advice=sentence(decision.sentences[1]) if is_undecided and len(decision.sentences) > 1 else "",
         failing=failing_sentence(decision),
@@ -86,8 +84,9 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sheets=[_sheet_row(*row, decision.by_observer) for row in zip(decision.sheets, sheet_words)],
         sheets_sentence=_sheets_sentence(sheet_words),
         whole=_sheet_row(decision.whole, "", decision.by_observer) if len(decision.sheets) > 1 else None,
-        findings=[(sheet.name, "; ".join(sheet.findings)) for sheet in decision.delivery.outlines if sheet.findings],
-        map=None if figure is None else svg_text(figure),
+        findings=record.faults,
+        map=decision_map(decision, defects[:MOST_ROWS], record.mosaics),
+        map_px=MAP_PX,
         map_legend=_legend(decision),
         is_sample=decision.delivery.sampled_numbers is not None,
         by_observer=decision.by_observer,
@@ -97,14 +96,10 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         unknown_count=len(decision.unknown_runs),
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
-        plan=None if decision.plan is None else _plan_facts(decision.plan),
-        layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
-        layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
+        layers=_Listing.of(record.seams, 1, MOST_LAYERS),
         images=_Listing.of(
-            (image.path or image.name, iso_date(image.date), _bytes(image.size))
-            for image in record.images[:MOST_IMAGES]
+            (image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images
         ),
-        images_left_out=max(len(record.images) - MOST_IMAGES, 0),
         digests=_Listing.of((digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests),
         standards=[*_standards(decision, record)],
     )  # fmt: skip
@@ -117,39 +112,20 @@ class _Listing:
     folder: str  # that all files of a long list lie in, said once; empty where they lie in several
     rows: list[list[str]]  # files without that folder
     columns: int  # how many of it stand beside each other
+    left_out: int  # rows that are too many
 
     @classmethod
-    def of(cls, rows: Iterable[Sequence[str]], at: int = 0) -> _Listing:
+    def of(cls, rows: Iterable[Sequence[str]], at: int = 0, most: int = MOST_FILES) -> _Listing:
         """``at``: the place of the cell that names a file."""
-        listed = [[*row] for row in rows]
+        every = [[*row] for row in rows]
+        listed = every[:most]
         names = [row[at] for row in listed]
         folders = {name[: -len(file_name(name))] for name in names if file_name(name) != name}
         is_long = len(listed) > _LONG
         folder = folders.pop() if is_long and len(folders) == 1 else ""
         for row, name in zip(listed, names):
             row[at] = name[len(folder) :] if name.startswith(folder) else name
-        return cls(folder, listed, 3 if is_long and not folders else 1)
-
-
-def _how(record: InspectionRecord) -> HowMeasured:
-    decision = record.decision
-    names = {
-        "wavelet": tr("wavelet"), "levels": tr("levels"), "density": tr("density"),
-        "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
-    }  # fmt: skip
-    settings = [
-        (tr("commit of the plugin"), plugin_commit()),
-        (tr("rules"), decision.rules.name),
-        (tr("file of the rules"), record.rules),
-        (tr("which pieces fail"), failing_sentence(decision)),
-        (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
-        *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
-        (tr("layer of windows"), record.windows),
-        (tr("reference system"), system_name(decision.delivery.wkt)),
-    ]
-    rasters = each_raster(tr("mosaic"), record.mosaics)
-    rasters += each_raster(tr("picture of losses"), [record.loss] if record.loss else [])
-    return HowMeasured(settings, rasters, record.made_at.date())
+        return cls(folder, listed, 3 if is_long and not folders else 1, len(every) - len(listed))
 
 
 def _verdict(decision: Decision, parts: Sequence[tuple[str, str, str, bool]]) -> tuple[str, str, str, str]:
@@ -202,7 +178,7 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
     if decision.whole.not_measured_m:
         yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
     yield from _ground_parts(decision)
-    faulty = sum(bool(sheet.findings) for sheet in decision.delivery.outlines)
+    faulty = len(record.faults)
     name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
         words = filled(tr("sheets with findings: {count} of {all}"), count=faulty, all=count)
@@ -210,10 +186,10 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         yield name, result, words, faulty > 0
     else:
         yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
-    outcomes = [image.outcome for image in record.radiometry]
-    worst = next((outcome for outcome in _WORST_FIRST if outcome in outcomes), None)
-    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(outcomes),
-        rejected=outcomes.count(AcceptanceOutcome.REJECTED), open=outcomes.count(AcceptanceOutcome.UNDECIDED))
+    rejected, undecided = (len(record.rated(outcome)) for outcome in _WORST_FIRST[:2])
+    worst = next((outcome for outcome in _WORST_FIRST if record.rated(outcome)), None)
+    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(record.radiometry),
+        rejected=rejected, open=undecided)
     if worst is None:
         yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
     else:
@@ -241,20 +217,23 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         for name in names:
             yield name, tr("Not checked"), tr("not stated in the layers of seams"), False
         return
-    given = tr("given: {judged}, found: {seen}; found and not given: {unseen}, given and not found: {unchanged}")
-    without_given = tr("found: {judged}; borders without a measured seam: {unseen}")
-    words = filled(given if "given" in ground.seams else without_given, judged=metres(judged),
-        seen=metres(ground.seen_m(judged)), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
+    apart = ground.unseen_m + ground.unchanged_m
+    is_given = "given" in ground.seams
+    words = filled(tr("given: {judged}, found: {seen}") if is_given else tr("found: {judged}"), judged=metres(judged),
+        seen=metres(ground.seen_m(judged)))
+    if apart:
+        words += filled(tr("; found and not given: {unseen}, given and not found: {unchanged}") if is_given else (
+            tr("; borders without a measured seam: {unseen}")
+        ), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
     if ground.looked_at < 1:
         words += filled(tr("; looked at: {share} of the mosaic"), share=share(ground.looked_at, 0))
-    apart = ground.unseen_m + ground.unchanged_m
     for name, figure, figures, places in (
         (names[0], apart, words, ground.unseen_at),
         (names[1], ground.unexplained,
          filled(tr("{share} of the ground with texture"), share=share(ground.unexplained, 1)), ground.unexplained_at),
         (names[2], ground.nodata, share(ground.nodata, 1), ground.nodata_at),
     ):
-        where = filled(tr("; around {places}"), places="; ".join(map(str, places))) if places else ""
+        where = filled(tr("; around {places}"), places="; ".join(places)) if places else ""
         is_reason = decision.accepted is not True and figure > 0 and name != names[2]
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
@@ -263,9 +242,8 @@ def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:
     """The images that are not accepted, those by the same limits together, the worst first."""
     for outcome in _WORST_FIRST[:2]:
         together: dict[tuple[str, ...], list[str]] = {}
-        for image in record.radiometry:
-            if image.outcome is outcome:
-                together.setdefault(image.failed_by, []).append(image.name)
+        for image in record.rated(outcome):
+            together.setdefault(image.failed_by, []).append(image.name)
         for failed_by, names in together.items():
             yield [outcome_title(outcome), "; ".join(failed_by) or NOTHING, ", ".join(names)]
 
@@ -299,15 +277,14 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
         words = tr("what the operator saw"), "", tr("no loss in the window of a piece")
         source = 0
     else:
-        kept = [piece.kept_1 for piece in decision.delivery.pieces if piece.kept_1 is not None]
         limit = decision.rules.least_kept
         least = filled(tr("at least {least} in each piece"), least=share_beside(limit, limit))
-        words = check_word(KEPT), share_beside(min(kept, default=None), limit), least
+        words = CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit), least
         source = 1 + sources.index(decision.rules.kept_source)
     yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
     for outcome in decision.outcomes:
         yield dict(zip(_RULE_KEYS, (
-            check_word(outcome.check), outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
+            CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
             outcome.passed is not True, 1 + sources.index(outcome.source),
         )))  # fmt: skip
 
@@ -337,7 +314,7 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
         if not all(sheet.piece_count for sheet in decision.sheets):
             shown[None] = tr("No seams")
         entries += [
-            (pale(SHEET_COLOURS[outcome]), filled(tr("sheet: {verdict}"), verdict=word))
+            (SHEET_COLOURS[outcome] + _PALE, filled(tr("sheet: {verdict}"), verdict=word))
             for outcome, word in shown.items()
         ]
     return entries
@@ -406,23 +383,3 @@ def _pictures(
 def _image_title(name: str, dates: Mapping[str, str]) -> str:
     day = dates.get(name) or dates.get(name.rpartition(".")[0], "")
     return filled(tr("Orthoimage {name}"), name=f"{name} ({day})" if day else name)
-
-
-def _plan_facts(outcome: PlanOutcome) -> list[tuple[str, str]]:
-    plan, risk = outcome.plan, outcome.characteristic
-    facts = [
-        (tr("plan"), plan_words(plan)),
-        (tr("code letter"), plan.code_letter),
-        (tr("lot"), filled(tr("{count} pieces of seam"), count=plan.lot_size)),
-        (tr("sample"), filled(tr("{count} pieces of seam, of which {measured} were measured"),
-            count=plan.sample_size, measured=outcome.inspected)),
-        (tr("accepted up to"), filled(tr("{count} failed pieces in the sample"), count=plan.acceptance_number)),
-        (tr("found"), filled(tr("{count} failed pieces in the sample"), count=outcome.nonconforming)),
-        (tr("producer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is rejected"),
-            risk=share(risk.producers_risk, 1), quality=share(risk.good_quality, 1))),
-        (tr("consumer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is accepted"),
-            risk=share(risk.consumers_risk, 1), quality=share(risk.limiting_quality, 1))),
-    ]  # fmt: skip
-    if outcome.seed is not None:
-        facts.append((tr("seed of the drawing"), str(outcome.seed)))
-    return facts

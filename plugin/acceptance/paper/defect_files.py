@@ -13,18 +13,21 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from qgis.core import QgsFeature, QgsGeometry, QgsLineString
+from qgis.PyQt import sip
+from qgis.PyQt.QtCore import QPointF, Qt
+from qgis.PyQt.QtGui import QColor, QImage, QPen, QPolygonF
 
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import RasterError, SettingsError
 from ...imagery.file_identity import DataPlace, check_outputs
 from ...imagery.grids import PixelWindow
-from ...imagery.lines import points_at, vertex_stations
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.records import Column
 from ...imagery.reference_systems import extent_on, transform_points
 from ...toolkit.pages.picture_files import encoded
+from ...toolkit.painting import painting
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
 from ...toolkit.table_fields import column_features
 from ..measure import messages
@@ -97,7 +100,7 @@ MOST_REDUCED = 8.0  # pixels of the mosaic, along a side, on one of it
 _AROUND = 1.25  # of a failure's extent
 _DASHES_PX = (7.0, 9.0)  # and gaps: what is lost has to be seen between the dashes
 _EDGE_PX = 8  # of a panel: how far marks of the seam reach in, so that nothing lies on what is shown
-_LINE, _EDGE, _FRAME = (255, 214, 0), (0, 0, 0), (255, 255, 255)
+_SEAM, _FRAME, _LINE_PX, _EDGES_PX = "#ffd600", "white", 2, 4
 _GUTTER_PX = 8
 _PROOF_SCALE = 2
 _HELD = 8  # open sheets
@@ -149,10 +152,9 @@ class DefectPictures:
         around = self._pixels(mosaic, shown)
         shares = np.array(around.shape[1::-1]) / (shown.width, shown.height)
         for line in lines:
-            _draw_dashes(around, (line - (shown.column, shown.row)) * shares)
-        left, top = np.rint((np.array([part.column, part.row]) - (shown.column, shown.row)) * shares).astype(int)
-        across, down = np.rint(np.array([part.width, part.height]) * shares).astype(int)
-        _draw_frame(around, PixelWindow(int(left), int(top), int(across), int(down)))
+            _draw(around, (line - (shown.column, shown.row)) * shares, _SEAM, _DASHES_PX)
+        corners = np.array([(0, 0), (part.width, 0), (part.width, part.height), (0, part.height), (0, 0)])
+        _draw(around, (corners + (part.column - shown.column, part.row - shown.row)) * shares, _FRAME)
         piece = defect.worst.piece
         panels = () if self._prover is None else self._prover(mosaic, part, (piece.left_source, piece.right_source))
         panels = panels or (ProofPanel(MOSAIC_PANEL, "", self._pixels(mosaic, part)),)
@@ -192,7 +194,7 @@ def _marked(pixels: np.ndarray, seams: Sequence[np.ndarray]) -> np.ndarray:
     """A copy with the seams drawn at its edges alone; ``seams``: (n, 2) columns and rows each."""
     marked = pixels.copy()
     for seam in seams:
-        _draw_dashes(marked, seam, (1.0, 0.0))
+        _draw(marked, seam, _SEAM)
     inner = slice(_EDGE_PX, -_EDGE_PX)
     marked[inner, inner] = pixels[inner, inner]
     return marked
@@ -227,32 +229,19 @@ def _window(places: np.ndarray, worst: np.ndarray) -> tuple[PixelWindow, bool]:
     return _square((low + high) / 2 if is_whole else worst, side), is_whole
 
 
-def _draw_frame(pixels: np.ndarray, window: PixelWindow) -> None:
-    """An outline of a window, in place; what lies outside is left out."""
-    left, top = max(window.column, 0), max(window.row, 0)
-    right, bottom = window.column + window.width, window.row + window.height
-    for inset, colour in enumerate((_EDGE, _FRAME, _EDGE)):
-        inner = pixels[top + inset : bottom - inset, left + inset : right - inset]
-        if inner.size:
-            inner[[0, -1]] = colour
-            inner[:, [0, -1]] = colour
-
-
-def _draw_dashes(pixels: np.ndarray, path: np.ndarray, dash_and_gap: tuple[float, float] = _DASHES_PX) -> None:
-    """A dashed line along a path of (n, 2) columns and rows, in place; what lies outside is left out."""
-    dash, gap = dash_and_gap
-    along = vertex_stations(path)
-    stations = np.arange(0.0, along[-1], 0.5)
-    places = points_at(path, along, stations[stations % (dash + gap) < dash])
-    for reach, colour in ((2, _EDGE), (1, _LINE)):
-        offsets = np.arange(-reach, reach + 1) / 2
-        rows, columns = (
-            np.floor(places[:, axis, np.newaxis, np.newaxis] + steps).astype(int)
-            for axis, steps in ((1, offsets[:, np.newaxis]), (0, offsets[np.newaxis]))
-        )
-        rows, columns = (indices.ravel() for indices in np.broadcast_arrays(rows, columns))
-        seen = (rows >= 0) & (columns >= 0) & (rows < pixels.shape[0]) & (columns < pixels.shape[1])
-        pixels[rows[seen], columns[seen]] = colour
+def _draw(pixels: np.ndarray, path: np.ndarray, colour: str, dashes: Sequence[float] = ()) -> None:
+    """Draw a line with black edges along a path of (n, 2) columns and rows, in place; ``dashes`` and gaps, pixels."""
+    rows, columns = pixels.shape[:2]
+    points = QPolygonF([QPointF(x, y) for x, y in path.tolist()])
+    image = QImage(sip.voidptr(pixels.ctypes.data), columns, rows, pixels.strides[0], QImage.Format.Format_RGB888)
+    with painting(image) as painter:
+        for width, ink in ((_EDGES_PX, "black"), (_LINE_PX, colour)):
+            pen = QPen(QColor(ink), width)
+            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+            if dashes:
+                pen.setDashPattern([length / width for length in dashes])
+            painter.setPen(pen)
+            painter.drawPolyline(points)
 
 
 def _coordinate(value: float) -> float:

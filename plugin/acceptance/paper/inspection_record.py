@@ -9,20 +9,24 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
+from statistics import median
 from typing import Callable
 
 from ...imagery.documents import json_document
-from ...imagery.errors import RasterError, SettingsError
-from ...imagery.open_raster import OpenRaster
+from ...imagery.errors import SettingsError
+from ...imagery.open_raster import OpenRaster, placed
 from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
 from ...toolkit.layers import features
+from ...toolkit.pages.templates import HowMeasured, each_raster, system_name
+from ...toolkit.resources import plugin_commit
 from ...toolkit.table_fields import attributes, text, whole_number
 from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, defects_of
 from ..measure.delivery import in_words
-from .paper_head import RADIOMETRY, PaperHead
+from .paper_head import RADIOMETRY, TITLE
+from .words import failing_sentence, metres
 
 _SETTINGS_DOMAIN = "SEAM_INSPECTOR"  # as the scan writes it
 _LISTS = ("mosaic", "sources")  # of the settings: paths as JSON
@@ -78,9 +82,9 @@ class InspectionRecord:
     rules: str = ""  # the file of rules; empty for ready ones
     mosaics: tuple[Raster, ...] = ()  # what the pictures of failures are cut from
     loss: Raster | None = None  # the picture of losses of the scan
-    scan: Mapping[str, str] = field(default_factory=dict)  # how the seams were measured: ``scan_settings``
-    loss_bands: tuple[str, ...] = ()  # what the picture of losses holds: described_bands of it
-    head: PaperHead = field(default_factory=PaperHead)  # which delivery it is of, under which contract
+    scan: Mapping[str, str] = field(default_factory=dict)  # how the seams were measured: ``ScannedLoss.settings``
+    loss_bands: tuple[str, ...] = ()  # names of the bands of the picture of losses
+    head: Mapping[str, str] = field(default_factory=dict)  # which delivery it is of, under which contract: stated_head
     images: tuple[ListedImage, ...] = ()  # the orthoimages, by name
     digests: tuple[Digest, ...] = ()  # digests of what was decided on; none where they were not wanted
     radiometry: tuple[RatedImage, ...] = ()  # the images whose radiometry was checked; none where it was not
@@ -88,41 +92,73 @@ class InspectionRecord:
     made_at: datetime = field(default_factory=lambda: datetime.now(timezone.utc).replace(microsecond=0))
 
     @property
+    def title(self) -> str:
+        return self.head.get(TITLE) or tr("Acceptance of an orthophoto mosaic")
+
+    @property
     def defects(self) -> tuple[Defect, ...]:
         return defects_of(self.decision)
 
+    @property
+    def faults(self) -> list[tuple[str, str]]:
+        """Sheets with what was found wrong with their files."""
+        return [(sheet.name, "; ".join(sheet.findings)) for sheet in self.decision.delivery.outlines if sheet.findings]
 
-def scan_settings(loss: RasterRef) -> dict[str, str]:
-    """What a scan wrote into its picture of losses: ``wavelet``, ``levels``, ``density``, ``piece_m``, ``corridor_m``,
-    as ``seams`` whether these were ``given`` or ``found``, and what the scan saw of the ground (``ScanResult.told``).
-
-    Empty where it is another raster's. Raises RasterError when it can't be opened.
-    """
-    settings = OpenRaster(loss).dataset.GetMetadata(_SETTINGS_DOMAIN)
-    return {name: value for name, value in settings.items() if name not in _LISTS}
-
-
-def scanned_sources(loss: RasterRef) -> list[str]:
-    """The paths of the orthoimages that a scan was made from; none where its picture of losses doesn't say.
-
-    Raises RasterError when it can't be opened.
-    """
-    written = OpenRaster(loss).dataset.GetMetadata(_SETTINGS_DOMAIN).get("sources", "")
-    try:
-        paths = json_document(written or "[]")
-    except ValueError:
-        return []
-    return [path for path in paths if isinstance(path, str)] if isinstance(paths, list) else []
+    def rated(self, outcome: AcceptanceOutcome) -> list[RatedImage]:
+        """The images whose radiometry came out so."""
+        return [image for image in self.radiometry if image.outcome is outcome]
 
 
-def described_bands(raster: RasterRef) -> tuple[str, ...]:
-    """What a raster's bands are called in its file, not by their colours; those without a name by their number.
+def how_measured(record: InspectionRecord) -> HowMeasured:
+    """The settings and rasters that a decision rests on."""
+    decision = record.decision
+    names = {
+        "wavelet": tr("wavelet"), "levels": tr("levels"), "density": tr("density"),
+        "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
+    }  # fmt: skip
+    settings = [
+        (tr("commit of the plugin"), plugin_commit()),
+        (tr("rules"), decision.rules.name),
+        (tr("file of the rules"), record.rules),
+        (tr("which pieces fail"), failing_sentence(decision)),
+        (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
+        *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
+        (tr("layer of windows"), record.windows),
+        (tr("reference system"), system_name(decision.delivery.wkt)),
+    ]
+    rasters = each_raster(tr("mosaic"), record.mosaics)
+    rasters += each_raster(tr("picture of losses"), [record.loss] if record.loss else [])
+    return HowMeasured(settings, rasters, record.made_at.date())
 
-    Raises RasterError when it can't be opened.
-    """
-    dataset = OpenRaster(raster).dataset
-    numbers = range(1, dataset.RasterCount + 1)
-    return tuple(dataset.GetRasterBand(number).GetDescription() or str(number) for number in numbers)
+
+@dataclass(frozen=True, eq=False)
+class ScannedLoss:
+    """A scan's picture of losses, with what the scan wrote into it."""
+
+    raster: Raster
+    settings: Mapping[str, str]
+    """How it was measured: ``wavelet``, ``levels``, ``density``, ``piece_m``, ``corridor_m``, as ``seams`` whether
+    these were ``given`` or ``found``, and what the scan saw of the ground (``ScanResult.told``)."""
+    sources: tuple[str, ...]  # paths of the orthoimages
+    bands: tuple[str, ...]  # names of its bands
+
+
+def scanned_loss(ref: RasterRef) -> ScannedLoss | None:
+    """None for another raster. Raises RasterError when it can't be opened."""
+    opened = OpenRaster(ref)
+    written = opened.dataset.GetMetadata(_SETTINGS_DOMAIN)
+    settings = {name: value for name, value in written.items() if name not in _LISTS}
+    if not settings:
+        return None
+    sources: object = ()
+    with suppress(ValueError):
+        sources = json_document(written.get("sources") or "[]")
+    bands = (opened.dataset.GetRasterBand(number + 1) for number in range(opened.dataset.RasterCount))
+    return ScannedLoss(
+        placed(opened.raster), settings,
+        tuple(path for path in sources if isinstance(path, str)) if isinstance(sources, list) else (),
+        tuple(band.GetDescription() or str(number) for number, band in enumerate(bands, 1)),
+    )  # fmt: skip
 
 
 _AT_ONCE = 1 << 22  # bytes
@@ -135,20 +171,6 @@ class Digest:
     path: str  # path of a file; what it is, in words, where there is none
     size: int | None  # bytes; None of what is no file
     sha256: str  # hexadecimal, 64 digits
-
-
-def mosaic_files(refs: Iterable[RasterRef]) -> list[str]:
-    """The files that rasters are read from, those that a VRT names too, each once; what a server has is left out.
-
-    Statistics that GDAL writes beside a raster are no part of it.
-    """
-    paths: dict[str, None] = {}
-    for ref in refs:
-        names: Sequence[str] = ()
-        with suppress(RasterError):
-            names = OpenRaster(ref).dataset.GetFileList() or ()
-        paths.update(dict.fromkeys(os.path.abspath(name) for name in names if not name.endswith(".aux.xml")))
-    return [path for path in paths if os.path.isfile(path)]
 
 
 def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list[Digest] | None:

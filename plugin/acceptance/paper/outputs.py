@@ -2,16 +2,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from qgis.core import (
-    QgsFeature,
-    QgsGeometry,
-    QgsPointXY,
+    QgsFeatureSink,
     QgsProcessingException,
     QgsProcessingUtils,
     QgsProviderRegistry,
@@ -19,37 +16,32 @@ from qgis.core import (
 )
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
-from ...imagery.open_raster import describe, describe_mosaic, placed
+from ...imagery.file_identity import local_states
+from ...imagery.open_raster import describe_mosaic
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.records import Column
 from ...toolkit.algorithms.run import Run
 from ...toolkit.pages.templates import whole_path
 from ...toolkit.reference_systems import reference_system
-from ...toolkit.table_fields import column_features, column_fields
+from ...toolkit.table_fields import column_fields
 from ...toolkit.translation import filled, tr
 from ..measure import messages
-from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
+from ..measure.decision import Decision, Defect
 from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, defect_features, save_pictures
 from .inspection_record import (
     Digest,
     InspectionRecord,
-    described_bands,
+    ScannedLoss,
     file_digests,
     listed_images,
-    mosaic_files,
     rated_images,
-    scan_settings,
-    scanned_sources,
+    scanned_loss,
     text_digest,
 )
 from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
-from .words import rounded
+from .sheet_layer import SHEET_COLUMNS, sheet_features
 
 if TYPE_CHECKING:
     from .defect_files import Proving
-
-ScannedLoss = tuple[Raster, Mapping[str, str]]  # a picture of losses, and how its scan says it was measured
-
 
 @dataclass(frozen=True)
 class ReadFiles:
@@ -64,16 +56,16 @@ class ReadFiles:
 
 def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> dict[str, Any]:
     """Write what is wanted; what can't be written is told, and does not cost the decision."""
-    losses = read.losses
-    loss, settings = losses[0] if len(losses) == 1 else (None, next((scan for _, scan in losses), {}))
-    bands = () if loss is None else described_bands(loss.ref)
-    scanned = [path for raster, _ in losses for path in scanned_sources(raster.ref)]
+    loss = read.losses[0] if len(read.losses) == 1 else None
+    settings = next((scan.settings for scan in read.losses), {})
+    scanned = [path for scan in read.losses for path in scan.sources]
     report = run.file_path(REPORT)
     mosaics = _mosaics(run, read.mosaics) if run.parameters.get(DEFECTS) or report else ()
     images = proving.orthoimages(run, scanned, mosaics)
     record = InspectionRecord(
         decision, tuple((sheet, whole_path(address)) for sheet, address in read.seams), whole_path(read.windows),
-        whole_path(read.rules), mosaics, loss, settings, bands, stated_head(run),
+        whole_path(read.rules), mosaics, loss.raster if loss else None, settings, loss.bands if loss else (),
+        stated_head(run),
         listed_images(decision, (whole_path(image.path) for image in images)), radiometry=rated_images(run),
         report=str(report or ""),
     )
@@ -96,10 +88,10 @@ def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> di
 def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Digest, ...]:
     """Raises CancelledError where the paper is not wanted any more."""
     run.doing(tr("Digests of the files"))
-    paths = [*mosaic_files(read.mosaics), *([record.rules] if record.rules else [])]
-    files = file_digests(paths, run.goes_on)
+    paths = local_states(path for mosaic in read.mosaics for path in mosaic.paths)
+    files = file_digests([*paths, *filter(None, [record.rules])], run.goes_on)
     if files is None:
-        raise CancelledError(messages.DIGESTS_STOPPED())
+        raise CancelledError(messages.PAPER_STOPPED())
     layers = record.decision.delivery.layers
     digested = [layer for layer in layers if layer.digest]
     lists = [Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested]
@@ -111,13 +103,8 @@ def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Diges
 
 
 def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
-    crs = reference_system(decision.delivery.wkt)
-    layout = column_fields(SHEET_COLUMNS), QgsWkbTypes.Type.MultiPolygon, crs
-    try:
-        sink, destination = run.optional_sink(SHEETS_OUT, *layout)
-    except QgsProcessingException:
-        run.tell(messages.SHEETS_NOT_WRITTEN())
-        return {}
+    layout = column_fields(SHEET_COLUMNS), QgsWkbTypes.Type.MultiPolygon
+    sink, destination = _sink(run, SHEETS_OUT, tr("Decided sheets"), decision, *layout)
     if sink is None:
         return {}
     run.write(sink, sheet_features(decision))
@@ -125,13 +112,24 @@ def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
     return {SHEETS_OUT: destination}
 
 
+def _sink(
+    run: Run, output: str, title: str, decision: Decision, *layout: Any
+) -> tuple[QgsFeatureSink | None, str | None]:
+    """The sink of a layer and its destination; none where it is not wanted, or can't be written, which is told."""
+    try:
+        return run.optional_sink(output, *layout, reference_system(decision.delivery.wkt))
+    except QgsProcessingException:
+        run.tell(messages.RESULT_NOT_WRITTEN(name=title))
+        return None, None
+
+
 def scanned_losses(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
-    """The pictures of losses that a scan wrote, each with what it says of how it was measured; others are told."""
+    """The pictures of losses that a scan wrote; others are told."""
     losses: list[ScannedLoss] = []
     for ref in refs:
         try:
-            if settings := scan_settings(ref):
-                losses.append((placed(describe(ref)), settings))
+            if loss := scanned_loss(ref):
+                losses.append(loss)
             else:
                 run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
         except RasterError as error:
@@ -144,7 +142,7 @@ def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
     mosaics = []
     for ref in refs:
         try:
-            if scan_settings(ref):
+            if scanned_loss(ref):
                 run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
                 continue
             mosaics.append(describe_mosaic(ref))
@@ -158,13 +156,8 @@ def _write_defects(
     pictures: dict[int, DefectPicture],
 ) -> dict[str, Any]:
     """The layer; fills in the pictures by the failures' numbers, for the report too."""
-    try:
-        crs = reference_system(decision.delivery.wkt)
-        layout = column_fields(DEFECT_COLUMNS), QgsWkbTypes.Type.MultiLineString, crs
-        sink, destination = run.optional_sink(DEFECTS, *layout)
-    except QgsProcessingException:
-        run.tell(messages.DEFECTS_NOT_WRITTEN())
-        sink, destination = None, None
+    layout = column_fields(DEFECT_COLUMNS), QgsWkbTypes.Type.MultiLineString
+    sink, destination = _sink(run, DEFECTS, tr("Failures"), decision, *layout)
     if sink is None:
         _cut_pictures(run, defects, maker, pictures)
         return {}
@@ -208,57 +201,3 @@ def _cut_pictures(
         run.tell(messages.PICTURES_MISSING(count=missing))
     if len(defects) > len(shown):
         run.tell(messages.PICTURES_LIMITED(shown=len(shown), count=len(defects)))
-
-
-@dataclass(frozen=True, eq=False)
-class _DecidedSheet:
-    figures: MetreFigures
-    outcome: AcceptanceOutcome | None  # None without seams, or where the delivery was decided on by a sample
-    findings: tuple[str, ...]  # what is wrong with its file; none where that was not looked at
-
-
-def _word(sheet: _DecidedSheet) -> str | None:
-    if not sheet.figures.piece_count:
-        return _NO_SEAMS
-    return sheet.outcome.value if sheet.outcome else None
-
-
-_NO_SEAMS = "no_seams"
-SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
-    Column("sheet", "text", lambda sheet: sheet.figures.name),
-    Column("verdict", "text", _word),
-    Column("length", "real", lambda sheet: rounded(sheet.figures.total_m)),
-    Column("measured", "real", lambda sheet: rounded(sheet.figures.measured_m)),
-    Column("failed", "real", lambda sheet: rounded(sheet.figures.failed_m)),
-    Column("failed_share", "real", lambda sheet: (
-        None if sheet.figures.failed_share is None else rounded(100 * sheet.figures.failed_share)
-    )),
-    Column("longest_failure", "real", lambda sheet: rounded(sheet.figures.longest_failure_m)),
-    Column("pieces", "integer", lambda sheet: sheet.figures.piece_count),
-    Column("failed_pieces", "integer", lambda sheet: sheet.figures.failed_count),
-    Column("findings", "text", lambda sheet: "; ".join(sheet.findings) or None),
-)
-
-
-def sheet_features(decision: Decision) -> Iterator[QgsFeature]:
-    """In the order of ``decision.sheets``; a sheet of which no place is known has no outline."""
-    rings = decision.delivery.sheet_rings()
-    findings = {sheet.name: sheet.findings for sheet in decision.delivery.outlines}
-    rows = [
-        _DecidedSheet(figures, outcome, findings.get(figures.name, ()))
-        for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)
-    ]
-    for row, feature in zip(rows, column_features(SHEET_COLUMNS, rows)):
-        if outline := rings.get(row.figures.name):
-            feature.setGeometry(_polygon(outline))
-        yield feature
-
-
-def _polygon(rings: Sequence[np.ndarray]) -> QgsGeometry:
-    """What lies within an odd number of rings: parts lie beside each other, holes within parts."""
-    shape = QgsGeometry()
-    for ring in rings:
-        part = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in ring.tolist()]])
-        shape = part if shape.isNull() else shape.symDifference(part)
-    shape.convertToMultiType()
-    return shape

@@ -2,9 +2,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from datetime import date, datetime
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
@@ -35,24 +34,11 @@ _TEXTS = {
 """Title and help of each parameter. Forms remember them, scripts and models don't."""
 
 
-@dataclass(frozen=True)
-class PaperHead:
-    """Head of the paper as it was given; empty is left out."""
-
-    title: str = ""
-    contract: str = ""
-    producer: str = ""
-    client: str = ""
-    delivery: str = ""
-    delivery_date: str = ""
-
-    @property
-    def rows(self) -> Iterator[tuple[str, str]]:
-        """Names and values, but for the title."""
-        values = self.contract, self.client, self.producer, self.delivery, iso_date(self.delivery_date)
-        for name, value in zip((CONTRACT, CLIENT, PRODUCER, DELIVERY, DELIVERY_DATE), values):
-            if value:
-                yield tr(_TEXTS[name][0]), value
+def head_rows(head: Mapping[str, str]) -> Iterator[tuple[str, str]]:
+    """Names and values of the head of a paper but for its title; ``head``: by the parameters, empty is left out."""
+    for name in (CONTRACT, CLIENT, PRODUCER, DELIVERY, DELIVERY_DATE):
+        if value := head.get(name):
+            yield tr(_TEXTS[name][0]), iso_date(value) if name == DELIVERY_DATE else value
 
 
 def add_head(algorithm: SeamInspectorAlgorithm) -> None:
@@ -85,12 +71,12 @@ def iso_date(value: str) -> str:
     return value if day is None else day.isoformat()
 
 
-def stated_head(run: Run) -> PaperHead:
+def stated_head(run: Run) -> dict[str, str]:
     """What the run was given, which the form offers again the next time. A model's steps are not checked before they
     run: what is wrong is told then, and costs nothing that was measured."""
     run.tell(*(fault.as_warning() for fault in _faults(run)))
     common.remember({name: run.text(name) for name in _TEXTS if name in run.parameters})
-    return PaperHead(*(run.text(name).strip() for name in _TEXTS))
+    return {name: run.text(name).strip() for name in _TEXTS}
 
 
 MOST_PICTURES = 100  # of a delivery, of the longest failures: some 12 MB of report

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import uuid
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,13 +16,15 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
-from ...toolkit.pages.templates import HowMeasured, environment, system_code, whole_path
+from ...toolkit.pages.templates import environment, system_code, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures, PlanOutcome, RuleOutcome
+from ..measure.decision import AcceptanceOutcome, Decision, PlanOutcome, RuleOutcome
 from ..measure.delivery import extent_of
-from .inspection_record import InspectionRecord
-from .words import check_word, failing_sentence, outcome_title, plan_words, share
+from ..measure.inspection_plan import plan_sentence
+from .inspection_record import InspectionRecord, how_measured
+from .paper_head import head_rows
+from .words import CHECKS, failing_sentence, outcome_title, share
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
@@ -87,145 +89,109 @@ class QualityElement:
 
 
 def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
-    """The decision first, then the figures it rests on, then how sure they are."""
+    """The decision first, then the figures it rests on, then what was checked beside it."""
     decision = record.decision
-    outcomes = {outcome.check: outcome for outcome in decision.outcomes}
-    yield _acceptance(decision)
-    yield from _figures(record, outcomes)
-    if decision.plan is not None:
-        yield from _sampling(decision, decision.plan, outcomes.get(rules.SAMPLING))
-    yield from _checked_beside(record)
-    yield from _metaquality(decision, outcomes)
-
-
-def _acceptance(decision: Decision) -> QualityElement:
-    return QualityElement(
+    yield QualityElement(
         USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery meets the rules."),
         Evaluation(DERIVED, tr("All rules together: the delivery is accepted if none of them fails.")),
         conformance=Conformance(
             decision.rules.name, " ".join(map(sentence, decision.sentences)), decision.accepted
         ),
     )
+    outcomes = {outcome.check: outcome for outcome in decision.outcomes}
+    for code, check in CHECKS.items():
+        kind, evaluation = _found_by(code, decision)
+        if quantities := _quantities(decision, code):
+            yield QualityElement(
+                kind, code, check.word, tr(check.description), evaluation, quantities, _conformance(outcomes.get(code)),
+                has_coverage=code == rules.KEPT and record.loss is not None, about=_about(code, decision),
+            )
+    if decision.plan is not None:
+        yield _risk(decision.plan, _found_by(rules.SAMPLING, decision)[1])
+    yield from _checked_beside(record)
 
 
-def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iterator[QualityElement]:
-    decision = record.decision
-    kept_words = tr(
+def _found_by(code: str, decision: Decision) -> tuple[str, Evaluation]:
+    """The class of a figure, and how it was found."""
+    if code == rules.MEASURED_SHARE:
+        return REPRESENTATIVITY, Evaluation(DERIVED, tr("From the results of all pieces of seam."))
+    if code == rules.SAMPLING and decision.plan is not None:
+        plan = decision.plan.plan
+        pieces = tr("{count} pieces of seam of {sheets} sheets")
+        sample = (
+            sentence(plan_sentence(plan)), filled(pieces, count=plan.lot_size, sheets=len(decision.sheets)),
+            f"{plan.sample_size} / {plan.lot_size}",
+        )
+        words = tr("Each piece of seam of the sample.")
+        return USABILITY, Evaluation(SAMPLE, words, f"{plan.standard}, {_SAMPLING}", sample)
+    kept = tr(
         "Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it "
         "(wavelet decomposition)."
     )
-    by_eye = tr("Each piece of seam: what the operator saw in its window.")
-    measured = Evaluation(FULL, kept_words, _PROCEDURE)
-    failing = failing_sentence(decision)
-    full = Evaluation(FULL, f"{by_eye} {failing}") if decision.by_observer else (
-        Evaluation(FULL, f"{kept_words} {failing}", _PROCEDURE)
+    if decision.by_observer and code != rules.KEPT:
+        eye = tr("Each piece of seam: what the operator saw in its window.")
+        return ACCURACY, Evaluation(FULL, f"{eye} {failing_sentence(decision)}")
+    return ACCURACY, Evaluation(FULL, f"{kept} {failing_sentence(decision)}", _PROCEDURE)
+
+
+def _quantities(decision: Decision, code: str) -> tuple[Quantity, ...]:
+    """A figure of all sheets together, then that of each sheet that has one."""
+    if code == rules.SAMPLING:
+        return () if decision.plan is None else (Quantity((decision.plan.nonconforming,), ONE),)
+    scale, unit = {rules.KEPT: (1, ONE), rules.LONGEST_FAILURE: (1, METRES)}.get(code, (100, PER_CENT))
+    values = ((row.name, CHECKS[code].figure(row)) for row in (decision.whole, *decision.sheets))
+    return tuple(Quantity((scale * value,), unit, sheet=name) for name, value in values if value is not None)
+
+
+def _about(code: str, decision: Decision) -> str:
+    """The figure that another one tells the quality of: what was measured, that of all pieces."""
+    all_pieces = "acceptance" if decision.longest_failure_m is None else rules.LONGEST_FAILURE
+    return all_pieces if code == rules.MEASURED_SHARE else ""
+
+
+def _risk(plan_outcome: PlanOutcome, inspected: Evaluation) -> QualityElement:
+    risks = plan_outcome.characteristic
+    words = tr(
+        "Producer's risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: "
+        "the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer's risk)."
     )
-    if decision.whole.failed_share is not None:
-        yield QualityElement(
-            ACCURACY, rules.FAILED_SHARE, check_word(rules.FAILED_SHARE),
-            tr("Length of the pieces of seam that failed, divided by the measured length."),
-            full,
-            _by_sheet(decision, PER_CENT, lambda row: None if row.failed_share is None else 100 * row.failed_share),
-            _conformance(outcomes.get(rules.FAILED_SHARE)),
-        )
-    if decision.longest_failure_m is not None:
-        yield QualityElement(
-            ACCURACY, rules.LONGEST_FAILURE, check_word(rules.LONGEST_FAILURE),
-            tr("Length of the longest row of failed pieces that follow each other without a break, across sheets too."),
-            full,
-            _by_sheet(decision, METRES, lambda row: row.longest_failure_m if row.piece_count else None),
-            _conformance(outcomes.get(rules.LONGEST_FAILURE)),
-        )
-    kept = [piece.kept_1 for piece in decision.delivery.pieces if piece.kept_1 is not None]
-    if kept:
-        yield QualityElement(
-            ACCURACY, rules.KEPT, check_word(rules.KEPT),
-            tr("Share of the finest detail of the orthoimages that is left in the piece of seam that kept least."),
-            measured, (Quantity((min(kept),), ONE),), _conformance(outcomes.get(rules.KEPT)),
-            has_coverage=record.loss is not None,
-        )
+    figures = 100 * risks.producers_risk, 100 * risks.limiting_quality
+    return QualityElement(
+        CONFIDENCE, "sampling_risk", tr("risks of the plan of sampling"),
+        filled(words, good=share(risks.good_quality, 1), risk=share(risks.consumers_risk, 1)), inspected,
+        (Quantity(figures, PER_CENT, tr("producer's risk; limiting quality")),), about=rules.SAMPLING,
+    )
 
 
 def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
     """Files and radiometry, as far as they were checked: they do not change the decision."""
-    delivery = record.decision.delivery
-    if delivery.is_checked:
-        faults = [(sheet.name, "; ".join(sheet.findings)) for sheet in delivery.outlines if sheet.findings]
+    if record.decision.delivery.is_checked:
         yield QualityElement(
             USABILITY, "files", tr("completeness and form of the files"),
             tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
-            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")), (Quantity((len(faults),), ONE),),
-            Conformance(tr("form of the delivery"), _each_said(faults) or tr("No findings"), not faults),
+            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")),
+            (Quantity((len(record.faults),), ONE),),
+            Conformance(tr("form of the delivery"), _said(record.faults) or tr("No findings"), not record.faults),
         )
     if record.radiometry:
-        outcomes = [image.outcome for image in record.radiometry]
-        open_ = [image for image in record.radiometry if image.outcome is not AcceptanceOutcome.ACCEPTED]
-        failed_by = dict.fromkeys(source for image in open_ for source in image.failed_by)
-        counts = tuple(outcomes.count(outcome) for outcome in (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
-        said = [(image.name, "; ".join((outcome_title(image.outcome), *image.failed_by))) for image in open_]
+        rejected, undecided = map(record.rated, (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
+        failed_by = dict.fromkeys(source for image in (*rejected, *undecided) for source in image.failed_by)
+        words = ("; ".join((outcome_title(image.outcome), *image.failed_by)) for image in (*rejected, *undecided))
+        images = _said(zip((image.name for image in (*rejected, *undecided)), words))
         yield QualityElement(
             ACCURACY, "radiometry", tr("radiometry"),
             tr("Images beyond the limits of radiometry, and those for which it is unknown."),
             Evaluation(FULL, tr("All pixels of each image ('Check radiometry').")),
-            (Quantity(counts, ONE, tr("images rejected; images undecided")),),
+            (Quantity((len(rejected), len(undecided)), ONE, tr("images rejected; images undecided")),),
             Conformance(
-                "; ".join(failed_by) or tr("limits of radiometry"), _each_said(said) or tr("All images are accepted."),
-                False if counts[0] else None if counts[1] else True,
+                "; ".join(failed_by) or tr("limits of radiometry"), images or tr("All images are accepted."),
+                False if rejected else None if undecided else True,
             ),
         )
 
 
-def _each_said(said: Sequence[tuple[str, str]]) -> str:
-    return " ".join(f"{name}: {words}." for name, words in said)
-
-
-def _by_sheet(decision: Decision, unit: str, figure: Callable[[MetreFigures], float | None]) -> tuple[Quantity, ...]:
-    """A figure of all sheets together, then that of each sheet that has one."""
-    values = ((figures.name, figure(figures)) for figures in (decision.whole, *decision.sheets))
-    return tuple(Quantity((value,), unit, sheet=name) for name, value in values if value is not None)
-
-
-def _sampling(decision: Decision, plan_outcome: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
-    plan, characteristic = plan_outcome.plan, plan_outcome.characteristic
-    scheme = plan_words(plan) + "; "
-    if plan.code_letter:
-        scheme += f"{tr('code letter')} {plan.code_letter}; "
-    scheme += filled(tr("accepted up to {most} failed pieces."), most=plan.acceptance_number)
-    if plan_outcome.seed is not None:
-        scheme += " " + filled(tr("Drawn at random with the seed {seed}."), seed=plan_outcome.seed)
-    words = (
-        scheme,
-        filled(tr("{count} pieces of seam of {sheets} sheets"), count=plan.lot_size, sheets=len(decision.sheets)),
-        f"{plan.sample_size} / {plan.lot_size}",
-    )
-    inspected = Evaluation(SAMPLE, tr("Each piece of seam of the sample."), f"{plan.standard}, {_SAMPLING}", words)
-    yield QualityElement(
-        USABILITY, rules.SAMPLING, check_word(rules.SAMPLING),
-        tr("Pieces of seam in the sample that failed."),
-        inspected, (Quantity((plan_outcome.nonconforming,), ONE),), _conformance(outcome),
-    )
-    yield QualityElement(
-        CONFIDENCE, "sampling_risk", tr("risks of the plan of sampling"),
-        filled(tr(
-            "Producer's risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: "
-            "the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer's risk)."
-        ), good=share(characteristic.good_quality, 1), risk=share(characteristic.consumers_risk, 1)),
-        inspected,
-        (Quantity((100 * characteristic.producers_risk, 100 * characteristic.limiting_quality), PER_CENT,
-                  tr("producer's risk; limiting quality")),),
-        about=rules.SAMPLING,
-    )
-
-
-def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterator[QualityElement]:
-    derived = Evaluation(DERIVED, tr("From the results of all pieces of seam."))
-    all_pieces = "acceptance" if decision.longest_failure_m is None else rules.LONGEST_FAILURE
-    yield QualityElement(
-        REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
-        tr("Length of seam that could be measured, divided by the length of all seams on ground with detail."), derived,
-        _by_sheet(decision, PER_CENT, lambda row: 100 * row.measured_share if row.piece_count else None),
-        _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
-    )
+def _said(each: Iterable[tuple[str, str]]) -> str:
+    return " ".join(f"{name}: {words}." for name, words in each)
 
 
 def _conformance(outcome: RuleOutcome | None) -> Conformance | None:
@@ -248,7 +214,7 @@ def save_quality_document(path: Path, record: InspectionRecord) -> None:
 
 
 def quality_document(record: InspectionRecord) -> str:
-    decision = record.decision
+    decision, how = record.decision, how_measured(record)
     sheets = decision.delivery.sheets
     names = ", ".join(sheets[:_NAMED]) + (f" (+{len(sheets) - _NAMED})" if len(sheets) > _NAMED else "")
     text = environment().get_template("quality.xml.j2").render(
@@ -256,8 +222,8 @@ def quality_document(record: InspectionRecord) -> str:
         language=_LANGUAGES.get(language(), "eng"),
         moment=record.made_at.isoformat(),
         sheets=sheets,
-        title=f"{record.head.title or tr('Acceptance of an orthophoto mosaic')}: {names}",
-        head="; ".join(f"{name}: {value}" for name, value in record.head.rows),
+        title=f"{record.title}: {names}",
+        head="; ".join(f"{name}: {value}" for name, value in head_rows(record.head)),
         sentences=[*map(sentence, decision.sentences)],
         system=system_code(decision.delivery.wkt),
         extent=_in_degrees(decision),
@@ -266,8 +232,8 @@ def quality_document(record: InspectionRecord) -> str:
         loss=record.loss,
         loss_bands=record.loss_bands,
         loss_path=whole_path(record.loss.ref.path) if record.loss else "",
-        software=HowMeasured().software,
-        steps=list(_steps(record)),
+        software=how.software,
+        steps=[f"{name}: {value}" for name, value in how.settings if value],
         sources=_sources(record),
     )  # fmt: skip
     return _NO_XML.sub("\ufffd", text.lstrip())
@@ -282,15 +248,6 @@ def _in_degrees(decision: Decision) -> Extent | None:
     with suppress(RasterError):
         return extent_on(extent_of(vertices), decision.delivery.wkt, _DEGREES)
     return None
-
-
-def _steps(record: InspectionRecord) -> Iterator[str]:
-    if record.scan:
-        settings = ", ".join(f"{name} {value}" for name, value in record.scan.items())
-        yield filled(tr("The seams were measured (scanmosaic): {settings}."), settings=settings)
-    rules = record.decision.rules
-    yield filled(tr("The delivery was decided on (acceptmosaic) by the rules '{rules}'."), rules=rules.name)
-    yield failing_sentence(record.decision)
 
 
 def _sources(record: InspectionRecord) -> list[str]:

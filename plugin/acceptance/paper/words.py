@@ -1,48 +1,68 @@
 """How people meet the figures of a decision: their names, and values as they are written."""
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...toolkit.translation import decimals_beside, filled, formatted, shown_number, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures, RuleOutcome
-from ..measure.sampling_plans import SamplingPlan
 
-_CHECKS = {
-    rules.KEPT: QT_TR_NOOP("least detail kept"),
-    rules.FAILED_SHARE: QT_TR_NOOP("share of the seams that failed"),
-    rules.LONGEST_FAILURE: QT_TR_NOOP("longest failure without a break"),
-    rules.MEASURED_SHARE: QT_TR_NOOP("share of the seams that was measured"),
-    rules.SAMPLING: QT_TR_NOOP("failed pieces in the sample"),
-}
+
+@dataclass(frozen=True)
+class Check:
+    """What a rule looks at, as the page and the quality record tell it."""
+
+    title: str
+    description: str
+    scale: float  # what a figure is multiplied by
+    decimals: int  # with how many it is shown at least
+    unit: str
+    figure: Callable[[MetreFigures], float | None]  # of a sheet, or of all; None where it has none
+
+    @property
+    def word(self) -> str:
+        return tr(self.title)
+
+
+CHECKS = {
+    rules.FAILED_SHARE: Check(
+        QT_TR_NOOP("share of the seams that failed"),
+        QT_TR_NOOP("Length of the pieces of seam that failed, divided by the measured length."),
+        100, 2, "\u00a0%", lambda metres: metres.failed_share,
+    ),
+    rules.LONGEST_FAILURE: Check(
+        QT_TR_NOOP("longest failure without a break"),
+        QT_TR_NOOP("Length of the longest row of failed pieces that follow each other without a break, across sheets "
+                   "too."),
+        1, 1, "\u00a0m", lambda metres: metres.longest_failure_m if metres.piece_count else None,
+    ),
+    rules.KEPT: Check(
+        QT_TR_NOOP("least detail kept"),
+        QT_TR_NOOP("Share of the finest detail of the orthoimages that is left in the piece of seam that kept least."),
+        100, 2, "\u00a0%", lambda metres: metres.least_kept,
+    ),
+    rules.SAMPLING: Check(
+        QT_TR_NOOP("failed pieces in the sample"), QT_TR_NOOP("Pieces of seam in the sample that failed."), 1, 0, "",
+        lambda _: None,
+    ),
+    rules.MEASURED_SHARE: Check(
+        QT_TR_NOOP("share of the seams that was measured"),
+        QT_TR_NOOP("Length of seam that could be measured, divided by the length of all seams on ground with detail."),
+        100, 1, "\u00a0%", lambda metres: metres.measured_share if metres.piece_count else None,
+    ),
+}  # fmt: skip
+"""What rules look at, in the order of the quality record."""
 _OUTCOMES = {
     AcceptanceOutcome.ACCEPTED: QT_TR_NOOP("Accepted"),
     AcceptanceOutcome.REJECTED: QT_TR_NOOP("Rejected"),
     AcceptanceOutcome.UNDECIDED: QT_TR_NOOP("Undecided"),
 }
-_SHARE = 100, 2, "\u00a0%"
-_UNITS = {
-    rules.KEPT: _SHARE, rules.FAILED_SHARE: _SHARE, rules.MEASURED_SHARE: (100, 1, "\u00a0%"),
-    rules.LONGEST_FAILURE: (1, 1, "\u00a0m"), rules.SAMPLING: (1, 0, ""),
-}  # fmt: skip
-"""What a figure is multiplied by, with how many decimals it is shown at least, and its unit."""
 QUALITY_STANDARDS = "ISO 19157:2013", "ISO/TS 19157-2:2016", "ISO 19115-3:2016"
 DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"  # with their editions, on which the decision rests, its record and its digests
 NOTHING = "\u2013"  # where there is no value
-
-
-def check_word(check: str) -> str:
-    """What a rule looks at."""
-    return tr(_CHECKS[check])
-
-
-def plan_words(plan: SamplingPlan) -> str:
-    """The standard with its edition, and what the plan was looked up by."""
-    if plan.lq is not None:
-        return filled(tr("{standard}, single sampling of an isolated lot (procedure A), limiting quality {lq:g} %"),
-            standard=plan.standard, lq=plan.lq)
-    return filled(tr("{standard}, single sampling, level {level}, AQL {aql}"), standard=plan.standard,
-        level=plan.inspection_level, aql=plan.aql)
 
 
 def rounded(value: float | None) -> float | None:
@@ -87,13 +107,13 @@ def outcome_value(outcome: RuleOutcome) -> str:
     """So precisely that it lies on the same side of its limit as the figure does."""
     if outcome.value is None or outcome.check == rules.SAMPLING:
         return NOTHING if outcome.value is None else f"{outcome.value:.0f}"
-    scale, decimals, unit = _UNITS[outcome.check]
-    return _beside(scale * outcome.value, scale * outcome.limit, decimals) + unit
+    check = CHECKS[outcome.check]
+    return _beside(check.scale * outcome.value, check.scale * outcome.limit, check.decimals) + check.unit
 
 
 def outcome_limit(outcome: RuleOutcome) -> str:
-    scale, _, unit = _UNITS[outcome.check]
-    limit = formatted(scale * outcome.limit, ".6g") + unit
+    check = CHECKS[outcome.check]
+    limit = formatted(check.scale * outcome.limit, ".6g") + check.unit
     return filled(tr("at least {least}"), least=limit) if outcome.is_least else filled(tr("at most {most}"), most=limit)
 
 

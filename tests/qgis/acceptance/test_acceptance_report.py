@@ -75,7 +75,7 @@ def test_an_accepted_delivery_has_no_failures(tmp_path: Path) -> None:
     assert "Accepted" in page.words
     assert "No piece of seam that was measured failed." in page.words
     assert "Where the seams failed" not in page.words
-    assert len(page.pictures("svg+xml")) == 1
+    assert len(page.pictures("jpeg")) == 1
 
 
 def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:

@@ -41,9 +41,9 @@ def test_a_sheet_has_the_whole_name_of_its_file(tmp_path: Path) -> None:
 def test_what_a_scan_could_not_compare_is_no_doubt() -> None:
     """Its interval is wide without orthoimages, and nothing is claimed there; where it is, the number is told."""
     verdicts = ("string", ["not_comparable"] + ["preserved"] * 9)
-    assert not warned(decide(pieces(kept_1=("double", [7.5] + [P] * 9), verdict=verdicts)), "more than a seam")
+    assert not warned(decide(pieces(kept_1=("double", [7.5] + [P] * 9), verdict=verdicts)), "no share that a seam")
     claimed = decide(pieces(kept_1=("double", [7.5, 4.0] + [P] * 8), verdict=verdicts))
-    assert warned(claimed, "kept_1 of 1 pieces of s is more than a seam can keep (up to 4)")
+    assert warned(claimed, "kept_1 of 1 pieces of s is no share that a seam can keep (such as '4'")
 
 
 def test_a_sheet_under_two_names_counts_once(tmp_path: Path) -> None:

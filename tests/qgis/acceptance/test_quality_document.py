@@ -95,7 +95,7 @@ def test_scope_time_and_lineage() -> None:
     assert text(root, "mdb:dateInfo//cit:date") == "2026-11-22T13:05:00+00:00"
     assert text(root, ".//mdq:reportReference") == "report.html"
     lineage = text(root, "mdb:resourceLineage")
-    for words in ("Seam Inspector 0.1.0", "wavelet coif3", "70", "sheet_1: /deliveries/sheet_1.gpkg", "/r.json"):
+    for words in ("Seam Inspector 0.1.0", "wavelet: coif3", "70", "sheet_1: /deliveries/sheet_1.gpkg", "/r.json"):
         assert words in lineage
 
 

@@ -11,7 +11,7 @@ from qgis.core import QgsGeometry
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.measure.delivery import SheetOutline
-from seam_inspector.plugin.acceptance.paper.charts import seams_figure
+from seam_inspector.plugin.acceptance.paper.decision_map import decision_map
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
 
 from tests.numbers.acceptance.made_decisions import decided, window_on
@@ -20,6 +20,7 @@ from tests.pages import outline
 from tests.qgis.acceptance.papers import record_of
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
 from tests.qgis.acceptance.test_acceptance_report import page_of
+from tests.qgis.acceptance.test_failure_pages import picture
 from tests.qgis.runs import run
 from tests.qgis.scenes import layer
 
@@ -56,16 +57,12 @@ def test_all_sheets_that_were_given_are_named_in_order(tmp_path: Path) -> None:
 
 def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     decision = decided(["a", "b"], failed=[(0, 3)])
-    plain = seams_figure(decision, ())
     box = np.array([[499000, 5499000], [503000, 5499000], [503000, 5502000], [499000, 5502000], [499000, 5499000]])
     given = replace(decision, delivery=replace(decision.delivery, outlines=(SheetOutline("far", (box,)),)))
-    drawn = seams_figure(given, ())
-    assert plain is not None
-    assert drawn is not None
-    words, others = ({text.get_text() for text in figure.axes[0].texts} for figure in (drawn, plain))
-    assert words - others >= {"far"}
-    ratio = np.ptp(drawn.axes[0].get_xlim()) / np.ptp(drawn.axes[0].get_ylim())
-    assert ratio == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of seams 1 km high and 100 m wide
+    plain, drawn = (picture(decision_map(item, ()) or b"") for item in (decision, given))
+    assert (np.abs(drawn - [213, 94, 0]).sum(axis=2) < 60).any()  # failures in their colour
+    assert drawn.shape[1] / drawn.shape[0] == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of the seams
+    assert plain.shape[1] / plain.shape[0] == pytest.approx(1, rel=0.1)  # no higher than a page
 
 
 def judged() -> Decision:
