@@ -27,7 +27,7 @@ from .patches import PATCH_PX, SquareLook
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
 """Pixels whose labels are kept."""
-MIN_CLEAR = 0.9  # of a window: with more there is no part that is guessed
+MIN_LIKELY = 0.9  # of a window: with more there is no part that is guessed
 MIN_SURE = 0.3  # of a part of one source; true ones have 0.56 or more after JPEG 75, guessed ones 0.25 or less
 MIN_VALID = 0.02  # of a part's pixels: with less there is nothing to be measured
 
@@ -79,17 +79,17 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
         return _nothing(window, levels, known[inside])
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
     filters = known_filters(request.taps, given)
-    if filters is not None and filters.taps and not filters.lent:
+    if filters is not None and filters.taps:
         followed = follow_given(image, list(planes.sources.values()), filters)
     else:
         followed = follow_sources(image, list(planes.sources.values()))
     closeness = Closeness(QUICK, PATCH_PX, bool(planes.resampled))
     expected = expected_mosaic(followed, filters, closeness).of_sources(given)
-    labels, clear, mixed = expected.labels, followed.clear, followed.following.mixed
-    guessed = known & guesses(labels, clear | mixed)
+    labels, likely, mixed = expected.labels, followed.following.likely, followed.following.mixed
+    guessed = known & guesses(labels, likely | mixed)
     if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
         seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
-        guessed = known & guesses(labels, seen.clear | seen.mixed)
+        guessed = known & guesses(labels, seen.likely | seen.mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
     details = list(placed_components(compared_planes(expected.filling(image), expected), wavelet, levels))
     sources = MeetingSources.of(replace(expected, labels=labels))
@@ -123,11 +123,11 @@ def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
     return np.sqrt(np.fmax.reduce(squares))
 
 
-def guesses(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
+def guesses(labels: np.ndarray, likely: np.ndarray) -> np.ndarray:
     """Parts, (rows, columns) bool, that hardly follow a source for sure: compression or smooth ground hide it."""
-    if np.count_nonzero(clear) >= MIN_CLEAR * clear.size:
+    if np.count_nonzero(likely) >= MIN_LIKELY * likely.size:
         return np.zeros(labels.shape, bool)
-    coarse, sure = labels[::LABEL_PX, ::LABEL_PX], clear[::LABEL_PX, ::LABEL_PX]
+    coarse, sure = labels[::LABEL_PX, ::LABEL_PX], likely[::LABEL_PX, ::LABEL_PX]
     unsure = np.zeros(coarse.shape, bool)
     for number in np.unique(coarse[coarse != UNKNOWN]).tolist():
         parts, count = ndimage.label(coarse == number)

@@ -4,7 +4,9 @@ Where a patch is unsure of it, or its neighbours follow another source, the squa
 """
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from scipy import ndimage
@@ -16,16 +18,18 @@ from ..following.compression import IsCompressed, compressed_sides, was_compress
 from ..following.expected_mosaic import mosaic_of
 from ..following.followed_source import (
     LEAST_ENERGY,
+    MIN_LEFT_FACTOR,
+    MIN_MIXTURE_FIT,
     MIN_WINNER_LEAD,
     high_pass,
     highest,
-    is_sure,
+    is_likelier,
     local_correlation,
     mixtures,
 )
 from ..following.foreign_ground import foreign_patches
 from ..following.likely_source import MIN_FIT
-from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned
+from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned, filtered, fit_filter
 from ..profile.cell_table import CELL_PX, CellTable
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import SQUARE_PX
@@ -41,6 +45,7 @@ MIN_STRANGE = 0.6  # of the way from what true sources leave over to all: surely
 MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.15, 3.0  # as in windows, of ground that fewer places tell of
 _ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
+_KNOWN = slice(6, 34)  # of a patch: what a filter may be learned from
 _CELL = slice(12, 12 + CELL_PX)  # of a patch: its middle
 _STRANGE_SQUARES = 2  # a side of what lies together, so that one patch alone condemns nothing
 _MIN_VALID = 0.98  # of a patch
@@ -94,11 +99,14 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
 
     mosaic_was = was_compressed(planes.mosaic)
     is_compressed = compressed_sides(mosaic_was, lambda number: planes.sources[number].plane, fines)
-    shown = fines
-    # Ground of another image would be explained by a filter that nothing came through.
-    cells, learned = cells_of(patches.without(patches.odd(is_compressed)))
-    if learned.filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
-        shown = {i: learned.applied(i, fine) for i, fine in fines.items()}
+    shown, supposed = fines, dict[int, np.ndarray]()
+    if patches.share_left > MAX_LEFT_UNFILTERED:  # what came over the mosaic made it unlike its sources
+        supposed = _best_filters(fine, fines, planes, shape)
+        shown = {i: filtered(plane, supposed[i]) if i in supposed else plane for i, plane in fines.items()}
+        patches = _patches(fine, shown, planes, with_patch, empty)
+    cells, learned = cells_of(patches)
+    if learned.filters.taps:
+        shown = {i: learned.applied(i, plane) if i in learned.left_over else shown[i] for i, plane in fines.items()}
         patches = _patches(fine, shown, planes, with_patch, empty)
         cells, learned = cells_of(patches)
     # What was warped is explained as badly as by another image.
@@ -106,6 +114,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     if strangers.any():
         patches = patches.without(strangers)
         cells, learned = cells_of(patches)
+    learned = learned.supposing(supposed)
     return SquareLook(patches.source, patches.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
 
 
@@ -123,6 +132,11 @@ class _Patches:
     """Energy of the mosaic, DN squared, 0 where it shows nothing to tell a source by."""
     left_over: np.ndarray
     """What the sources leave over of it, alone or mixed."""
+
+    @property
+    def share_left(self) -> float:
+        """Share of the mosaic's fine detail that they leave over."""
+        return float(self.left_over[self.energy > 0].sum() / max(self.energy.sum(), 1e-9))
 
     @property
     def sampled_source(self) -> np.ndarray:
@@ -165,7 +179,7 @@ def _patches(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, with_patch: np.ndarray, empty: np.ndarray
 ) -> _Patches:
     shape = with_patch.shape[0], with_patch.shape[1]
-    winner, sure, doubtful, energy, left_over = _followed(fine, fines, planes, shape)
+    winner, sure, doubtful, impure, energy, left_over = _followed(fine, fines, planes, shape)
     winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
     silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
     filled, alone, known = winner, silent, winner != UNKNOWN
@@ -173,7 +187,7 @@ def _patches(
         distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
         filled, alone = np.where(silent, winner[row, column], winner), silent & (distance > _FARTHEST_FILLED)
     doubtful |= alone & ~with_patch
-    sampled = with_patch & ~doubtful & (filled != UNKNOWN) & sure.any()
+    sampled = with_patch & ~doubtful & ~impure & (filled != UNKNOWN) & sure.any()
     return _Patches(filled, doubtful, sampled, np.where(with_patch, energy, 0), left_over)
 
 
@@ -206,6 +220,34 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     return middles
 
 
+def _best_filters(
+    fine: np.ndarray, fines: Mapping[int, np.ndarray], planes: Planes, shape: tuple[int, int]
+) -> dict[int, np.ndarray]:
+    """Taps (5, 5) of each source by the half of its patches that it explains best (least trimmed squares, Rousseeuw
+    1984). Images of one scene are more like each other than like a mosaic that something came over, and the sharpest
+    would be followed everywhere, if they were compared as they are."""
+    known = np.zeros(PATCH_PX, bool)
+    known[_KNOWN] = True
+    inside = np.outer(np.tile(known, shape[0]), np.tile(known, shape[1]))
+    energy, filters = _sums(fine, fine, shape), dict[int, np.ndarray]()
+    for number, plane in fines.items():
+        valid = _share(planes.sources[number].valid, shape) >= _MIN_VALID
+        for _ in range(_ROUNDS if valid.any() else 0):
+            through = filtered(plane, filters[number]) if number in filters else plane
+            fit = local_correlation(energy, _sums(through, through, shape), _sums(fine, through, shape))
+            best = valid & (fit >= np.median(fit[valid]))
+            taps = fit_filter(fine, plane, enlarged(best, PATCH_PX) & inside)
+            if taps is None:
+                break
+            filters[number] = taps
+    return filters
+
+
+def _sums(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Sums of a x b over every patch, (rows, columns)."""
+    return np.asarray(_quadrants(a, b, shape).sum(axis=0)) + LEAST_ENERGY
+
+
 def _starts(length: int) -> np.ndarray:
     """First row or column of every square's patch; the last square may be smaller, its patch lies within it or ends
     where the block does."""
@@ -229,11 +271,27 @@ def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarr
     return np.asarray(down.reshape(rows, 2, columns, 2, CELL_PX).sum(axis=4).transpose(1, 3, 0, 2).reshape(4, *shape))
 
 
+class _Followed(NamedTuple):
+    """What patches follow, each (rows, columns)."""
+
+    source: np.ndarray
+    """uint8: ``UNKNOWN`` where none explains it."""
+    sure: np.ndarray
+    """bool: where it is that one for sure, and nothing else."""
+    doubtful: np.ndarray
+    """bool: where a dense look is called for."""
+    impure: np.ndarray
+    """bool: where it is that one, with more left over than noise: something was done there, or mixed in."""
+    energy: np.ndarray
+    """Energy of the mosaic, DN squared, 0 without texture."""
+    left_over: np.ndarray
+    """What sources leave over of it, alone or mixed."""
+
+
 def _followed(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, shape: tuple[int, int]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """What each patch follows: the source of highest correlation, whether it is that for sure, whether a dense look is
-    called for, the mosaic's energy, 0 without texture, and what sources leave over of it."""
+) -> _Followed:
+    """What each patch follows: the source of highest correlation."""
     numbers = np.array(list(fines), np.uint8)
     least = LEAST_ENERGY * (CELL_PX**2)
     mosaic = _quadrants(fine, fine, shape) + least
@@ -249,7 +307,10 @@ def _followed(
     top = correlation.max(axis=0)
     textured = whole_mosaic > 8 * least
     explained = np.maximum(top, 0) ** 2
-    sure = textured & is_sure(top, lead) & (explained >= MIN_FIT)
+    fits, alone, by_next = textured & (explained >= MIN_FIT), 1 - explained, 1 - np.maximum(top - lead, 0) ** 2
+    likelier = fits & is_likelier(alone, by_next, (_INNER.stop - _INNER.start) ** 2)
+    noise = _noise(whole_mosaic, alone, textured)
+    sure = fits & ((lead >= MIN_WINNER_LEAD) | (likelier & (by_next - noise >= MIN_LEFT_FACTOR * (alone - noise))))
     quarters = local_correlation(mosaic, energies, shared)
     quarter, quarter_lead = highest(quarters)
     quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
@@ -261,12 +322,30 @@ def _followed(
         mosaic, dict(enumerate(energies)), dict(enumerate(shared)),
         lambda i, j: _quadrants(images[i], images[j], shape),
     )
-    mixed = mixed_quarters.any(axis=0)
+    # Noise hides mixtures from a quarter; no more than single sources usually have is left over by one.
+    mixed_wholes, _ = mixtures(
+        whole_mosaic, dict(enumerate(whole_energies)), dict(enumerate(whole_shared)),
+        lambda i, j: _quadrants(images[i], images[j], shape).sum(axis=0),
+        MIN_MIXTURE_FIT * float(np.median(explained[textured])) if textured.any() else MIN_MIXTURE_FIT,
+    )
+    mixed = mixed_quarters.any(axis=0) | mixed_wholes
     strange = textured & (explained < MIN_FIT) & ~differs & ~mixed & ~is_cut  # a source that ends there may explain it
-    doubtful = (textured & ~sure & ~strange) | differs | mixed
+    doubtful = (textured & ~(sure | likelier) & ~strange) | differs | mixed
     left_over = (mosaic * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
-    winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))
-    return winner, sure & ~doubtful, doubtful, np.where(textured, whole_mosaic, 0), left_over
+    winner = np.where(sure | likelier | doubtful, winner, np.uint8(UNKNOWN))
+    return _Followed(
+        winner, sure & ~doubtful, doubtful, likelier & ~sure, np.where(textured, whole_mosaic, 0), left_over
+    )
+
+
+def _noise(energy: np.ndarray, left_over: np.ndarray, textured: np.ndarray) -> np.ndarray:
+    """Share of the mosaic's ``energy`` that true sources leave over, by the ground that is explained best; 0 where that
+    is not known."""
+    noise = np.zeros_like(left_over)
+    ground = learn_best_ground(energy[textured], (energy * left_over)[textured])
+    if ground is not None:
+        noise[textured] = ground.response(energy[textured])
+    return noise
 
 
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
@@ -287,7 +366,7 @@ def _cells(
     followed = followed[step // 2 :: step, step // 2 :: step]
     shape = followed.shape
     inside = np.zeros(PATCH_PX, bool)
-    inside[6:-6] = True
+    inside[_KNOWN] = True
     within = np.outer(np.tile(inside, shape[0]), np.tile(inside, shape[1]))
     mosaic, cell = planes.mosaic[chosen], slice(_CELL.start // 2, _CELL.stop // 2)
     for _ in range(_ROUNDS):
@@ -304,7 +383,7 @@ def _cells(
             break
         followed = np.where(outlying, np.uint8(UNKNOWN), followed)
     rows, columns = ((start[step // 2 :: step] + _CELL.start) // CELL_PX for start in starts)
-    left_over = {i: _share_left(followed == i, mm, rest) for i in numbers if i not in filters.lent}
+    left_over = {i: _share_left(followed == i, mm, rest) for i in numbers}
     learned = Learned(filters, left_over)
     sums = [products[np.newaxis] for products in (mm, cc, mc)]
     return CellTable.far(rows, columns, is_one_of(followed, learned.left_over), sums, levels), learned

@@ -248,7 +248,7 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
             return part
     if _is_crowded(everyone, window):
         return None
-    return measure_part(pixels, PartRequest(placed, everyone), *decomposition)
+    return measure_part(pixels, PartRequest(placed, everyone, request.taps), *decomposition)
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:

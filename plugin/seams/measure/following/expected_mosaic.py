@@ -188,7 +188,7 @@ class _Cutting:
         labels, clear = first.labels, self.sources.clear
         known = {}
         if filters is not None:
-            known = {i: filters.applied(i, plane) for i, plane in fine.items() if i not in filters.lent}
+            known = {i: filters.applied(i, plane) for i, plane in fine.items()}
         if known.keys() == fine.keys():
             return self._likely(known, labels, clear)
         tried = []
@@ -238,15 +238,7 @@ class _Cutting:
         return self._mixed(cut, made) or cut
 
     def by_filters(self, filters: Filters) -> _Cut:
-        """The cut by what is known of what came over the sources, and by what is learned here of those that are lent
-        others' filters."""
-        cut = self.cut(self.likely(filters), filters)
-        if not filters.lent & cut.in_tone.keys():
-            return cut
-        mosaic, *fine = self.sources.fine
-        clear = self.unmixed(cut.labels)
-        toned = {i: source.gain * fine[i] for i, source in cut.in_tone.items()}
-        filters = filters.with_lent(mosaic, toned, {i: _surest(cut.labels == i, clear) for i in toned})
+        """The cut by what is known of what came over the sources."""
         return self.cut(self.likely(filters), filters)
 
     def _mixed(self, alone: _Cut, made: np.ndarray) -> _Cut | None:

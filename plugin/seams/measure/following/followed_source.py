@@ -10,6 +10,7 @@ the mosaic's m and the sources' s, arrays of one shape.
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -22,6 +23,7 @@ from .boxes import PIECE_PX, box_means, enlarged, near_border, square_sums
 
 MIN_WINNER_LEAD = 0.1  # of the correlation over the next source's
 MIN_LEFT_FACTOR = 2.0  # or that the next leaves this many times as much unexplained: images of one scene are alike
+MIN_LIKELIHOOD = 50.0  # logarithm of the ratio of two sources': within 12 px one leaves twice as much as the other
 MIN_MIXTURE_FIT = 0.9  # share of the mosaic's fine detail that a mixture of two explains; a hard cut stays below
 MIN_MIXTURE_GAIN = 0.05  # by which the mixture has to explain more than the better source alone
 MIN_MIXTURE_WEIGHT = 0.1  # of each of the two sources
@@ -50,13 +52,20 @@ def is_sure(correlation: np.ndarray, lead: np.ndarray) -> np.ndarray:
     return np.asarray((lead >= MIN_WINNER_LEAD) | (next_left_over >= MIN_LEFT_FACTOR * left_over))
 
 
+def is_likelier(left_over: np.ndarray, next_left_over: np.ndarray, pixels: int) -> np.ndarray:
+    """Whether so many pixels tell which of two sources is followed, by what each leaves over: with Gaussian noise the
+    likelihood goes with that to the power of minus half of the pixels."""
+    return np.asarray(next_left_over >= math.exp(2 * MIN_LIKELIHOOD / pixels) * left_over)
+
+
 def mixtures(
     mosaic: np.ndarray, energies: Mapping[int, np.ndarray], shared: Mapping[int, np.ndarray],
-    common: Callable[[int, int], np.ndarray],
+    common: Callable[[int, int], np.ndarray], least_fit: float = MIN_MIXTURE_FIT,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Places where two sources together explain the mosaic and neither does alone, and the share that two explain.
 
-    Least squares for the weights of every two, both of which have to take part; energies above zero.
+    Least squares for the weights of every two, both of which have to take part; energies above zero. ``least_fit``:
+    share that two have to explain.
     """
     alone, explained = np.zeros_like(mosaic), np.zeros_like(mosaic)
     for i in energies:
@@ -65,7 +74,7 @@ def mixtures(
         a, b = weights_of_two(energies[i], energies[j], shared[i], shared[j], common(i, j))
         takes_part = np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)  # never where they add up to less than 0
         np.maximum(explained, np.where(takes_part, (a * shared[i] + b * shared[j]) / mosaic, 0), out=explained)
-    return (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN), explained
+    return (explained > least_fit) & (explained > alone + MIN_MIXTURE_GAIN), explained
 
 
 def weights_of_two(
@@ -104,6 +113,8 @@ class FollowedSource:
     """Share of the mosaic's fine detail that its sources explain, 0 to 1, the mean over the window."""
     unexplained: np.ndarray
     """(rows, columns) bool: where the sources explain less than half of the mosaic's fine detail."""
+    likely: np.ndarray
+    """(rows, columns) bool: where one source wins clearly, or within 36 px is far likelier than the next."""
 
     @property
     def mixed_share(self) -> float:
@@ -172,6 +183,9 @@ def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
     clear = ~mixed & (is_sure(best, lead) | ~textured)
     fit = np.maximum(explained, np.maximum(best, 0) ** 2)
     unexplained = _around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED
+    top_of_wide, wide_lead = np.max(wide, axis=0), highest(wide)[1]
+    pixels = (WIDE_CELLS * CELL_PX) ** 2
+    likely = clear | is_likelier(1 - top_of_wide**2, 1 - np.maximum(top_of_wide - wide_lead, 0) ** 2, pixels)
     return FollowedSource(
         enlarged(winner.astype(np.uint8), CELL_PX, mosaic.shape),
         enlarged(clear, CELL_PX, mosaic.shape),
@@ -179,6 +193,7 @@ def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
         tuple((np.bincount(winner.ravel(), minlength=len(sources)) / winner.size).tolist()),
         float(fit[textured].mean()) if textured.any() else 0.0,
         enlarged(unexplained, CELL_PX, mosaic.shape),
+        enlarged(likely, CELL_PX, mosaic.shape),
     )
 
 

@@ -6,7 +6,7 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, combinations_with_replacement
 
@@ -26,7 +26,15 @@ from .best_ground import (
 )
 from .boxes import box_means, enlarged, narrowed, near_border, opened, square_sums
 from .compression import IsCompressed
-from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
+from .followed_source import (
+    CELL_PX,
+    LEAST_ENERGY,
+    MIN_MIXTURE_WEIGHT,
+    NEAR_CELLS,
+    WIDE_CELLS,
+    is_likelier,
+    weights_of_two,
+)
 from .foreign_ground import NOISE_CELL_PX, CellSums, foreign_ground
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
@@ -135,28 +143,63 @@ def likely_source(
         if i in valid:
             cost[~valid[i][grid]] = np.inf
         costs.append(cost)
-    nearest, cost = _least(list(sources), costs)
-    followed = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     times = CELL_PX // step
     in_cells = _in_cells(mosaic_energy, times)
+    of_cells, shared_of_cells = (
+        {i: _in_cells(plane, times) for i, plane in held.items()} for held in (energies, products)
+    )
+
+    def between(i: int, j: int) -> np.ndarray:
+        return square_sums(sources[i], sources[j], CELL_PX)
+
+    if len(sources) > 2:
+        apart = _outside_mixtures(in_cells, of_cells, shared_of_cells, between)
+        for cost, of_cell in zip(costs, apart):
+            cost[enlarged(of_cell, times, cost.shape)] = np.inf
+    nearest, cost = _least(list(sources), costs)
+    followed = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     cut = np.zeros_like(mosaic_energy)
     for i in sources:
         np.copyto(cut, np.maximum(mosaic_energy - 2 * products[i] + energies[i], 0), where=followed == i)
     place = np.s_[: in_cells.shape[0], : in_cells.shape[1]]
     sums = CellSums(
         in_cells,
-        {i: _in_cells(energy, times) for i, energy in energies.items()},
-        {i: _in_cells(product, times) for i, product in products.items()},
+        of_cells,
+        shared_of_cells,
         _in_cells(cut, times),
         followed[::times, ::times][place],
         {i: valid[i][grid][::times, ::times][place] for i in sources if i in valid},
-        lambda i, j: square_sums(sources[i], sources[j], CELL_PX),
+        between,
     )
     unexplained = enlarged(_unexplained(sums, fine, sampling is FINE), times, followed.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
     share_left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
     return LikelySource(enlarged(followed, step), enlarged(unexplained, step), share_left)
+
+
+def _outside_mixtures(
+    mosaic: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray],
+    between: Callable[[int, int], np.ndarray],
+) -> list[np.ndarray]:
+    """Cells, of each source, where a mixture of two others is far likelier than any source alone, bool: what resembles
+    both of them would explain it better than either. As ``CellSums`` has sums."""
+    least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    wide = box_means(mosaic, (WIDE_CELLS,))[0] + least
+    energy = {i: box_means(plane, (WIDE_CELLS,))[0] + least for i, plane in energies.items()}
+    shared = {i: box_means(plane, (WIDE_CELLS,))[0] for i, plane in products.items()}
+    alone = np.min([wide - np.maximum(shared[i], 0) ** 2 / energy[i] for i in energy], axis=0)
+    by_two, mixed = np.full_like(wide, np.inf), np.full((2, *wide.shape), -1)
+    for i, j in combinations(energy, 2):
+        a, b = weights_of_two(energy[i], energy[j], shared[i], shared[j], box_means(between(i, j), (WIDE_CELLS,))[0])
+        takes_part = np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)
+        rest = np.where(takes_part, wide - a * shared[i] - b * shared[j], np.inf)
+        better = rest < by_two
+        np.copyto(by_two, rest, where=better)
+        for number, place in zip((i, j), mixed):
+            np.copyto(place, number, where=better)
+    likelier = is_likelier(by_two, alone, (WIDE_CELLS * CELL_PX) ** 2)
+    return [likelier & (mixed != i).all(axis=0) for i in energy]
 
 
 def _unexplained(sums: CellSums, fine: FineDetail, is_window: bool) -> np.ndarray:

@@ -99,24 +99,6 @@ class Filters:
     """Taps (5, 5) of each source that is followed; empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
-    lent: frozenset[int] = frozenset()
-    """Sources of which too little ground is seen to learn theirs, in a mosaic that has one for each: what ``taps`` hold
-    of them is no knowledge."""
-
-    def with_lent(
-        self, mosaic: np.ndarray, toned: Mapping[int, np.ndarray], parts: Mapping[int, np.ndarray]
-    ) -> Filters:
-        """Filters with what the ground tells of the sources that were lent them: the mosaic's fine detail and theirs in
-        its tones, (rows, columns) float32 each, and bool of each, where it is followed for sure."""
-        taps = dict(self.taps)
-        for i in self.lent & toned.keys():
-            fitted = fit_filter(mosaic, toned[i], parts[i], gain=1.0)
-            if fitted is None:
-                continue
-            lent, made = (filtered(toned[i], kernel) for kernel in (taps[i], fitted))
-            if _explains_more(mosaic, lent, made, parts[i], MIN_SINGLE_GAIN):
-                taps[i] = fitted
-        return replace(self, taps=taps)
 
     def with_taps(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """Filters with ``taps`` of some sources, each its own; ``present``: all that are followed."""
@@ -150,6 +132,15 @@ class Learned:
     left_over: Mapping[int, float]
     """Share of the mosaic's finest detail that is left over where it was learned, of each source it was learned of."""
 
+    def supposing(self, taps: Mapping[int, np.ndarray]) -> Learned:
+        """What is known, with ``taps`` of sources that no ground is sure to follow: what they come nearest to the
+        mosaic by, which may be made of others. All is left over of these."""
+        more = {source: kernel for source, kernel in taps.items() if source not in self.left_over}
+        if not more:
+            return self
+        filters = Filters({**self.taps, **more}, False)
+        return Learned(filters, {**self.left_over, **dict.fromkeys(more, 1.0)})
+
     @property
     def taps(self) -> dict[int, np.ndarray]:
         """The filter (5, 5) of each source that it was learned of."""
@@ -166,15 +157,14 @@ def known_filters(taps: Mapping[int, np.ndarray], sources: Sequence[int]) -> Fil
     Where all are known and alike they are one, which came over the mosaic with its cuts; sources of which nothing is
     known are ``lent`` a plain one. None where nothing is known that would serve them.
     """
-    known = {place: taps[i] for place, i in enumerate(sources) if i in taps}
-    lent = frozenset(range(len(sources))) - known.keys()
+    known = {place: taps.get(i, UNTOUCHED) for place, i in enumerate(sources)}
     if all((kernel == UNTOUCHED).all() for kernel in known.values()):
-        return None if lent else UNFILTERED
+        return UNFILTERED if all(i in taps for i in sources) else None
     first, *others = known.values()
     alike = MIN_SINGLE_GAIN * np.square(first).sum()
-    if others and not lent and all(np.square(other - first).sum() <= alike for other in others):
+    if others and all(np.square(other - first).sum() <= alike for other in others):
         return Filters(dict.fromkeys(range(len(sources)), first), True)
-    return Filters({place: known.get(place, UNTOUCHED) for place in range(len(sources))}, False, lent)
+    return Filters(known, False)
 
 
 def find_filters(
@@ -273,7 +263,7 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
             _explains_more(fine, common, filtered(reference, taps_of_source), parts[i], MIN_SINGLE_GAIN)
             for i, taps_of_source in single.items()
         ):
-            return Filters({i: single.get(i, taps) for i in numbers}, False, frozenset(numbers) - single.keys())
+            return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
 
 

@@ -120,8 +120,10 @@ class JudgedGround:
         by_plane = np.array(self.followed.source_of, np.uint8)
         labels = self.labels if is_explained else by_plane[first.labels[self.inside]]
         shares = tuple(float((labels == i).mean()) for i in range(len(self.followed.images)))
-        clear, mixed, unexplained = (mask[self.inside] for mask in (first.clear, first.mixed, first.unexplained))
-        return FollowedSource(labels, clear, mixed, shares, first.fit, unexplained)
+        clear, mixed, unexplained, likely = (
+            mask[self.inside] for mask in (first.clear, first.mixed, first.unexplained, first.likely)
+        )
+        return FollowedSource(labels, clear, mixed, shares, first.fit, unexplained, likely)
 
     def detail(self, wavelet: str, levels: int) -> WindowDetail:
         """What the mosaic has of its sources' detail."""
