@@ -12,7 +12,7 @@ from ....imagery.wavelets import placed_components
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, narrowed, square_shares, square_sums
 from ..following.expected_mosaic import Closeness, expected_mosaic
-from ..following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
+from ..following.followed_source import HIGH_PASS_PX
 from ..following.levelling import SQUARE_PX as TONE_PX
 from ..following.levelling import gain_field, square_means
 from ..following.likely_source import QUICK, filled_in
@@ -87,9 +87,6 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     expected = expected_mosaic(followed, filters, closeness).of_sources(given)
     labels, likely, mixed = expected.labels, followed.following.likely, followed.following.mixed
     guessed = known & guesses(labels, likely | mixed)
-    if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
-        seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
-        guessed = known & guesses(labels, seen.likely | seen.mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
     details = list(placed_components(compared_planes(expected.filling(image), expected), wavelet, levels))
     sources = MeetingSources.of(replace(expected, labels=labels))

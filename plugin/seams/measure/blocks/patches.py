@@ -18,18 +18,18 @@ from ..following.compression import IsCompressed, compressed_sides, was_compress
 from ..following.expected_mosaic import mosaic_of
 from ..following.followed_source import (
     LEAST_ENERGY,
-    MIN_LEFT_FACTOR,
     MIN_MIXTURE_FIT,
     MIN_WINNER_LEAD,
     high_pass,
     highest,
     is_likelier,
+    is_sure,
     local_correlation,
     mixtures,
 )
 from ..following.foreign_ground import foreign_patches
 from ..following.likely_source import MIN_FIT
-from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned, filtered, fit_filter
+from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned, best_filter, filtered
 from ..profile.cell_table import CELL_PX, CellTable
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import SQUARE_PX
@@ -143,18 +143,12 @@ class _Patches:
         """uint8: of those, else ``UNKNOWN``."""
         return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
 
-    def odd(self, is_compressed: IsCompressed) -> np.ndarray:
-        """bool: what is explained worse than the ground of the same source, on its own."""
-        if is_compressed(None):
-            return foreign_patches(self.energy, self.left_over, self.source, is_compressed)
-        each = [self._strange(self.source == number)[1] for number in present(self.source)]
-        return np.logical_or.reduce([np.zeros(self.energy.shape, bool), *each])
-
     def strangers(self, is_compressed: IsCompressed) -> np.ndarray:
         """bool: of an image that isn't given, where so much lies together that it is no chance; where nothing was
         compressed, by the best ground of all sources, one that a given one resembles as well."""
         if is_compressed(None):
-            return opened(self.odd(is_compressed) & ~self.doubtful, _STRANGE_SQUARES)
+            foreign = foreign_patches(self.energy, self.left_over, self.source, is_compressed)
+            return opened(foreign & ~self.doubtful, _STRANGE_SQUARES)
         strange, alike = self._strange(np.ones(self.energy.shape, bool))
         surely = opened(strange & ~self.doubtful, _STRANGE_SQUARES) | opened(alike, _ALIKE_SQUARES)
         return (self.energy > 0) & surely
@@ -223,29 +217,17 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
 def _best_filters(
     fine: np.ndarray, fines: Mapping[int, np.ndarray], planes: Planes, shape: tuple[int, int]
 ) -> dict[int, np.ndarray]:
-    """Taps (5, 5) of each source by the half of its patches that it explains best (least trimmed squares, Rousseeuw
-    1984). Images of one scene are more like each other than like a mosaic that something came over, and the sharpest
-    would be followed everywhere, if they were compared as they are."""
+    """Taps (5, 5) of each source by the half of its patches that it explains best."""
     known = np.zeros(PATCH_PX, bool)
     known[_KNOWN] = True
     inside = np.outer(np.tile(known, shape[0]), np.tile(known, shape[1]))
-    energy, filters = _sums(fine, fine, shape), dict[int, np.ndarray]()
+    filters = {}
     for number, plane in fines.items():
         valid = _share(planes.sources[number].valid, shape) >= _MIN_VALID
-        for _ in range(_ROUNDS if valid.any() else 0):
-            through = filtered(plane, filters[number]) if number in filters else plane
-            fit = local_correlation(energy, _sums(through, through, shape), _sums(fine, through, shape))
-            best = valid & (fit >= np.median(fit[valid]))
-            taps = fit_filter(fine, plane, enlarged(best, PATCH_PX) & inside)
-            if taps is None:
-                break
+        taps = best_filter(fine, plane, enlarged(valid, PATCH_PX) & inside, PATCH_PX)
+        if taps is not None:
             filters[number] = taps
     return filters
-
-
-def _sums(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """Sums of a x b over every patch, (rows, columns)."""
-    return np.asarray(_quadrants(a, b, shape).sum(axis=0)) + LEAST_ENERGY
 
 
 def _starts(length: int) -> np.ndarray:
@@ -281,7 +263,7 @@ class _Followed(NamedTuple):
     doubtful: np.ndarray
     """bool: where a dense look is called for."""
     impure: np.ndarray
-    """bool: where it is that one, with more left over than noise: something was done there, or mixed in."""
+    """bool: where it is that one by all likelihood, but not so clearly that it may not be mixed with the next."""
     energy: np.ndarray
     """Energy of the mosaic, DN squared, 0 without texture."""
     left_over: np.ndarray
@@ -308,9 +290,8 @@ def _followed(
     textured = whole_mosaic > 8 * least
     explained = np.maximum(top, 0) ** 2
     fits, alone, by_next = textured & (explained >= MIN_FIT), 1 - explained, 1 - np.maximum(top - lead, 0) ** 2
+    sure = fits & is_sure(top, lead)
     likelier = fits & is_likelier(alone, by_next, (_INNER.stop - _INNER.start) ** 2)
-    noise = _noise(whole_mosaic, alone, textured)
-    sure = fits & ((lead >= MIN_WINNER_LEAD) | (likelier & (by_next - noise >= MIN_LEFT_FACTOR * (alone - noise))))
     quarters = local_correlation(mosaic, energies, shared)
     quarter, quarter_lead = highest(quarters)
     quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
@@ -336,16 +317,6 @@ def _followed(
     return _Followed(
         winner, sure & ~doubtful, doubtful, likelier & ~sure, np.where(textured, whole_mosaic, 0), left_over
     )
-
-
-def _noise(energy: np.ndarray, left_over: np.ndarray, textured: np.ndarray) -> np.ndarray:
-    """Share of the mosaic's ``energy`` that true sources leave over, by the ground that is explained best; 0 where that
-    is not known."""
-    noise = np.zeros_like(left_over)
-    ground = learn_best_ground(energy[textured], (energy * left_over)[textured])
-    if ground is not None:
-        noise[textured] = ground.response(energy[textured])
-    return noise
 
 
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:

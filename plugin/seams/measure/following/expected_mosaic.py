@@ -36,7 +36,7 @@ from .source_filters import (
 
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
-MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
+MOST_LEFT_OF_THAT = 0.9  # where both mixed explain it: what codecs leave over of either is left over by both
 MOST_LEFT_BY_MIXED = 10.0  # times what they leave over one by one; true mixtures have up to 4
 MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere
 MOST_LEFT_OF_THIRD = 0.05  # of what seemed to be a smaller part of a third: the two mixed explain it

@@ -87,6 +87,7 @@ _FEWEST_SAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
 _ROUNDS = 3
 _SQUARE_PX = 32  # of which whole ones are of one image or another
+_LEAST_OF_SQUARE = 0.4  # of its pixels that count
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
 """Index of the sampled rows and columns of a plane, every fourth."""
 
@@ -219,17 +220,40 @@ def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, w
     return shown
 
 
-def _best_explained(mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
+def best_filter(
+    mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, side_px: int = _SQUARE_PX
+) -> np.ndarray | None:
+    """Taps (5, 5) of a source by the half of a part that it explains best, square by square (least trimmed squares,
+    Rousseeuw 1984). Images of one scene are more like each other than like a mosaic that something came over, and the
+    sharpest would be followed everywhere, if they were compared as they are. None where too few pixels count, or where
+    it explains no more of the other half, as of an image that was warped from place to place.
+
+    ``mosaic``, ``source``: high-passed, (rows, columns); ``where``, (rows, columns) bool: the part.
+    """
+    taps, shown = None, source
+    for _ in range(_ROUNDS):
+        best = _best_explained(mosaic, shown, where, side_px)
+        fitted = fit_filter(mosaic, source, best)
+        if fitted is None:
+            return None
+        taps, shown = fitted, filtered(source, fitted)
+    return taps if _explains_more(mosaic, source, shown, where & ~best) else None
+
+
+def _best_explained(
+    mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray, side_px: int = _SQUARE_PX
+) -> np.ndarray:
     """The half of a part, (rows, columns) bool, that a source is correlated with best, square by square."""
-    side, counted, m, s = _SQUARE_PX // _EVERY, where[SAMPLE], mosaic[SAMPLE], shown[SAMPLE]
+    inside = np.float32(where)
+    m, s = mosaic * inside, shown * inside
     area, energy, source, shared = (
-        in_squares(counted * values, side).sum(axis=(1, 3)) for values in (np.float32(1), m**2, s**2, m * s)
+        in_squares(a * b, side_px).sum(axis=(1, 3)) for a, b in ((inside, inside), (m, m), (s, s), (m, s))
     )
-    known = (2 * area >= side**2) & (energy > 0)
+    known = (area >= _LEAST_OF_SQUARE * side_px**2) & (energy > 0)
     if not known.any():
         return where
     fit = np.where(known, shared * np.abs(shared) / np.maximum(energy * source, 1e-9), -np.inf)
-    return where & enlarged(fit >= np.median(fit[known]), _SQUARE_PX, where.shape)
+    return where & enlarged(fit >= np.median(fit[known]), side_px, where.shape)
 
 
 def cut_of(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarray) -> np.ndarray:
