@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5307, 1, 0),
-    "plugin/seams/measure": Measures(18623, 1, 0),
+    "plugin/seams/measure": Measures(18723, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6448, 1, 0),
     "plugin/toolkit": Measures(4918, 0, 0),
@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(377, 1, 1),
     "python": Measures(1077, 0, 0),
-    "tests": Measures(49408, 783, 53),
+    "tests": Measures(49436, 783, 53),
 }
 """What each room may have; the most particular one holds for a file."""
 

@@ -71,3 +71,29 @@ def test_nodata_beside_a_seam_takes_nothing_from_it(
         if (before := sound.get(piece.piece.vertices.tobytes())) is not None:
             assert piece.verdict is Verdict.PRESERVED
             assert piece.kept[0] == pytest.approx(before.kept[0], abs=0.08)  # type: ignore[index]
+
+
+def stored(raster: Path, path: Path, quality: int) -> Path:
+    """A raster stored as JPEG, with a mask where it has no pixels."""
+    options = ["COMPRESS=JPEG", f"JPEG_QUALITY={quality}", "PHOTOMETRIC=YCBCR", "TILED=YES"]
+    gdal.Translate(str(path), str(raster), creationOptions=options, maskBand="mask", noData="none")
+    return path
+
+
+def test_orthoimages_that_are_nearly_alike_are_told_apart_under_jpeg(
+    tmp_path_factory: pytest.TempPathFactory, tmp_path: Path
+) -> None:
+    """The sharpest of them resembles the mosaic most, until each is seen through what came over it."""
+    block = the_first_block(tmp_path_factory)
+    sources = [stored(source, tmp_path / source.name, 90) for source in block.sources]
+    lossless = scanned(block, block.mosaic)
+    result = scan(
+        open_block(stored(block.mosaic, tmp_path / "mosaic.tif", 90), sources, keep_copies=True),
+        seamlines=block.seamlines,
+    )
+    verdicts = {piece.piece.vertices.tobytes(): piece.verdict for piece in lossless.pieces}
+    measured = sum(piece.piece.length_m for piece in result.pieces if piece.kept is not None)
+    assert measured > 0.85 * sum(piece.piece.length_m for piece in result.pieces)
+    changed = {(verdicts.get(piece.piece.vertices.tobytes()), piece.verdict) for piece in result.pieces}
+    assert (Verdict.SIGNIFICANT, Verdict.PRESERVED) not in changed
+    assert (Verdict.PRESERVED, Verdict.SIGNIFICANT) not in changed
