@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5307, 1, 0),
-    "plugin/seams/measure": Measures(18723, 1, 0),
+    "plugin/seams/measure": Measures(18738, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6448, 1, 0),
     "plugin/toolkit": Measures(4918, 0, 0),
