@@ -36,7 +36,7 @@ BOUNDS = {
     "plugin/imagery": Measures(5307, 1, 0),
     "plugin/seams/measure": Measures(18738, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
-    "plugin/acceptance": Measures(6448, 1, 0),
+    "plugin/acceptance": Measures(6449, 1, 0),
     "plugin/toolkit": Measures(4918, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),

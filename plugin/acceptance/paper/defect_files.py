@@ -9,7 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from qgis.core import QgsFeature, QgsGeometry, QgsLineString
@@ -233,7 +233,8 @@ def _draw(pixels: np.ndarray, path: np.ndarray, colour: str, dashes: Sequence[fl
     """Draw a line with black edges along a path of (n, 2) columns and rows, in place; ``dashes`` and gaps, pixels."""
     rows, columns = pixels.shape[:2]
     points = QPolygonF([QPointF(x, y) for x, y in path.tolist()])
-    image = QImage(sip.voidptr(pixels.ctypes.data), columns, rows, pixels.strides[0], QImage.Format.Format_RGB888)
+    memory: Any = sip.voidptr(pixels.ctypes.data)  # of which PyQt 6 knows no type
+    image = QImage(memory, columns, rows, pixels.strides[0], QImage.Format.Format_RGB888)
     with painting(image) as painter:
         for width, ink in ((_EDGES_PX, "black"), (_LINE_PX, colour)):
             pen = QPen(QColor(ink), width)

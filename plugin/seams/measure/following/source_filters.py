@@ -156,7 +156,7 @@ def known_filters(taps: Mapping[int, np.ndarray], sources: Sequence[int]) -> Fil
     """Filters by the places of these sources, from the taps of those of which they are known.
 
     Where all are known and alike they are one, which came over the mosaic with its cuts; sources of which nothing is
-    known are ``lent`` a plain one. None where nothing is known that would serve them.
+    known have a plain one. None where nothing is known that would serve them.
     """
     known = {place: taps.get(i, UNTOUCHED) for place, i in enumerate(sources)}
     if all((kernel == UNTOUCHED).all() for kernel in known.values()):
