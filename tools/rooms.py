@@ -33,8 +33,8 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5310, 1, 0),
-    "plugin/seams/measure": Measures(18738, 1, 0),
+    "plugin/imagery": Measures(5308, 1, 0),
+    "plugin/seams/measure": Measures(18732, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6449, 1, 0),
     "plugin/toolkit": Measures(4918, 0, 0),

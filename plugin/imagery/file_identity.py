@@ -72,7 +72,7 @@ def refuse_overwriting(outputs: Mapping[str, str], inputs: Iterable[str]) -> Non
     """Raise SettingsError for an output, paths by what they are called, that is no file, one of the inputs, which GDAL
     opens, or another output."""
     for title, path in outputs.items():
-        if not path.startswith("/vsimem/"):
+        if not path.startswith("/vsimem/"):  # where the desk lays what it shows; nobody chooses it for an output
             check_is_file(title, path)
     check_outputs(((title, DataPlace(path)) for title, path in outputs.items()), map(DataPlace, inputs))
 
@@ -85,8 +85,6 @@ def check_is_file(title: str, path: str) -> None:
 
 def check_can_be_written(title: str, path: str) -> None:
     """Raise SettingsError where no file can be, which is looked at before anything is measured."""
-    if path.startswith("/vsimem/"):
-        return
     check_is_file(title, path)
     if not path.strip():
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path="''"))

@@ -31,7 +31,7 @@ from ..following.foreign_ground import foreign_patches
 from ..following.likely_source import MIN_FIT
 from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned, best_filter, filtered
 from ..profile.cell_table import CELL_PX, CellTable
-from ..seam_cells import UNKNOWN, is_one_of, present
+from ..seam_cells import UNKNOWN, present
 from .block_grid import SQUARE_PX
 from .block_pixels import MOST_HELD, BlockPixels, Planes
 
@@ -357,7 +357,7 @@ def _cells(
     left_over = {i: _share_left(followed == i, mm, rest) for i in numbers}
     learned = Learned(filters, left_over)
     sums = [products[np.newaxis] for products in (mm, cc, mc)]
-    return CellTable.far(rows, columns, is_one_of(followed, learned.left_over), sums, levels), learned
+    return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), learned
 
 
 def _outlying(followed: np.ndarray, energy: np.ndarray, left_over: np.ndarray) -> np.ndarray:

@@ -186,18 +186,12 @@ class _Cutting:
         mosaic, *planes = self.sources.fine
         fine = {i: planes[i] for i in sorted(first.followed) if i not in left_out}
         labels, clear = first.labels, self.sources.clear
-        known = {}
         if filters is not None:
-            known = {i: filters.applied(i, plane) for i, plane in fine.items()}
-        if known.keys() == fine.keys():
-            return self._likely(known, labels, clear)
+            return self._likely({i: filters.applied(i, plane) for i, plane in fine.items()}, labels, clear)
         tried = []
         for _ in range(_ROUNDS):
             winners = {i: fine[i] for i in fine if (labels == i).any()}
-            shown = {
-                i: known[i] if i in known else through_filter(mosaic, plane, _surest(labels == i, clear))
-                for i, plane in winners.items()
-            }
+            shown = {i: through_filter(mosaic, plane, _surest(labels == i, clear)) for i, plane in winners.items()}
             likely = self._likely(shown, labels, clear)
             tried.append(likely)
             changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
