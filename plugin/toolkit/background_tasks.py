@@ -1,21 +1,20 @@
 """Work in the background: QgsTasks, started, followed and stopped, whose results come in the interface's thread.
 
-Threads of ours let the interface go first. QGIS covers the map with a notice when a task ends that took more than 5 s;
-ours tell in the desk what they found.
+Threads of ours let the interface go first.
 """
 from __future__ import annotations
 
 import sys
 import time
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import Enum
 from threading import Lock
 from typing import Any, Callable, NamedTuple
 
-from qgis.core import QgsApplication, QgsSettings, QgsTask
+from qgis.core import QgsApplication, QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ..imagery.errors import CancelledError, Message, SeamInspectorError
@@ -48,32 +47,6 @@ def interface_first() -> Iterator[None]:
             _threads -= 1
             if not _threads:
                 sys.setswitchinterval(_interval_before)
-
-
-_SETTING, _SECTION = "minTaskLengthForSystemNotification", QgsSettings.Section.App
-_NEVER_S = 10**9
-
-
-def hush_end() -> None:
-    """Keep QGIS, which hears of a task's end after its ``finished``, from a notice. Later QGIS has a flag for it.
-
-    No task is long enough for a notice until then; at once the user's setting holds again.
-    """
-    settings = QgsSettings()
-    before = settings.value(_SETTING, None, section=_SECTION)
-    if SILENT_TASK is not None or before == _NEVER_S:
-        return
-    heard = QgsApplication.taskManager().statusChanged
-
-    def restore(_task: int, _status: int) -> None:
-        heard.disconnect(restore)
-        if before is None:
-            settings.remove(_SETTING, _SECTION)
-        else:
-            settings.setValue(_SETTING, before, _SECTION)
-
-    settings.setValue(_SETTING, _NEVER_S, _SECTION)
-    heard.connect(restore)
 
 
 Cancelled = Callable[[], bool]
@@ -137,7 +110,6 @@ class BackgroundTask(QgsTask):
         return True  # QGIS would say of anything else that it failed, over what we say of it
 
     def finished(self, result: bool) -> None:
-        hush_end()
         was_cancelled = self.isCanceled() or not result
         end = End.FAILED if self._failure else End.CANCELLED if was_cancelled else End.DONE
         self.ended.emit(Outcome(end, self._failure))
@@ -251,27 +223,22 @@ class LatestOnly(QObject):
     def __init__(self, name: str, parent: QObject | None = None, rest: float = 0.0) -> None:
         """``rest``: how long the thread rests after each piece of work, as a multiple of the time that took."""
         super().__init__(parent)
-        self._rest = rest
-        self._name = name
+        self._name, self._rest = name, rest
         self._thread = ThreadPoolExecutor(1, name)
         self._lock = Lock()
-        self._waiting: Work | None = None
-        self._is_at_work = False
+        self._waiting: Future[None] | None = None
         self._turn = 0
         self._ended.connect(self._take)
 
     def ask(self, work: Work) -> None:
         """Have this done next; its result is told unless it is None."""
-        with self._lock:
-            self._waiting = work
-            if not self._is_at_work:
-                self._is_at_work = True
-                self._thread.submit(self._run)
+        self._drop_waiting()
+        self._waiting = self._thread.submit(self._run, work, self._turn)
 
     def forget(self) -> None:
         """Drop the work that waits, and the result of what is under way."""
+        self._drop_waiting()
         with self._lock:
-            self._waiting = None
             self._turn += 1
 
     def close(self) -> None:
@@ -279,23 +246,21 @@ class LatestOnly(QObject):
         self.forget()
         self._thread.shutdown(wait=False)
 
-    def _run(self) -> None:
-        while True:
-            with self._lock:
-                work, self._waiting, turn = self._waiting, None, self._turn
-                if work is None:
-                    self._is_at_work = False
-                    return
-            begun = time.perf_counter()
-            try:
-                with interface_first():
-                    outcome = work()
-            except Exception as error:  # the last door: nobody else would learn of it
-                outcome = messages.TASK_FAILED(task=self._name, error=f"{type(error).__name__}: {error}")
-            with self._lock:  # after ``close`` this may be gone
-                if turn == self._turn and outcome is not None:
-                    self._ended.emit(turn, outcome)
-            time.sleep(min(self._rest * (time.perf_counter() - begun), _LONGEST_REST_S))
+    def _drop_waiting(self) -> None:
+        if self._waiting is not None:
+            self._waiting.cancel()
+
+    def _run(self, work: Work, turn: int) -> None:
+        begun = time.perf_counter()
+        try:
+            with interface_first():
+                outcome = work()
+        except Exception as error:  # the last door: nobody else would learn of it
+            outcome = messages.TASK_FAILED(task=self._name, error=f"{type(error).__name__}: {error}")
+        with self._lock:  # after ``close`` this may be gone
+            if turn == self._turn and outcome is not None:
+                self._ended.emit(turn, outcome)
+        time.sleep(min(self._rest * (time.perf_counter() - begun), _LONGEST_REST_S))
 
     def _take(self, turn: int, outcome: object) -> None:
         if turn == self._turn:

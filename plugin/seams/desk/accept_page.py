@@ -41,7 +41,6 @@ from qgis.PyQt.QtWidgets import (
 
 from ...imagery.errors import SettingsError
 from ...imagery.messages import system_reason
-from ...toolkit.background_tasks import hush_end
 from ...toolkit.desk.theme import readable_palette
 from ...toolkit.desk.widgets import plain_tip
 from ...toolkit.layer_styles import load_style
@@ -140,7 +139,6 @@ class AcceptPage(QDialog):
     # What was decided
 
     def _decided(self, is_successful: bool, results: Mapping[str, Any]) -> None:
-        hush_end()
         self._task = None
         self.files = {name: file for name, file in self._made.items() if is_successful and file.is_file()}
         if is_successful:
