@@ -59,15 +59,6 @@ class DataPlace(NamedTuple):
     """In a database; empty for the whole file."""
 
 
-class _Written(NamedTuple):
-    """A file that would be written or removed."""
-
-    path: str
-    title: str
-    """What the output is called."""
-    table: str
-
-
 def refuse_overwriting(outputs: Mapping[str, str], inputs: Iterable[str]) -> None:
     """Raise SettingsError for an output, paths by what they are called, that is no file, one of the inputs, which GDAL
     opens, or another output."""
@@ -105,20 +96,23 @@ def check_outputs(
 
     ``indexed``: further inputs, which may be too many to open all.
     """
-    wanted = list(outputs)
-    by_file: dict[_Identity, list[_Written]] = defaultdict(list)
-    for title, place in wanted:
-        files = list(_written(place.path))
-        for file in files:
-            if (met := _met(by_file, DataPlace(file, place.table))) is not None:
-                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=place.path, first=met.title, second=title))
-        for file in files:
-            by_file[_identity(file)].append(_Written(file, title, place.table))
-    if not any(os.path.exists(written.path) or written.path.startswith("/vsi") for written, *_ in by_file.values()):
+    by_file: dict[_Identity, list[tuple[str, DataPlace]]] = defaultdict(list)
+    for title, place in outputs:
+        stem, ending = os.path.splitext(place.path)
+        files = [place.path, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ()))]
+        files += [os.path.join(os.path.dirname(place.path), name) for name in files_beside(place.path)]
+        written = [(title, DataPlace(file, place.table)) for file in dict.fromkeys(files)]
+        for _, file in written:
+            for first, _ in _same_data(by_file, file):
+                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=place.path, first=first, second=title))
+        for entry in written:
+            by_file[_identity(entry[1].path)].append(entry)
+    if not any(os.path.exists(file.path) or file.path.startswith("/vsi") for (_, file), *_ in by_file.values()):
         return  # what is not there yet is no input: most runs need no look at them
-    for place in chain(chain.from_iterable(map(_read_with, inputs)), _parts(indexed)):
-        if (met := _met(by_file, place)) is not None:
-            raise SettingsError(messages.OUTPUT_IS_INPUT(output=met.title, path=met.path))
+    read = chain(*(_read_with(place, True) for place in inputs), *(_read_with(DataPlace(path)) for path in indexed))
+    for place in read:
+        for title, file in _same_data(by_file, place):
+            raise SettingsError(messages.OUTPUT_IS_INPUT(output=title, path=file.path))
 
 
 def is_database(path: str) -> bool:
@@ -138,53 +132,32 @@ def files_beside(path: str) -> set[str]:
     return called
 
 
-def _met(by_file: Mapping[_Identity, list[_Written]], place: DataPlace) -> _Written | None:
-    """Another table of a database is no matter."""
-    for written in by_file.get(_identity(place.path), ()):
-        tables = {written.table.lower(), place.table.lower()}
-        if "" in tables or len(tables) == 1:
-            return written
-    return None
+def _same_data(
+    by_file: Mapping[_Identity, list[tuple[str, DataPlace]]], place: DataPlace
+) -> Iterator[tuple[str, DataPlace]]:
+    """The outputs in the same file; another table of a database is no matter."""
+    for title, file in by_file.get(_identity(place.path), ()):
+        if not (file.table and place.table) or file.table.lower() == place.table.lower():
+            yield title, file
 
 
-def _written(path: str) -> dict[str, None]:
-    """All that would be written or removed."""
-    stem, ending = os.path.splitext(path)
-    beside = (os.path.join(os.path.dirname(path), name) for name in files_beside(path))
-    return dict.fromkeys((path, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())), *beside))
-
-
-def _read_with(given: DataPlace) -> Iterator[DataPlace]:
-    """An input's file, what GDAL reads with it, and the files that a virtual one or a folder is made of."""
-    if is_remote(given.path):
-        return
-    yield given
-    file = local_file(given.path)
-    if os.path.isdir(file):  # of which every file is read
-        with os.scandir(file) as entries:
-            yield from [DataPlace(entry.path) for entry in entries if entry.is_file()]
-        return
-    is_table = file != given.path and is_database(file)
-    yield DataPlace(file, given.path.rpartition(":")[2] if is_table else given.table)
-    yield from map(DataPlace, _dataset_files(given.path))
-    yield from _parts(vrt_parts(given.path))
-
-
-def _parts(paths: Iterable[str]) -> Iterator[DataPlace]:
-    """Files that something is made of, and those that they are made of in turn."""
-    for part in dict.fromkeys(chain.from_iterable(map(with_parts, paths))):
+def _read_with(given: DataPlace, is_opened: bool = False) -> Iterator[DataPlace]:
+    """An input's file, the files that a virtual one or a folder is made of, and what GDAL reads with them: with a VRT,
+    and with others where they are to be opened."""
+    for part in with_parts(given.path):
         if is_remote(part):
             continue
-        yield from (DataPlace(part), DataPlace(local_file(part)))
-        if vrt_parts(part):
-            yield from map(DataPlace, _dataset_files(part))
-
-
-def _dataset_files(path: str) -> list[str]:
-    """All files that GDAL counts to a dataset, but for databases, of which other tables may be written."""
-    dataset = None if is_database(path) else opened_checked(path)
-    files = (dataset.GetFileList() or []) if dataset is not None else []
-    return [file for file in files if not is_database(file)]
+        file = local_file(part)
+        if os.path.isdir(file):  # of which every file is read
+            yield from (DataPlace(os.path.join(file, name)) for name in os.listdir(file))
+            continue
+        table = part.rpartition(":")[2] if file != part and is_database(file) else given.table
+        yield from (DataPlace(part, table), DataPlace(file, table))
+        # Other tables of a database may be written.
+        if not is_database(part) and ((is_opened and part == given.path) or vrt_parts(part)):
+            dataset = opened_checked(part)
+            files = (dataset.GetFileList() or []) if dataset is not None else []
+            yield from (DataPlace(beside) for beside in files if not is_database(beside))
 
 
 def opened_checked(path: str, flags: int = 0) -> gdal.Dataset | None:
@@ -245,21 +218,17 @@ class FileState(NamedTuple):
 def local_states(paths: Iterable[str]) -> dict[str, FileState]:
     """States of the files of this machine that rasters are read from, by their whole paths: all that GDAL counts to
     them but statistics and overviews, and those that a VRT or an archive is made of. What is not there is left out."""
-    parts = (part for path in paths for part in with_parts(path) if not is_remote(part))
-    files = list(dict.fromkeys(file for part in parts for file in _read_from(part)))
+    files: dict[str, None] = {}
+    with gdal_settings(GDAL_DISABLE_READDIR_ON_OPEN="TRUE"):  # a folder of thousands is not listed for each of them
+        for part in (part for path in paths for part in with_parts(path) if not is_remote(part)):
+            file, beside = local_file(part), [part + _MASK]
+            if os.path.exists(file) and not vrt_parts(part):
+                dataset = opened_checked(part, gdal.OF_RASTER)
+                beside += map(local_file, (dataset.GetFileList() or ()) if dataset is not None else ())
+            beside = [name for name in beside if not name.lower().endswith(_NOT_PIXELS)]
+            files.update(dict.fromkeys(map(os.path.abspath, (file, *beside))))
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # digests are made while Python waits
         return {file: state for file, state in zip(files, pool.map(local_state, files)) if state is not None}
-
-
-def _read_from(path: str) -> dict[str, None]:
-    """Files of a raster, but for the parts of a VRT."""
-    file, files = local_file(path), list[str]()
-    if os.path.exists(file) and not vrt_parts(path):
-        with gdal_settings(GDAL_DISABLE_READDIR_ON_OPEN="TRUE"):  # a folder of thousands is not listed for each of them
-            dataset = opened_checked(path, gdal.OF_RASTER)
-            files = [*map(local_file, dataset.GetFileList() or ())] if dataset is not None else []
-    beside = (name for name in (path + _MASK, *files) if not name.lower().endswith(_NOT_PIXELS))
-    return dict.fromkeys(map(os.path.abspath, (file, *beside)))
 
 
 def known_states(paths: Iterable[str], ask: bool = True) -> dict[str, FileState]:
@@ -307,7 +276,8 @@ def local_state(path: str) -> FileState | None:
             return FileState(status.st_size, status.st_mtime_ns, "")
         with open(path, "rb", buffering=0) as file:
             if status.st_size <= _MOST_PARSED and begins_vrt(file.read(_LOOK_BYTES)):
-                said = _said(Path(path).read_bytes())
+                named = _FOLDERS.sub(rb"<\1>", _NO_CONSEQUENCE.sub(b"", Path(path).read_bytes()))
+                said = b"".join(named.split())  # of its pixels, wherever its files lie
                 return FileState(len(said), 0, blake2b(said, digest_size=12).hexdigest())
             digest = blake2b(digest_size=12)
             for place, count in _looks(status.st_size):
@@ -326,12 +296,6 @@ def _looks(size: int) -> Iterator[tuple[int, int]]:
     for number, start in enumerate(range(0, size, _STRETCH_BYTES)):
         yield start + number * _LOOK_STEP % (_STRETCH_BYTES - _LOOK_BYTES), _LOOK_BYTES
     yield size - _LOOK_BYTES, _LOOK_BYTES
-
-
-def _said(vrt: bytes) -> bytes:
-    """What a VRT says of its pixels, wherever its files lie."""
-    named = _FOLDERS.sub(rb"<\1>", _NO_CONSEQUENCE.sub(b"", vrt))
-    return b"".join(named.split())
 
 
 def remote_state(path: str) -> str:
