@@ -161,9 +161,7 @@ def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made])
     Raises SettingsError, also by ``make``, that says what is wrong with the file, and where.
     """
     try:
-        text = document_bytes(path).decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise SettingsError(messages.RULES_NOT_TEXT(name=path.name)) from None
+        text = document_bytes(path)
     except OSError as error:
         raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=system_reason(error))) from None
     try:

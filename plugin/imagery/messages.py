@@ -129,11 +129,9 @@ OUTPUTS_ARE_ONE = Message(
 )
 OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is not a file on a disk; choose a file.")
 # files that are read over the network
-REMOTE_NOT_FOUND = Message("{name} is not on its server (HTTP {code}); check its address.")
-REMOTE_REFUSED = Message("The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.")
-REMOTE_FAILING = Message("The server of {name} fails (HTTP {code}); try again later.")
 REMOTE_NOT_READABLE = Message(
-    "{name} can't be read over the network ({why}); check the network and GDAL's settings, or copy it to a local disk."
+    "{name} can't be read over the network ({why}); check its address, the network, and GDAL's settings and "
+    "credentials, or copy it to a local disk."
 )
 REMOTE_IN_PART = Message(
     "{name} arrived only in part over the network, also at the second try; check that it is complete on its server."
@@ -143,7 +141,6 @@ RECORDS_IN_USE = Message("another QGIS has it open")
 RECORDS_FOREIGN = Message("something else is there")
 # a file with rules
 RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
-RULES_NOT_TEXT = Message("The rules in {name} are not text in UTF-8; give a JSON file with rules.")
 RULES_NOT_JSON = Message("The rules in {name} are not valid JSON (see line {line}); correct the file.")
 RULES_NO_OBJECT = Message('{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.')
 RULES_KEY_TWICE = Message("{name} has '{key}' twice in one object; keep one.")

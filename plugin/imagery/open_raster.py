@@ -184,6 +184,9 @@ class OpenRaster:
     def raster(self) -> Raster:
         """What the raster is."""
         band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
+        stored = self.dataset.GetMetadata("IMAGE_STRUCTURE")
+        is_lossless = stored.get("COMPRESSION_REVERSIBILITY", "").startswith("LOSSLESS")
+        is_lossy = not is_lossless and any(word in stored.get("COMPRESSION", "").upper() for word in LOSSY)
         back = transform and gdal.InvGeoTransform(transform)
         if back is None or not all(map(math.isfinite, (*transform, *back))):
             transform = None  # its pixels would lie on one line, or nowhere
@@ -198,7 +201,7 @@ class OpenRaster:
             self.roles.names,
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,
-            self._is_lossy, self._is_turned, self.roles.indices,
+            is_lossy, self._is_turned, self.roles.indices,
         )
 
     @property
@@ -209,12 +212,6 @@ class OpenRaster:
     @cached_property
     def _turned_over(self) -> OpenRaster:
         return OpenRaster(self.ref, turned=True)
-
-    @property
-    def _is_lossy(self) -> bool:
-        stored = self.dataset.GetMetadata("IMAGE_STRUCTURE")
-        lossless = stored.get("COMPRESSION_REVERSIBILITY", "").startswith("LOSSLESS")
-        return any(word in stored.get("COMPRESSION", "").upper() for word in LOSSY) and not lossless
 
     @property
     def nodata(self) -> float | None:
@@ -413,12 +410,15 @@ def describe(ref: RasterRef) -> Raster:
 
 def describe_north_up(ref: RasterRef) -> Raster:
     """Like ``describe``, for a raster that has to have a grid, on the map or on its own pixels."""
-    return _with_grid(describe(ref))
+    raster = describe(ref)
+    if not raster.is_north_up:
+        raise RasterError(messages.NOT_NORTH_UP(name=ref.name))
+    return raster
 
 
 def describe_mosaic(ref: RasterRef) -> Raster:
     """Like ``describe``, for the raster whose grid the windows lie on: north-up and on the map."""
-    return _with_grid(placed(describe(ref)))
+    return placed(describe_north_up(ref))
 
 
 def check_readable(opened: OpenRaster) -> None:
@@ -439,12 +439,6 @@ def placed(raster: Raster) -> Raster:
         raise RasterError(messages.NOT_GEOREFERENCED(name=raster.ref.name))
     if not raster.wkt:
         raise RasterError(messages.NO_REFERENCE_SYSTEM(name=raster.ref.name))
-    return raster
-
-
-def _with_grid(raster: Raster) -> Raster:
-    if not raster.is_north_up:
-        raise RasterError(messages.NOT_NORTH_UP(name=raster.ref.name))
     return raster
 
 

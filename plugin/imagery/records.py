@@ -139,14 +139,11 @@ def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -
     return b"".join([_LENGTH.pack(len(head)), head, *parts])
 
 
-def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, np.ndarray]:
-    """What ``packed`` made bytes of, or of that ``names``; arrays can't be written to. Call it ``understanding``."""
+def unpacked(record: bytes) -> dict[str, np.ndarray]:
+    """What ``packed`` made bytes of; arrays can't be written to. Call it ``understanding``."""
     (length,) = _LENGTH.unpack_from(record)
     place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
-        if names is not None and name not in names:
-            place += size
-            continue
         held = record[place : place + size]
         whole = math.prod(shape) * np.dtype(kind).itemsize
         room -= max(whole, size)
@@ -161,6 +158,8 @@ def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, n
 
 _JSON = "json"
 _MESSAGE = ("template", "level", "values")
+_WORDS = (type(None), bool, int, float, str, tuple, Message, np.generic)
+"""What goes into a sentence; paths and errors as they are shown."""
 
 
 def record_of(value: object) -> bytes:
@@ -197,8 +196,8 @@ def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:
         arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
         return name
     if isinstance(value, Message):
-        values = {name: _word(word, arrays) for name, word in value.values.items()}
-        return dict(zip(_MESSAGE, (value.template, value.level.value, values)))
+        words = {name: word if isinstance(word, _WORDS) else str(word) for name, word in value.values.items()}
+        return dict(zip(_MESSAGE, (value.template, value.level.value, _plain(words, arrays))))
     if dataclasses.is_dataclass(value):
         return {field.name: _plain(getattr(value, field.name), arrays) for field in dataclasses.fields(value)}
     if isinstance(value, Mapping):
@@ -206,12 +205,6 @@ def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:
     if isinstance(value, (tuple, list)):
         return [_plain(item, arrays) for item in value]
     raise TypeError(f"no record of {type(value).__name__}")
-
-
-def _word(value: object, arrays: dict[str, np.ndarray]) -> Any:
-    """What goes into a sentence; paths and errors as they are shown."""
-    known = value is None or isinstance(value, (bool, int, float, str, tuple, Message, np.generic))
-    return _plain(value, arrays) if known else str(value)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -255,9 +248,8 @@ class _Reader:
             return kind(plain)
         if not dataclasses.is_dataclass(kind):
             raise NotUnderstoodError(str(kind))
-        make: Any = kind
-        kinds = _annotations(make)
-        return make(**{name: self.read(kinds[name], item) for name, item in plain.items()})
+        kinds = _annotations(kind)
+        return kind(**{name: self.read(kinds[name], item) for name, item in plain.items()})
 
     def _message(self, plain: Any) -> Message:
         template, level, values = (plain[name] for name in _MESSAGE)
@@ -280,7 +272,7 @@ def _checked(is_fit: bool, plain: Any) -> Any:
 
 
 @cache
-def _annotations(kind: type) -> dict[str, Any]:
+def _annotations(kind: Any) -> dict[str, Any]:
     """The kinds of a class's fields. Python 3.9 does not know ``int | None`` of its own annotations."""
     names = {**vars(builtins), **vars(sys.modules[kind.__module__])}
     return {name: _kind(ast.parse(text, mode="eval").body, names) for name, text in kind.__annotations__.items()}

@@ -76,24 +76,32 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     remembered for a while, by all threads, and fails at once; of a VRT not, since others of its parts may be there.
     """
     for key in (path, _server(path)):
-        until, why = _failures.get(key, (0.0, None))
-        if why is not None and time.monotonic() < until:
-            raise RasterError(why)
+        until, failure = _failures.get(key, (0.0, None))
+        if failure is not None and time.monotonic() < until:
+            raise RasterError(failure)
     try:
         return read(False)
     except RasterError as error:
         if error.message.template not in _MAY_BE_THE_NETWORK:
             raise
     forget_fetched(path)
-    key, failure = _failure_of(path, name)
-    if failure is None:
+    probed = ((part, _said_on_reading(part)) for part in remote_parts(path)[:_MOST_PROBED])
+    part, said = next(((part, said) for part, said in probed if said), (path, ""))
+    shown = _shown(name if part == path else os.path.basename(part))
+    if said:
+        status = re.search(r"HTTP (?:response|error) code:? ([1-9]\d\d)", said)
+        words = re.sub(r" on \w+://\S+", "", said)  # an address may hold a password
+        why = f"HTTP {status[1]}" if status else words.rpartition("CURL error: ")[2]
+        failure = messages.REMOTE_NOT_READABLE(name=shown, why=why)
+    else:
         try:
             return read(True)
         except RasterError as error:
             in_part = error.message.template == messages.NOT_READABLE.template
-            failure = messages.REMOTE_IN_PART(name=_shown(name)) if in_part else error.message
+            failure = messages.REMOTE_IN_PART(name=shown) if in_part else error.message
     if is_remote(path):
-        _failures[key] = time.monotonic() + REMEMBERED_S, failure
+        key = _server(path) if _SILENT.search(said) else ""
+        _failures[key or path] = time.monotonic() + REMEMBERED_S, failure
     raise RasterError(failure)
 
 
@@ -107,50 +115,27 @@ def forget_fetched(path: str) -> None:
             gdal.VSICurlClearCache()
 
 
-def _failure_of(path: str, name: str) -> tuple[str, Message | None]:
-    """The path or server that fails, and what keeps it from giving a raster; None where it gives it by now."""
-    for part in remote_parts(path)[:_MOST_PROBED]:
-        with remote_settings({"CPL_VSIL_CURL_USE_HEAD": "NO"}):  # bytes are asked for, as the pixels are
-            said = _said_on_reading(readable_path(part))
-        if said:
-            key = _server(path) if _SILENT.search(said) else ""
-            return key or path, _failure(said, _shown(name if part == path else os.path.basename(part)))
-    return path, None
-
-
 def _said_on_reading(path: str) -> str:
     """GDAL's words for why the first bytes of a remote file can't be read; empty where they can."""
     said: list[str] = []
     gdal.PushErrorHandler(lambda level, number, text: said.append(text))
     try:
-        gdal.VSIErrorReset()
-        file = gdal.VSIFOpenExL(path, "rb", 1)
-        if file is None:
-            return gdal.VSIGetLastErrorMsg() or "".join(said[-1:]) or "unknown"
-        gdal.VSIFSeekL(file, 0, os.SEEK_END)
-        wanted = min(gdal.VSIFTellL(file), _PROBED_BYTES)
-        gdal.VSIFSeekL(file, 0, os.SEEK_SET)
-        if len(gdal.VSIFReadL(1, wanted, file) or b"") < wanted:
-            said.append(_TOO_SLOW)  # GDAL makes do with what came until it lost patience
-        gdal.VSIFCloseL(file)
+        with remote_settings({"CPL_VSIL_CURL_USE_HEAD": "NO"}):  # bytes are asked for, as the pixels are
+            gdal.VSIErrorReset()
+            file = gdal.VSIFOpenExL(readable_path(path), "rb", 1)
+            if file is None:
+                return gdal.VSIGetLastErrorMsg() or "".join(said[-1:]) or "unknown"
+            gdal.VSIFSeekL(file, 0, os.SEEK_END)
+            wanted = min(gdal.VSIFTellL(file), _PROBED_BYTES)
+            gdal.VSIFSeekL(file, 0, os.SEEK_SET)
+            if len(gdal.VSIFReadL(1, wanted, file) or b"") < wanted:
+                said.append(_TOO_SLOW)  # GDAL makes do with what came until it lost patience
+            gdal.VSIFCloseL(file)
     except RuntimeError as error:
         return str(error)
     finally:
         gdal.PopErrorHandler()
     return next((text for text in said if "Range downloading" in text or _SILENT.search(text)), "")
-
-
-def _failure(said: str, name: str) -> Message:
-    said = re.sub(r" on \w+://\S+", "", said)  # an address may hold a password
-    status = re.search(r"HTTP (?:response|error) code:? ([1-9]\d\d)", said)
-    code = int(status[1]) if status else 0
-    if code in (404, 410):
-        return messages.REMOTE_NOT_FOUND(name=name, code=code)
-    if code in (401, 403, 407):
-        return messages.REMOTE_REFUSED(name=name, code=code)
-    if code:
-        return messages.REMOTE_FAILING(name=name, code=code)
-    return messages.REMOTE_NOT_READABLE(name=name, why=said.rpartition("CURL error: ")[2])
 
 
 def _server(path: str) -> str:

@@ -59,22 +59,14 @@ def test_no_answer_once_is_asked_again(server: RangeServer, folder: Path) -> Non
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("fault", "sentence"),
-    [
-        (Fault(status=404), "cog.tif is not on its server (HTTP 404); check its address."),
-        (Fault(status=403),
-         "The server of cog.tif refuses it (HTTP 403); give GDAL the credentials, or ask for access."),
-        (Fault(status=503), "The server of cog.tif fails (HTTP 503); try again later."),
-        (Fault(status=418), "The server of cog.tif fails (HTTP 418); try again later."),
-        (Fault(dropped=True), (
-            "cog.tif can't be read over the network (Empty reply from server); check the network and GDAL's settings, "
-            "or copy it to a local disk.")),
-    ],
-)
+    ("fault", "why"),
+    [(Fault(status=404), "HTTP 404"), (Fault(status=403), "HTTP 403"), (Fault(status=503), "HTTP 503"),
+     (Fault(status=418), "HTTP 418"), (Fault(dropped=True), "Empty reply from server")],
+)  # fmt: skip
 @pytest.mark.parametrize("while_reading", [False, True])
 @pytest.mark.usefixtures("either_gdal")
 def test_a_fault_that_stays_is_named_and_not_asked_for_by_each_block(
-    server: RangeServer, fault: Fault, sentence: str, while_reading: bool
+    server: RangeServer, fault: Fault, why: str, while_reading: bool
 ) -> None:
     ref = RasterRef(server.vsi("cog.tif") + "?token=secret")
     if while_reading:
@@ -82,7 +74,8 @@ def test_a_fault_that_stays_is_named_and_not_asked_for_by_each_block(
     server.fault = lambda asked: fault
     with pytest.raises(RasterError) as caught:
         open_raster(ref).read(WINDOW)
-    assert str(caught.value) == sentence
+    assert str(caught.value).startswith(f"cog.tif can't be read over the network ({why}); check its address, ")
+    assert "secret" not in str(caught.value)
     server.forget()
     with pytest.raises(RasterError, match=r"server|network"):
         open_raster(ref).read(WINDOW)
@@ -178,6 +171,6 @@ def test_a_part_of_a_vrt_that_is_gone_is_named_and_costs_its_place_only(
     Path(path).write_text(text.replace(part, "".join(parts)))
     left = PixelWindow(0, 0, 300, 300)
     np.testing.assert_array_equal(read(path, left), expected(folder, window=left))
-    with pytest.raises(RasterError, match=r"gone\.tif is not on its server \(HTTP 404\)"):
+    with pytest.raises(RasterError, match=r"gone\.tif can't be read over the network \(HTTP 404\)"):
         read(path, WHOLE)
     np.testing.assert_array_equal(read(path, left), expected(folder, window=left))

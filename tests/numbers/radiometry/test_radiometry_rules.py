@@ -116,6 +116,6 @@ def test_a_wrong_file_is_refused_in_one_sentence(tmp_path: Path, content: Any, w
 
 def test_files_that_are_not_there_or_no_text(tmp_path: Path) -> None:
     (tmp_path / "binary.json").write_bytes(b"\xff\xfe\x00")
-    for name, words in (("none.json", "No such file"), ("binary.json", "not text in UTF-8")):
+    for name, words in (("none.json", "No such file"), ("binary.json", "not valid JSON")):
         with pytest.raises(SettingsError, match=words):
             load_rules(tmp_path / name)
