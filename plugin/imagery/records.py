@@ -139,11 +139,14 @@ def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -
     return b"".join([_LENGTH.pack(len(head)), head, *parts])
 
 
-def unpacked(record: bytes) -> dict[str, np.ndarray]:
-    """What ``packed`` made bytes of; arrays can't be written to. Call it ``understanding``."""
+def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, np.ndarray]:
+    """What ``packed`` made bytes of, or of that ``names``; arrays can't be written to. Call it ``understanding``."""
     (length,) = _LENGTH.unpack_from(record)
     place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
+        if names is not None and name not in names:
+            place += size
+            continue
         held = record[place : place + size]
         whole = math.prod(shape) * np.dtype(kind).itemsize
         room -= max(whole, size)
@@ -248,8 +251,9 @@ class _Reader:
             return kind(plain)
         if not dataclasses.is_dataclass(kind):
             raise NotUnderstoodError(str(kind))
-        kinds = _annotations(kind)
-        return kind(**{name: self.read(kinds[name], item) for name, item in plain.items()})
+        make: Any = kind
+        kinds = _annotations(make)
+        return make(**{name: self.read(kinds[name], item) for name, item in plain.items()})
 
     def _message(self, plain: Any) -> Message:
         template, level, values = (plain[name] for name in _MESSAGE)
@@ -272,7 +276,7 @@ def _checked(is_fit: bool, plain: Any) -> Any:
 
 
 @cache
-def _annotations(kind: Any) -> dict[str, Any]:
+def _annotations(kind: type) -> dict[str, Any]:
     """The kinds of a class's fields. Python 3.9 does not know ``int | None`` of its own annotations."""
     names = {**vars(builtins), **vars(sys.modules[kind.__module__])}
     return {name: _kind(ast.parse(text, mode="eval").body, names) for name, text in kind.__annotations__.items()}

@@ -29,7 +29,6 @@ NO_NUMBER = Message("'{parameter}' is '{value}', which is not a number; write it
 NUMBER_TOO_SMALL = Message("'{parameter}' is {value:g}; give {least:g} or more.")
 NUMBER_BEYOND = Message("'{parameter}' is {value:g}; give a number from {least:g} to {most:g}.")
 WORD_UNKNOWN = Message("'{parameter}' is '{value}'; give one of {known}.")
-NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
 NO_RASTERS = Message("No rasters are given; choose at least one.")
 NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")

@@ -130,7 +130,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             except SeamInspectorError as error:
                 raise _for_qgis(error) from None
             except Exception:
-                if not _is_unloaded():
+                # Whether QGIS has forgotten the plugin's modules since, or loaded them anew: what was not imported
+                # before can't be had any more.
+                known = getattr(sys.modules.get(__name__), SeamInspectorAlgorithm.__name__, None)
+                if known is SeamInspectorAlgorithm:
                     raise
                 raise QgsProcessingException(sentence(messages.UNLOADED())) from None
 
@@ -177,12 +180,6 @@ def _for_qgis(error: SeamInspectorError) -> QgsProcessingException:
     are deleted, and whatever QGIS makes in their place later would be taken for them, and crash."""
     error.with_traceback(None).__context__ = None
     return QgsProcessingException(sentence(error.message))
-
-
-def _is_unloaded() -> bool:
-    """Whether QGIS has forgotten the plugin's modules since, or loaded them anew: what was not imported before can't be
-    had any more."""
-    return getattr(sys.modules.get(__name__), SeamInspectorAlgorithm.__name__, None) is not SeamInspectorAlgorithm
 
 
 _TITLES, _HELP = ("description", "component_description", "model_group"), "help"

@@ -67,7 +67,10 @@ class FeatureSinks:
         Raises QgsProcessingException where that can't be; an older file is as it was then, and nothing is left of a
         new one.
         """
-        file = _unfinished(place)
+        file = None
+        if place is not None and not place.table and not place.path.startswith("/vsi"):
+            with suppress(OSError):
+                file = UnfinishedFile(Path(place.path))
         try:
             with gdal_silenced():
                 sink, destination = make(None if file is None else str(file.written))
@@ -88,8 +91,9 @@ class FeatureSinks:
         for feature in features:
             if layer.has_failed:
                 return
-            if is_spreadsheet:
-                _disarm(feature)
+            for index, value in enumerate(feature.attributes()) if is_spreadsheet else ():
+                if isinstance(value, str):  # formulas: others named their files
+                    feature.setAttribute(index, cell_text(value))
             with gdal_silenced():
                 layer.has_failed = not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert)
             layer.written += 1
@@ -108,30 +112,30 @@ class FeatureSinks:
                 gdal.ErrorReset()
                 sip.delete(layer.sink)
                 held = layer.count(gdal.GetLastErrorType() < gdal.CE_Failure)
-            if layer.file is None:
+            file = layer.file
+            if file is None:
                 self._account(layer, held)
             elif has_failed and not layer.written:
-                layer.file.drop()
+                file.drop()
+            elif held < layer.written and (file.replaces or held <= 0):
+                file.drop()
+                self._account(layer, _NOT_THERE)
+            elif (has_failed or is_cancelled) and file.replaces:
+                self._keep_beside(layer, file, messages.LAYER_NOT_REPLACED)
             else:
-                self._settle(layer, layer.file, held, has_failed or is_cancelled)
+                self._replace(layer, file, held)
 
-    def _settle(self, layer: _OpenSink, file: UnfinishedFile, held: int, is_part: bool) -> None:
-        """Let a file with so many features take its place, or not."""
-        if held < layer.written and (file.replaces or held <= 0):
-            file.drop()
-            self._account(layer, _NOT_THERE)
-        elif is_part and file.replaces:
-            self._keep_beside(layer, file, lambda part: messages.LAYER_NOT_REPLACED(path=layer.path, part=part))
-        else:
-            try:
-                file.keep(_OF_DATABASES)
-            except OSError:  # as on Windows, where the older one is open in QGIS
-                self._keep_beside(layer, file, lambda part: messages.LAYER_IN_USE(path=layer.path, part=part))
-                return
-            drop_unfinished(Path(layer.path))  # what processes left that were killed
-            self._account(layer, held)
+    def _replace(self, layer: _OpenSink, file: UnfinishedFile, held: int) -> None:
+        """Let a file with so many features take its place."""
+        try:
+            file.keep(_OF_DATABASES)
+        except OSError:  # as on Windows, where the older one is open in QGIS
+            self._keep_beside(layer, file, messages.LAYER_IN_USE)
+            return
+        drop_unfinished(Path(layer.path))  # what processes left that were killed
+        self._account(layer, held)
 
-    def _keep_beside(self, layer: _OpenSink, file: UnfinishedFile, said: Callable[[str], Message]) -> None:
+    def _keep_beside(self, layer: _OpenSink, file: UnfinishedFile, why: Message) -> None:
         """Leave the older file as it is."""
         try:
             path = str(file.keep_beside())
@@ -139,7 +143,7 @@ class FeatureSinks:
             file.drop()
             self._account(layer, _NOT_THERE)
             return
-        self.beside[layer.destination] = path, said(path)
+        self.beside[layer.destination] = path, why(path=layer.path, part=path)
         self.has_whole = True
 
     def _account(self, layer: _OpenSink, held: int) -> None:
@@ -150,21 +154,6 @@ class FeatureSinks:
             self.lost[layer.destination] = messages.LAYER_IN_PART(path=layer.path, held=held, count=layer.written)
         else:
             self.lost[layer.destination] = messages.LAYER_NOT_WRITTEN(path=layer.path)
-
-
-def _unfinished(place: DataPlace | None) -> UnfinishedFile | None:
-    """The file beside a place that is written first; None for a table, and what must be written in its place."""
-    if place is not None and not place.table and not place.path.startswith("/vsi"):
-        with suppress(OSError):
-            return UnfinishedFile(Path(place.path))
-    return None
-
-
-def _disarm(feature: QgsFeature) -> None:
-    """Escape texts that a spreadsheet would take for formulas: others named their files."""
-    for index, value in enumerate(feature.attributes()):
-        if isinstance(value, str):
-            feature.setAttribute(index, cell_text(value))
 
 
 def _why_not(place: DataPlace | None, said: str) -> str:

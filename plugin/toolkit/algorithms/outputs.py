@@ -140,19 +140,14 @@ def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) 
     check_can_be_written(title, path)
     if is_raster:
         return
-    _check_name(title, text, place)
-    if is_database(path) and os.path.isfile(path) and _is_locked(path):
-        raise SettingsError(messages.OUTPUT_IN_USE(path=path))
-
-
-def _check_name(title: str, text: str, place: DataPlace) -> None:
-    """Raise SettingsError for a layer whose name QGIS or GDAL would take for something else."""
-    path, name = place.path, os.path.basename(place.path)
+    name = os.path.basename(path)
     if is_database(path) and not place.table and name[0] in _NO_TABLE_BEGINS_WITH:
         raise SettingsError(messages.TABLE_BEGINS_WRONG(output=title, name=name, begins=name[0]))
     shown = os.path.splitdrive(path if text.startswith(_ADDRESSES) else text)[1].replace(os.sep, "/")
     if misread := _MISREAD.search(shown):
         raise SettingsError(messages.NAME_MISREAD(output=title, path=text, found=misread[0]))
+    if is_database(path) and os.path.isfile(path) and _is_locked(path):
+        raise SettingsError(messages.OUTPUT_IN_USE(path=path))
 
 
 def _is_locked(path: str) -> bool:

@@ -245,26 +245,22 @@ def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], cont
             raise SettingsError(messages.WORD_UNKNOWN(parameter=title, value=word, known=known))
         if not isinstance(definition, QgsProcessingParameterNumber):
             continue
-        if is_text and not _is_number(str(given)):
-            raise SettingsError(messages.NO_NUMBER(parameter=title, value=given))
+        try:
+            float(str(given) if is_text else 0)
+        except ValueError:
+            raise SettingsError(messages.NO_NUMBER(parameter=title, value=given)) from None
         value = algorithm.parameterAsDouble(values, definition.name(), context)
         if not math.isfinite(value):
             raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
-        if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > LARGEST_WHOLE:
-            raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=LARGEST_WHOLE))
-        least, most = definition.minimum(), definition.maximum()
+        is_whole = definition.dataType() == QgsProcessingParameterNumber.Type.Integer
+        largest = LARGEST_WHOLE if is_whole else sys.float_info.max / 2
+        least, most = max(definition.minimum(), -largest), min(definition.maximum(), largest)
         if not least <= value <= most and given is not None and given != "":
-            is_open = most >= sys.float_info.max / 2
-            raise SettingsError(messages.NUMBER_TOO_SMALL(parameter=title, value=value, least=least) if is_open else (
-                messages.NUMBER_BEYOND(parameter=title, value=value, least=least, most=most)))
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
+            is_open = most == largest and value < least
+            raise SettingsError(
+                messages.NUMBER_TOO_SMALL(parameter=title, value=value, least=least) if is_open
+                else messages.NUMBER_BEYOND(parameter=title, value=value, least=least, most=most)
+            )  # fmt: skip
 
 
 def check_files(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:

@@ -34,21 +34,23 @@ class WindowFeatures:
     """The windows of a layer; what a result needs of a window is kept until it is taken."""
 
     def __init__(
-        self,
-        source: QgsProcessingFeatureSource,
-        crs: QgsCoordinateReferenceSystem,
-        run: Run,
+        self, source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run,
         carried: Sequence[str] = (),
-    ) -> None:
+    ) -> None:  # fmt: skip
         """``carried``: fields whose values go over into the results, as far as the layer has them."""
+        from .. import layers
+
         self.count = source.featureCount()
         self._renumbered = self._reshaped = 0
         self._source = source
         self._transform = run.transform(source, crs)
-        self._names = set(source.fields().names())
-        self.carried = tuple(name for name in carried if name in self._names)  # names of these fields
+        names = set(source.fields().names())
+        self.carried = tuple(name for name in carried if name in names)  # names of these fields
+        self._has_numbers = "window_id" in names
         self._waiting: dict[int, tuple[QgsGeometry | None, dict[str, str | None]]] = {}
-        self._numbers = self._given_numbers()
+        numbers = map(self._given_number, layers.features(source))
+        self._numbers = {number for number in numbers if number is not None}
+        """Numbers that are given and not taken yet; of several windows the first has it."""
         self._last = max(self._numbers, default=0)
 
     def windows(self) -> Iterator[WindowFeature]:
@@ -56,7 +58,11 @@ class WindowFeatures:
         from .. import layers
 
         for feature in layers.features(self._source):
-            number = self._number(feature)
+            number = self._given_number(feature)
+            if number is None or number not in self._numbers:
+                self._renumbered += self._has_numbers
+                self._last = number = self._last + 1
+            self._numbers.discard(number)
             geometry: QgsGeometry | None = None
             try:
                 outline = layers.window_geometry(feature, self._transform)
@@ -78,27 +84,8 @@ class WindowFeatures:
         counts = {messages.WINDOWS_RENUMBERED: self._renumbered, messages.WINDOWS_RESHAPED: self._reshaped}
         return [what(count=count) for what, count in counts.items() if count]
 
-    def _given_numbers(self) -> set[int]:
-        from .. import layers
-
-        if "window_id" not in self._names:
-            return set()
-        numbers = map(_own_number, layers.features(self._source))
-        return {number for number in numbers if number is not None}
-
-    def _number(self, feature: QgsFeature) -> int:
-        """The feature's own number when it is the first to have it, else the next free one."""
-        number = _own_number(feature) if "window_id" in self._names else None
-        if number is not None and number in self._numbers:
-            self._numbers.remove(number)
-            return number
-        self._renumbered += "window_id" in self._names
-        self._last += 1
-        return self._last
-
-
-def _own_number(feature: QgsFeature) -> int | None:
-    return whole_number(feature["window_id"], _LARGEST_NUMBER)
+    def _given_number(self, feature: QgsFeature) -> int | None:
+        return whole_number(feature["window_id"], _LARGEST_NUMBER) if self._has_numbers else None
 
 
 RASTERS, WINDOWS = "RASTERS", "WINDOWS"
