@@ -98,11 +98,9 @@ def _connected(address: str, is_cancelled: Callable[[], bool]) -> Iterator[Clien
         client = Client(address, timeout=_ANSWER_SECONDS)
     except SettingsError:
         raise
-    except (OSError, ValueError, asyncio.TimeoutError) as silent:
+    except Exception as silent:  # whatever Dask makes of bytes that are none of its own, too
         why = str(silent) or f"{_ANSWER_SECONDS:.0f} s"
         raise SettingsError(messages.SCHEDULER_SILENT(address=address, error=why)) from None
-    except Exception:  # whatever Dask makes of bytes that are none of its own
-        raise SettingsError(messages.NOT_A_SCHEDULER(address=address)) from None
     try:
         yield client
     finally:

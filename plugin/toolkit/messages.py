@@ -38,10 +38,7 @@ UNLOADED = Message("Seam Inspector was updated or turned off while this ran; sta
 DASK_MISSING = Message(
     "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty.")
 SCHEDULER_SILENT = Message(
-    "The Dask scheduler at {address} does not answer ({error}); check the address (the usual port is 8786), or leave "
-    "it empty.")
-NOT_A_SCHEDULER = Message(
-    "What answers at {address} is not a Dask scheduler; check the address (the usual port is 8786), or leave it empty.")
+    "No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or leave it empty.")
 DASK_VERSIONS = Message(
     "Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on "
     "the scheduler, the workers and here.")

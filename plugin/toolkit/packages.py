@@ -1,12 +1,10 @@
 """Python packages that QGIS does not bring along everywhere, and how to get them. Nothing is installed from here."""
 from __future__ import annotations
 
-import shlex
 import shutil
 import sys
 from collections.abc import Iterable
 from importlib.util import find_spec
-from pathlib import Path
 
 from .translation import filled, tr
 
@@ -40,25 +38,11 @@ def broken_package_sentence(error: ImportError) -> str:
 
 def _remedy(packages: Iterable[str]) -> str:
     """A command for this system, to be copied."""
-    pip = "python -m pip install " + " ".join(packages)
-    terminal = tr("Run '{command}' in a terminal, then restart QGIS.")
-    if (Path(sys.prefix) / "conda-meta").is_dir():
-        conda = "conda install -c conda-forge " + " ".join(packages).lower()
-        return filled(tr("Run '{command}' in QGIS's conda environment, then restart QGIS."), command=conda)
     if sys.platform != "win32" and shutil.which("apt"):
-        wanted = [f"python3-{module}" for name in packages for module in _NAMES if _NAMES[module] == name]
-        return filled(terminal, command="sudo apt install " + " ".join(wanted))
-    if sys.platform == "win32":
-        how = filled(tr("Run '{command}' in the OSGeo4W shell, then restart QGIS."), command=pip)
-    elif sys.platform == "darwin":
-        how = filled(terminal, command=pip.replace("python", shlex.quote(_pythons_path()), 1))
-    else:
-        how = filled(tr("Run '{command}' with the Python that QGIS uses, then restart QGIS."), command=pip)
-    other = tr("Or let the plugin QPIP install the packages in requirements.txt in the plugin's folder.")
-    return f"{how} {other}"
-
-
-def _pythons_path() -> str:
-    """QGIS's own Python in its application, which no terminal finds by name; sys.executable is QGIS itself."""
-    folders = (Path(sys.prefix) / "bin", Path(sys.executable).parent / "bin", Path(sys.executable).parent)
-    return str(next((path for folder in folders if (path := folder / "python3").exists()), folders[0] / "python3"))
+        wanted = " ".join(f"python3-{module}" for name in packages for module in _NAMES if _NAMES[module] == name)
+        return filled(tr("Run '{command}' in a terminal, then restart QGIS."), command=f"sudo apt install {wanted}")
+    how = tr(
+        "Run '{command}' with the Python that QGIS uses (on Windows in the OSGeo4W shell), then restart QGIS. Or let "
+        "the plugin QPIP install the packages in requirements.txt in the plugin's folder."
+    )
+    return filled(how, command="python -m pip install " + " ".join(packages))
