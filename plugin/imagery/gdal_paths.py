@@ -184,8 +184,8 @@ def vrt_parts(path: str) -> tuple[str, ...]:
         return tuple(_indexed(path[len("GTI:") :]))
     stamp = file_stamp(local_file(path))
     if stamp is None:
-        return _read_names(path) if path.startswith("/vsimem/") else ()
-    return _kept_names(path, stamp)
+        return _read_names.__wrapped__(path, ()) if path.startswith("/vsimem/") else ()
+    return _read_names(path, stamp)
 
 
 Stamp = tuple[int, ...]
@@ -202,24 +202,15 @@ def file_stamp(path: str) -> Stamp | None:
 
 
 @lru_cache(100_000)
-def _kept_names(path: str, stamp: Stamp) -> tuple[str, ...]:
+def _read_names(path: str, stamp: Stamp) -> tuple[str, ...]:
     """What the file at a path names, looked at anew once it is another one: windows open ten thousand files each."""
-    return _read_names(path)
-
-
-def _read_names(path: str) -> tuple[str, ...]:
     if re.search(r"\.gti\.(gpkg|fgb|parquet)$", path, re.I):
         return tuple(_indexed(path))
-    return tuple(_named(_document(path), os.path.dirname(path)))
-
-
-def _document(path: str) -> bytes:
-    """The content of a file that may name others; empty for any other."""
     with gdal_silenced(), suppress(RuntimeError):
         head = vsi_bytes(path, _HEAD_BYTES)
         if any(root in head.partition(b"\0")[0] for root in _NAMES_OTHERS):
-            return vsi_bytes(path)
-    return b""
+            return tuple(_named(vsi_bytes(path), os.path.dirname(path)))
+    return ()
 
 
 def _named(document: bytes, folder: str) -> Iterator[str]:

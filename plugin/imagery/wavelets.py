@@ -173,22 +173,17 @@ def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
     those of ``clip_curves`` do.
 
     Each coefficient is at the pixels that it comes from, to half of 2^r px: filters that are not symmetric lag behind,
-    the low-pass of coif3 by 2.5 px and its high-pass by as much the other way.
+    the low-pass of coif3 by 2.5 px and its high-pass by as much the other way. Those at the edges are repeated.
     """
     filters = filter_pair(wavelet)
     for level, parts in enumerate(detail_components(bands, wavelet, levels, mirrored=True), 1):
         low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
         placed = np.empty_like(parts)
         for part, by, target in zip(parts, ((high, low), (low, high), (high, high)), placed):
-            _moved(part, by, target)
+            (above, below), (left, right) = ((max(shift, 0), max(-shift, 0)) for shift in by)
+            padded = np.pad(part, ((0, 0), (above, below), (left, right)), mode="edge")
+            target[...] = padded[:, below : below + part.shape[1], right : right + part.shape[2]]
         yield placed
-
-
-def _moved(part: np.ndarray, by: tuple[int, int], out: np.ndarray) -> None:
-    """Coefficients (bands, rows, columns) so many farther down and to the right; those at the edges are repeated."""
-    (above, below), (left, right) = ((max(shift, 0), max(-shift, 0)) for shift in by)
-    padded = np.pad(part, ((0, 0), (above, below), (left, right)), mode="edge")
-    out[...] = padded[:, below : below + part.shape[1], right : right + part.shape[2]]
 
 
 def _curve(energies: np.ndarray, total: float, pixels: int) -> Curve:
@@ -222,7 +217,8 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
     No component is the difference of two larger numbers here, so it holds for clips of any smoothness.
     """
     wanted = [(i, i) for i in range(len(bands))] + list(pairs)
-    coarse = np.stack([_centred(band) for band in bands])
+    coarse = bands - bands[:, :1, :1].astype(np.float64)  # exactly zero for a constant band
+    coarse -= coarse.mean(axis=(1, 2), keepdims=True)
     totals = sums_of_products(coarse, wanted)
     components = []
     for parts in _levels(coarse, [0.0] * len(coarse), levels, partial(split, filters=filters, dtype=np.float64)):
@@ -255,13 +251,6 @@ def _products(components: np.ndarray, totals: np.ndarray, coarse: np.ndarray, le
     """Parts (R + 1, bands + pairs) and (bands + pairs,) into the bands' own products and the pairs'."""
     bands = len(coarse)
     return Products(components.T[:bands], components.T[bands:], totals[:bands], totals[bands:], coarse, least_share)
-
-
-def _centred(band: np.ndarray) -> np.ndarray:
-    """The band less its mean in float64; exactly zero for a constant band."""
-    centred = band.astype(np.float64)
-    centred -= centred[0, 0]
-    return centred - centred.mean()
 
 
 Directions = tuple[tuple[float, ...], ...]
