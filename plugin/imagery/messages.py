@@ -1,8 +1,6 @@
 """What a user can be told of rasters, windows, seamlines and files, whatever is measured on them."""
 from __future__ import annotations
 
-import errno
-
 from .errors import INFO, WARNING, Message
 
 # rasters
@@ -13,129 +11,100 @@ NOT_READABLE = Message("The pixels of {name} can't be read; the file may be trun
 PART_NOT_FOUND = Message("{name} refers to {part}, which does not exist; restore that file, or make {name} again.")
 MASK_NOT_READABLE = Message("The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both again.")
 DAMAGED = Message(
-    "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it again."
-)
+    "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it again.")
 RASTER_CLOSED = Message("{name} is closed; open it again to read it.")
 NO_FILE = Message("{name} is a device, a pipe or memory, not a file; copy its data to a file.")
 DRIVER_NOT_USED = Message(
     "{name} is read by GDAL's driver {driver}, which may open other files, a service or a database; save the part that "
-    "is needed as GeoTIFF."
-)
+    "is needed as GeoTIFF.")
 TOO_LARGE = Message(
     "{name} claims {columns} x {rows} px in blocks of {width} x {height} px, which no memory holds; save it again in "
-    "tiles, or copy it again if it is damaged."
-)
+    "tiles, or copy it again if it is damaged.")
 TOO_MUCH_AT_ONCE = Message(
-    "{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed."
-)
+    "{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.")
 NO_BANDS = Message("{name} has no bands of its own; choose one of its subdatasets.")
 COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitudes first.")
 BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
 NOT_GEOREFERENCED = Message("{name} has no position on the map; georeference or orthorectify it first.")
 NO_REFERENCE_SYSTEM = Message(
     "{name} has no coordinate reference system; set it in the layer's properties in QGIS, write it into the file, or "
-    "name it where the raster is opened (crs in Python)."
-)
+    "name it where the raster is opened (crs in Python).")
 NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
 OTHER_SYSTEM_TAKEN = Message(
-    "{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.",
-    INFO,
-)
+    "{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.", INFO)
 NO_SYSTEM = Message(
     "'{text}' is not a projected or geographic coordinate reference system; write it as WKT, or as a code such as "
-    "EPSG:2180."
-)
+    "EPSG:2180.")
 NOT_ON_GROUND = Message(
-    "{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates."
-)
+    "{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates.")
 MUCH_FINER = Message(
-    "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to them first."
-)
+    "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to them first.")
 SOURCE_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 TABLE_WITHOUT_LINES = Message("The table has no lines; make a frame of it by to_dataframe().")
 # reference systems
 EXTENT_NOT_TRANSFORMED = Message(
-    "An extent can't be transformed to the mosaic's coordinate reference system; check the layers' systems."
-)
-POINTS_NOT_TRANSFORMED = Message(
-    "Some points can't be transformed to another reference system; check the reference system of the points."
-)
+    "Some places can't be transformed to another coordinate reference system; check the systems of the layers.")
 NO_GEOID_GRID = Message(
     "PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above "
-    "the ellipsoid."
-)
+    "the ellipsoid.")
 # windows
 SIDE_NOT_POSITIVE = Message("The window side is {side} m; give a positive number of metres.")
 NOT_OF_TYPE = Message("{name} is {value}; give {expected}.")
 WINDOW_NO_RECTANGLE = Message(
     "The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax "
-    "as numbers, the smaller ones first."
-)
+    "as numbers, the smaller ones first.")
 WINDOW_OUTSIDE = Message("The window lies outside the mosaic; draw it on the mosaic.")
 WINDOW_TOO_SMALL = Message(
     "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger, or "
-    "use fewer levels where these ask for more than 64 px."
-)
+    "use fewer levels where these ask for more than 64 px.")
 WINDOW_TOO_LARGE = Message(
-    "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller."
-)
+    "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller.")
 WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so windows can't be placed on it on the map.")
 WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.", WARNING)
 WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}", WARNING)
 # pixels in a window
 NOT_COVERED = Message("{name} does not cover the whole window.")
 TOO_MANY_INVALID = Message(
-    "{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place."
-)
+    "{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place.")
 NOTHING_MEASURED = Message("No window could be measured: {why}")
 ABOUT = Message("{what}: {why}", INFO)  # one of many: a window, a mark, a group
 # the decomposition
 WAVELET_UNKNOWN = Message("PyWavelets has no discrete wavelet '{wavelet}'; use an orthogonal one such as coif3.")
 WAVELET_NOT_ORTHOGONAL = Message(
     "The wavelet '{wavelet}' is not orthogonal, so the shares of its components do not add up to the clip's variance; "
-    "use an orthogonal one such as coif3, db4 or sym8."
-)
+    "use an orthogonal one such as coif3, db4 or sym8.")
 LEVELS_OUT_OF_RANGE = Message("{levels} levels were asked for; give {least} to {most}.")
 # seamlines
 SEAMLINES_EMPTY = Message("The seamline layer is empty; choose a layer with lines or polygons of the mosaic's seams.")
 SEAMLINES_NO_LINES = Message(
     "The seamline layer holds no line and no polygon; choose the layer of the mosaic's seamlines or of its source "
-    "polygons."
-)
+    "polygons.")
 SEAMLINES_APART = Message(
     "No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a "
-    "pixel are bridged), or give the seams as lines."
-)
+    "pixel are bridged), or give the seams as lines.")
 SEAMLINES_TOO_SHORT = Message(
-    "The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both."
-)
+    "The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.")
 SEAMLINES_TOO_WIDE = Message(
-    "The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both."
-)
+    "The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.")
 SEAMLINES_BROKEN = Message(
-    "The geometry of feature {feature} in the seamline layer can't be read; repair the layer with 'Fix geometries'."
-)
+    "The geometry of feature {feature} in the seamline layer can't be read; repair the layer with 'Fix geometries'.")
 SEAMLINES_NOT_FINITE = Message(
     "The seamline layer has coordinates that are not numbers in the mosaic's reference system; check the reference "
-    "systems of both and repair the layer with 'Fix geometries'."
-)
+    "systems of both and repair the layer with 'Fix geometries'.")
 # files that are written
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
 RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")
 OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belongs to an input; choose another file.")
 OUTPUTS_ARE_ONE = Message(
-    "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
-)
+    "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own.")
 OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is not a file on a disk; choose a file.")
 # files that are read over the network
 REMOTE_NOT_READABLE = Message(
     "{name} can't be read over the network ({why}); check its address, the network, and GDAL's settings and "
-    "credentials, or copy it to a local disk."
-)
+    "credentials, or copy it to a local disk.")
 REMOTE_IN_PART = Message(
-    "{name} arrived only in part over the network, also at the second try; check that it is complete on its server."
-)
+    "{name} arrived only in part over the network, also at the second try; check that it is complete on its server.")
 # folders of records
 RECORDS_IN_USE = Message("another QGIS has it open")
 RECORDS_FOREIGN = Message("something else is there")
@@ -154,24 +123,7 @@ RULES_SOURCE_MISSING = Message("{place} in {name} has no 'source'; say in words 
 RULE_PLACE = Message("Rule {number}", INFO)
 RULES_PLACE = Message("The object", INFO)
 
-_SYSTEM_REASONS = {
-    errno.EACCES: Message("Permission denied", INFO),
-    errno.EDQUOT: Message("Disk quota exceeded", INFO),
-    errno.EEXIST: Message("File exists", INFO),
-    errno.EINVAL: Message("Invalid argument", INFO),
-    errno.EIO: Message("Input/output error", INFO),
-    errno.EISDIR: Message("Is a directory", INFO),
-    errno.ELOOP: Message("Too many levels of symbolic links", INFO),
-    errno.ENAMETOOLONG: Message("File name too long", INFO),
-    errno.ENOENT: Message("No such file or directory", INFO),
-    errno.ENOSPC: Message("No space left on device", INFO),
-    errno.ENOTDIR: Message("Not a directory", INFO),
-    errno.EPERM: Message("Operation not permitted", INFO),
-    errno.EROFS: Message("Read-only file system", INFO),
-}
 
-
-def system_reason(error: OSError) -> Message | str:
-    """Why the system refuses a file, for a message: its own words are English, and used where that is rare."""
-    word = _SYSTEM_REASONS.get(error.errno or 0)
-    return error.strerror or str(error) if word is None else word()
+def system_reason(error: OSError) -> str:
+    """The system's words for why it refuses a file."""
+    return error.strerror or str(error)

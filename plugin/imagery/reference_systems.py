@@ -135,7 +135,7 @@ def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarra
         return np.array(points[:, :2], float)
     moved = moved_points(lambda: _transformation(wkt, target_wkt), points[:, :2])
     if moved is None:
-        raise RasterError(messages.POINTS_NOT_TRANSFORMED())
+        raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
     return moved[:, :2]
 
 

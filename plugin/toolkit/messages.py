@@ -57,8 +57,7 @@ WORKERS_WITHOUT_PACKAGES = Message(
     "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.")
 # one or many windows
 OF_A_WINDOW = Message("Window {window}: {what}", INFO)
-OF_WINDOWS = Message("In {count} windows ({windows}): {what}", INFO)
-OF_WINDOWS_SUCH_AS = Message("In {count} windows ({windows}), such as {window}: {what}", INFO)
+OF_WINDOWS = Message("In {count} windows ({windows}), such as {window}: {what}", INFO)
 # outputs and charts
 OUTPUT_IN_USE = Message("{path} is being written by another program; close it there, or choose another file.")
 TABLE_BEGINS_WRONG = Message(

@@ -121,7 +121,8 @@ class FeatureSinks:
                 file.drop()
                 self._account(layer, _NOT_THERE)
             elif (has_failed or is_cancelled) and file.replaces:
-                self._keep_beside(layer, file, messages.LAYER_NOT_REPLACED)
+                if part := self._kept_beside(layer, file):
+                    self.beside[layer.destination] = part, messages.LAYER_NOT_REPLACED(path=layer.path, part=part)
             else:
                 self._replace(layer, file, held)
 
@@ -130,21 +131,22 @@ class FeatureSinks:
         try:
             file.keep(_OF_DATABASES)
         except OSError:  # as on Windows, where the older one is open in QGIS
-            self._keep_beside(layer, file, messages.LAYER_IN_USE)
+            if part := self._kept_beside(layer, file):
+                self.beside[layer.destination] = part, messages.LAYER_IN_USE(path=layer.path, part=part)
             return
         drop_unfinished(Path(layer.path))  # what processes left that were killed
         self._account(layer, held)
 
-    def _keep_beside(self, layer: _OpenSink, file: UnfinishedFile, why: Message) -> None:
-        """Leave the older file as it is."""
+    def _kept_beside(self, layer: _OpenSink, file: UnfinishedFile) -> str:
+        """The place beside the older file, which stays as it is; empty where there is none."""
         try:
             path = str(file.keep_beside())
         except OSError:
             file.drop()
             self._account(layer, _NOT_THERE)
-            return
-        self.beside[layer.destination] = path, why(path=layer.path, part=path)
+            return ""
         self.has_whole = True
+        return path
 
     def _account(self, layer: _OpenSink, held: int) -> None:
         """Note whether a layer holds all that was written to it."""

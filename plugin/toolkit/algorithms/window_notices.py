@@ -14,33 +14,29 @@ class WindowNotices:
     """Gathers the sentences window by window. One begins with a word, as QGIS writes it behind its progress' number."""
 
     def __init__(self) -> None:
-        self._by_kind: dict[tuple[object, ...], dict[int, Message]] = {}
+        self._by_kind: dict[tuple[object, ...], tuple[Message, dict[int, None]]] = {}
 
     def add(self, window_id: int, notices: Iterable[Message | None]) -> None:
-        """Add messages on a window; the first of a kind stands for all that it has of it."""
+        """Add messages on a window; the first of a kind stands for all."""
         for notice in notices:
             if notice is not None:
-                self._by_kind.setdefault(_kind(notice), {}).setdefault(window_id, notice)
+                _, windows = self._by_kind.setdefault(_kind(notice), (notice, {}))
+                windows[window_id] = None
 
     def messages(self) -> list[Message]:
         """A sentence of each kind, in the order in which they were added."""
-        return [_about(notices) for notices in self._by_kind.values()]
+        made = []
+        for what, windows in self._by_kind.values():
+            first, count = next(iter(windows)), len(windows)
+            message = messages.OF_A_WINDOW(window=first, what=what) if count == 1 else (
+                messages.OF_WINDOWS(count=count, windows=_numbers(sorted(windows)), window=first, what=what))
+            made.append(replace(message, level=what.level))
+        return made
 
 
 def _kind(message: Message) -> tuple[object, ...]:
     """The template of a message with those of the messages in it."""
     return (message.template, *(_kind(value) for value in message.values.values() if isinstance(value, Message)))
-
-
-def _about(notices: dict[int, Message]) -> Message:
-    (first, what), count = next(iter(notices.items())), len(notices)
-    if count == 1:
-        message = messages.OF_A_WINDOW(window=first, what=what)
-    elif len(set(map(str, notices.values()))) == 1:
-        message = messages.OF_WINDOWS(count=count, windows=_numbers(sorted(notices)), what=what)
-    else:
-        message = messages.OF_WINDOWS_SUCH_AS(count=count, windows=_numbers(sorted(notices)), window=first, what=what)
-    return replace(message, level=what.level)
 
 
 def _numbers(ordered: Sequence[int]) -> str:

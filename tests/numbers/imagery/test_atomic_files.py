@@ -83,14 +83,6 @@ def test_what_is_left_of_killed_writings_goes_and_nothing_that_it_links_to(tmp_p
     assert len(list(tmp_path.iterdir())) == 3
 
 
-def test_the_reason_of_the_system_is_translated(tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match="No such file or directory") as failed:
-        save_text("a", tmp_path / "gone" / "a.txt")
-    said: list[str] = []
-    failed.value.message.worded(lambda template: said.append(template) or template)
-    assert "No such file or directory" in said
-
-
 @pytest.mark.parametrize("is_replaced", [True, False])
 def test_what_belongs_to_the_older_file_goes_with_it_or_stays_with_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_replaced: bool

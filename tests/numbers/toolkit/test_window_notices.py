@@ -22,7 +22,7 @@ def test_one_window_is_named_in_its_sentence() -> None:
 
 def test_the_same_of_many_windows_is_said_once() -> None:
     assert told(*((number, [NOTHING]) for number in (1, 2, 3, 5, 9, 8))) == [
-        "In 6 windows (1\u20133, 5, 8\u20139): Nothing covers the window."
+        "In 6 windows (1\u20133, 5, 8\u20139), such as 1: Nothing covers the window."
     ]
 
 
