@@ -122,18 +122,13 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     top, bottom = (grid.row_at(y) for y in (extent[3], extent[1]))
     if not all(map(math.isfinite, (left, right, top, bottom))):
         return None
-    left, right = max(math.floor(left), 0), min(math.ceil(right), grid.columns)
-    top, bottom = max(math.floor(top), 0), min(math.ceil(bottom), grid.rows)
-    if right <= left or bottom <= top:
+    column, row = math.floor(left), math.floor(top)
+    part = PixelWindow(column, row, math.ceil(right) - column, math.ceil(bottom) - row)
+    window = part.cut_to(grid.columns, grid.rows)
+    pixels = window.width * window.height
+    if not pixels or (pixels > MAX_OVERVIEW_PIXELS and not source.dataset.GetRasterBand(1).GetOverviewCount()):
         return None
-    window = PixelWindow(left, top, right - left, bottom - top)
     reduction = max(1.0, max(window.width, window.height) / longest_px)
-    first = source.dataset.GetRasterBand(1)
-    widths = [first.GetOverview(i).XSize for i in range(first.GetOverviewCount())]
-    factors = [1.0, *(grid.columns / width for width in widths)]
-    used = max(factor for factor in factors if factor <= reduction * 1.01)  # what GDAL takes for this reduction
-    if window.width * window.height / used**2 > MAX_OVERVIEW_PIXELS:
-        return None
     size = max(1, round(window.width / reduction)), max(1, round(window.height / reduction))
     return source.read(window, size), grid.window_extent(window)
 
