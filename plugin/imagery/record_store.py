@@ -106,24 +106,20 @@ class RecordFolder:
         self.was_of: str | None = None
         """What the records there were of."""
         self._lock = _locked(folder)
-        try:
-            self._begin(kind, of)
-        except BaseException:
-            self.close()
-            raise
-
-    def _begin(self, kind: str, of: str) -> None:
-        about = self.files.load(_ABOUT)
-        if about is not None:
-            was_kind, _, self.was_of = about.decode(errors="replace").partition("\n")
-            if was_kind != kind:
-                raise SettingsError(messages.RECORDS_FOREIGN())
-        for unfinished in self.files.folder.glob(f"{_UNFINISHED}*"):
-            unfinished.unlink()
-        if self.was_of != of:
-            for name in self.files.names:
-                self.files.forget(name)
-            self.files.save(_ABOUT, f"{kind}\n{of}".encode(), is_synced=True)
+        with ExitStack() as stack:
+            stack.callback(self.close)
+            about = self.files.load(_ABOUT)
+            if about is not None:
+                was_kind, _, self.was_of = about.decode(errors="replace").partition("\n")
+                if was_kind != kind:
+                    raise SettingsError(messages.RECORDS_FOREIGN())
+            for unfinished in folder.glob(f"{_UNFINISHED}*"):
+                unfinished.unlink()
+            if self.was_of != of:
+                for name in self.files.names:
+                    self.files.forget(name)
+                self.files.save(_ABOUT, f"{kind}\n{of}".encode(), is_synced=True)
+            stack.pop_all()
 
     def close(self) -> None:
         """Let go of the folder, which stays."""

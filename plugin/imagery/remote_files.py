@@ -87,7 +87,7 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     forget_fetched(path)
     probed = ((part, _said_on_reading(part)) for part in remote_parts(path)[:_MOST_PROBED])
     part, said = next(((part, said) for part, said in probed if said), (path, ""))
-    shown = _shown(name if part == path else os.path.basename(part))
+    shown = (name if part == path else os.path.basename(part)).partition("?")[0]  # without what may be a password
     if said:
         status = re.search(r"HTTP (?:response|error) code:? ([1-9]\d\d)", said)
         words = re.sub(r" on \w+://\S+", "", said)  # an address may hold a password
@@ -142,8 +142,3 @@ def _server(path: str) -> str:
     """The server of an address; empty where the path names none."""
     address = re.search(r"https?://(?:[^/@]*@)?([^/]+)", path)
     return address[1] if address else ""
-
-
-def _shown(name: str) -> str:
-    """A name without what may be a password behind it."""
-    return name.partition("?")[0]

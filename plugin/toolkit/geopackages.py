@@ -44,7 +44,9 @@ def write_table(
             return gdal.GetLastErrorMsg() or str(error)
         if gdal.GetLastErrorType() >= gdal.CE_Failure:
             return gdal.GetLastErrorMsg()
-    if wkt and not same_system(wkt, _written_system(path, name)):
+    dataset = open_dataset(str(path), FEATURES) if wkt else None
+    system = dataset and dataset.GetLayerByName(name).GetSpatialRef()
+    if wkt and not same_system(wkt, str(system.ExportToWkt(["FORMAT=WKT2_2019"])) if system else ""):
         if is_new:
             path.unlink()
         raise WindowLayerError(messages.SYSTEM_NOT_WRITTEN(name=path.name))
@@ -77,10 +79,3 @@ def _write(
         layer.CreateFeature(written)
     layer.CommitTransaction()
     dataset.FlushCache()
-
-
-def _written_system(path: Path, name: str) -> str:
-    """The reference system of a table when the file is opened anew."""
-    dataset = open_dataset(str(path), FEATURES)
-    system = dataset and dataset.GetLayerByName(name).GetSpatialRef()
-    return str(system.ExportToWkt(["FORMAT=WKT2_2019"])) if system else ""

@@ -100,6 +100,7 @@ def title_fields(layer: QgsVectorLayer) -> None:
 
 _LABELLED = ("category", "range", "rule", "item", "paletteEntry")
 _MARKED = re.compile(r"/\*tr\*/'([^']*)'")
+"""A text within an expression: ``/*tr*/'visible'``."""
 
 
 def load_style(layer: QgsMapLayer, name: str) -> None:
@@ -139,9 +140,12 @@ def _name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:
 
 
 def _document(name: str) -> QDomDocument:
+    def worded(marked: re.Match[str]) -> str:
+        return "'" + escape(tr(marked[1]).replace("'", "''"), {'"': "&quot;"}) + "'"
+
     document = QDomDocument()
     with open(style_path(name), encoding="utf-8") as file:
-        document.setContent(_worded(file.read()))
+        document.setContent(_MARKED.sub(worded, file.read()))
     for tag in _LABELLED:
         labelled = document.elementsByTagName(tag)
         for place in range(labelled.count()):
@@ -149,11 +153,6 @@ def _document(name: str) -> QDomDocument:
             if label := element.attribute("label"):
                 element.setAttribute("label", tr(label))
     return document
-
-
-def _worded(style: str) -> str:
-    """Texts within expressions are marked: ``/*tr*/'visible'``."""
-    return _MARKED.sub(lambda marked: "'" + escape(tr(marked[1]).replace("'", "''"), {'"': "&quot;"}) + "'", style)
 
 
 class LayerStyler(QgsProcessingLayerPostProcessorInterface):

@@ -250,19 +250,14 @@ def transformed_box(
     return None
 
 
-def start_editing(layer: QgsVectorLayer) -> None:
-    """Raises WindowLayerError when the layer can't be edited."""
-    if layer.readOnly() or not (layer.isEditable() or layer.startEditing()):
-        raise WindowLayerError(messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
-
-
 @contextmanager
 def edit_step(layer: QgsVectorLayer, name: str) -> Iterator[None]:
     """Changes to the layer that are undone together; within another step they are a part of it.
 
     Raises WindowLayerError when the layer can't be edited.
     """
-    start_editing(layer)
+    if layer.readOnly() or not (layer.isEditable() or layer.startEditing()):
+        raise WindowLayerError(messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
     if layer.isEditCommandActive():
         yield
         return

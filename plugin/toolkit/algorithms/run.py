@@ -201,7 +201,10 @@ class Run:
             self.tell(*([messages.FIELD_NAMES_CUT(path=place.path, names=", ".join(cut))] if cut else []))
 
         def make(path: str | None) -> Sink:
-            given = self.parameters if path is None else {**self.parameters, name: _at(self.parameters[name], path)}
+            given = dict(self.parameters)
+            if path is not None:
+                given[name] = QgsProcessingOutputLayerDefinition(given[name])
+                given[name].sink = QgsProperty.fromValue(path)
             sink, destination = self._algorithm.parameterAsSink(given, name, self.context, *layout)
             if sink is None:
                 raise QgsProcessingException(self._algorithm.invalidSinkError(self.parameters, name))
@@ -331,15 +334,6 @@ class Run:
         """Tell how much is done, 0 to 1; whether the user wants more."""
         self.progress(share)
         return not self.is_cancelled()
-
-
-def _at(value: object, path: str) -> object:
-    """An output's value with another path."""
-    if not isinstance(value, QgsProcessingOutputLayerDefinition):
-        return path
-    definition = QgsProcessingOutputLayerDefinition(value)
-    definition.sink = QgsProperty.fromValue(path)
-    return definition
 
 
 def _check_ending(path: Path, filters: str) -> None:

@@ -76,14 +76,15 @@ def measured_raster(role: str, raster: Raster | RasterRef) -> MeasuredRaster:
     """Facts of one raster; of one that was not opened its path alone is known."""
     if isinstance(raster, RasterRef):
         return MeasuredRaster(role, whole_path(raster.path))
+    side, system = "", ""
+    if raster.has_place:
+        size, system = raster.ground_sample_distance, system_name(raster.wkt)
+        side = f"{shown_number(size, 4).rstrip('0').rstrip('.,')} m"
+        if is_geographic(raster.wkt):
+            side = filled(tr("about {size:.3g} m"), size=size)
+    pixels = f"{len(raster.band_names)} x {raster.data_type}"
     return MeasuredRaster(
-        role,
-        whole_path(raster.ref.path),
-        f"{raster.columns} x {raster.rows} px",
-        _pixel_size(raster) if raster.has_place else "",
-        f"{len(raster.band_names)} x {raster.data_type}",
-        system_name(raster.wkt) if raster.has_place else "",
-    )
+        role, whole_path(raster.ref.path), f"{raster.columns} x {raster.rows} px", side, pixels, system)
 
 
 def each_raster(role: str, rasters: Iterable[Raster | RasterRef]) -> list[MeasuredRaster]:
@@ -108,13 +109,6 @@ def system_name(wkt: str) -> str:
 def system_code(wkt: str) -> str:
     """The code of a reference system, such as EPSG:2180; empty for one without."""
     return str(reference_system(wkt).authid())
-
-
-def _pixel_size(raster: Raster) -> str:
-    size = raster.ground_sample_distance
-    if is_geographic(raster.wkt):
-        return filled(tr("about {size:.3g} m"), size=size)
-    return f"{shown_number(size, 4).rstrip('0').rstrip('.,')} m"
 
 
 _LONGEST_WORD = 24  # letters that a column of a table makes room for
