@@ -130,10 +130,8 @@ class Grid:
 
 
 def standard_side_px(grid: Grid, side_m: float = limits.STANDARD_SIDE_M) -> int:
-    """Side of the standard window: the smallest power of two of pixels that spans at least ``side_m`` metres.
-
-    0.10 m pixels and 100 m give 1024 px (Pyka 2010, section 5: "rectangles with sides a little over
-    100 m ... cut to 1024^2 pixels").
+    """Side of the standard window: the smallest power of two of pixels that spans at least ``side_m`` metres, 1024 px
+    of 0.10 m for 100 m (Pyka 2010, section 5).
 
     Raises SettingsError when the side is not a positive number.
     """
@@ -151,13 +149,11 @@ def standard_window(grid: Grid, x: float, y: float, side_px: int) -> PixelWindow
 
 
 def snap_window(grid: Grid, extent: Extent, levels: int = limits.DEFAULT_LEVELS) -> PixelWindow:
-    """The pixels of a drawn rectangle that can be measured.
+    """The pixels of a drawn rectangle that can be measured: whole ones, cut to the grid, trimmed evenly on both sides
+    to a multiple of ``2 ** levels`` pixels, so that the decomposition needs no padding.
 
-    Edges are rounded to whole pixels, cut to the grid, and trimmed evenly on both sides to a multiple
-    of ``2 ** levels`` pixels, so that the decomposition needs no padding.
-
-    Raises WindowError when the rectangle lies outside the grid, leaves a side shorter than 64 px or
-    ``2 ** levels`` px, or covers more pixels than can be held in memory.
+    Raises WindowError when the rectangle lies outside the grid, leaves a side shorter than 64 px or ``2 ** levels`` px,
+    or covers more pixels than can be held in memory.
     """
     xmin, ymin, xmax, ymax = extent
     if not (xmin <= xmax and ymin <= ymax):  # NaN too

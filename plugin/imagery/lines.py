@@ -1,17 +1,14 @@
 """Seamlines: any lines or polygons that describe a mosaic's seams -> long, straightened, numbered seams.
 
-Lines come as mosaicking and raster-to-vector tools leave them: up to hundreds of thousands of pieces one
-pixel long, doubled, in any order and direction. Polygons (seam cells, source polygons) share their borders
-without sharing vertices. Both are turned into a network of nodes and pieces, and its pieces into seams:
+Lines come as mosaicking and raster-to-vector tools leave them: up to hundreds of thousands of pieces one pixel long,
+doubled, in any order and direction; polygons share their borders without sharing vertices. Both are turned into a
+network of nodes and pieces, and its pieces into seams:
 
-- A seam goes on where exactly two pieces meet. Where more meet, the two that go on straightest are one
-  seam, then the next two unless they would turn back; a single one ends there. So neither a patch of a third
-  source beside a seam nor two raster cells that touch at a corner chop it.
-- A seam is straightened by 1.5 px (Douglas-Peucker), so that its length is the one on the ground: along a
-  raster staircase it would be up to sqrt(2) times longer.
-- Seams are numbered longest first. Each runs from its western end to its eastern one (from south to north
-  when that decides nothing); a ring starts at its westernmost vertex and runs counter-clockwise. The order and
-  direction of the input therefore change nothing.
+- A seam goes on where exactly two pieces meet. Where more meet, the two that go on straightest are one seam, then the
+  next two unless they would turn back: neither a patch of a third source nor cells that touch at a corner chop it.
+- A seam is straightened by 1.5 px (Douglas-Peucker): along a raster staircase it would be up to sqrt(2) times longer.
+- Seams are numbered longest first, each from west to east (else from south to north); a ring starts at its westernmost
+  vertex and runs counter-clockwise. So the order and direction of the input change nothing.
 
 Inside this file points are complex numbers x + iy, in networks in pixels of the mosaic, none of them negative: shifts,
 lengths, directions and projections are then one operation each.
@@ -91,14 +88,11 @@ BRANCH_TURN_DEG = 75.0  # the straightest two of three branches turn by 60 at mo
 
 
 def network(pieces: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Make pieces meet in common nodes.
+    """Nodes (k,) in which pieces, (n, 2) start and end, meet; edges (m, 2) as node numbers, in the direction of their
+    piece; and the piece (m,) that each edge is a part of.
 
-    ``pieces``: (n, 2) start and end. Ends within ``tolerance`` of each other become one node, and a piece that
-    passes a node within ``tolerance`` is split there. No new crossing points are made: pieces that cross
-    elsewhere do overlap and share no border.
-
-    Returns nodes (k,), edges (m, 2) as node numbers, in the direction of their piece, and the piece (m,) that
-    each edge is a part of.
+    Ends within ``tolerance`` of each other become one node, and a piece that passes a node within it is split there. No
+    new crossing points are made: pieces that cross elsewhere do overlap and share no border.
     """
     nodes, ends = _clustered(pieces, tolerance)
     piece, passed = _passed_nodes(nodes, ends, tolerance)
@@ -255,14 +249,11 @@ class Seam:
 def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Seam]:
     """The seams that a layer's lines and polygons describe.
 
-    ``geometries``: WKB of each feature in the mosaic's CRS; any line or polygon type, curves, Z and M allowed,
-    points ignored, None and empty ones skipped. Lines are seams themselves, pieces with the same ends counted
-    once. Polygons yield the borders between different features, each once; borders between the parts of one
-    feature and the outside of the block are no seams. ``pixel_size``: the mosaic's, in map units; borders and
-    lines up to half a pixel apart or over each other are taken as one.
+    ``geometries``: WKB of each feature in the mosaic's CRS; points, None and empty ones are skipped. Lines are seams
+    themselves; polygons yield the borders between different features, each once. ``pixel_size``: the mosaic's, in map
+    units; borders and lines up to half a pixel apart or over each other are taken as one.
 
-    Raises SeamlineError when the layer is empty, holds neither lines nor polygons, can't be read, is of another
-    size than the mosaic by far, or holds polygons that share no border.
+    Raises SeamlineError when the layer is empty, holds no seam, can't be read, or is of another size than the mosaic.
     """
     lines, rings, owners = _read(geometries)
     if not lines and not rings:

@@ -23,10 +23,8 @@ KEPT_OPEN = 16  # rasters per thread: the sources of some blocks, far from the f
 
 
 def open_raster(ref: RasterRef) -> OpenRaster:
-    """A raster that this thread has open already, or that is opened and kept; for this thread only.
-
-    Of the rasters of a thread the ``KEPT_OPEN`` used last stay open, until the thread ends or a ``rasters_kept`` block
-    of the process does. One that can't be read is closed, and so is one whose file was replaced meanwhile.
+    """A raster that this thread has open already, or that is opened and kept; for this thread only. The ``KEPT_OPEN``
+    used last stay open, until the thread ends or a ``rasters_kept`` block of the process does.
 
     Raises RasterError when it can't be opened or used.
     """

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import combinations, product
+from typing import NamedTuple
 
 import numpy as np
 from scipy import fft, ndimage
@@ -67,8 +68,8 @@ class Spectra:
             row, column, side = tile
             pixels = self.pixels[row : row + side, column : column + side].astype(np.float32)
             pixels -= pixels.mean()
-            pixels *= _window(side)
-            half = _half(side)
+            pixels *= _plan(side).window
+            half = _plan(side).half
             down = fft.fft(fft.rfft(pixels, axis=1)[:, : half + 1], axis=0)
             self._known[tile] = np.concatenate([down[:half], down[-half:]])
         return self._known[tile]
@@ -110,8 +111,11 @@ def find_shift(
     leader = None
     for tile in _tiles(moved.pixels.shape, where):
         side = tile[2]
-        cross = _cross_phases(moved.of(tile), fixed.of(tile), side)
-        shift = _nearest_pixel(cross, side)
+        cross = fixed.of(tile).conj()
+        cross *= moved.of(tile)
+        magnitude = np.abs(cross)
+        cross *= _plan(side).weights / np.maximum(magnitude, np.finfo(np.float32).tiny, out=magnitude)
+        shift = _nearest_pixel(cross, _plan(side))
         if shift.peak < max(MIN_SHIFT_PEAK, MIN_SHIFT_PEAK_PX / side):
             continue
         peaks.append((shift, cross))
@@ -119,7 +123,7 @@ def find_shift(
         agreeing = [phases for at, phases in peaks if np.hypot(at.x - leader.x, at.y - leader.y) < SAME_SHIFT_PX]
         if len(agreeing) >= _ENOUGH_LARGE_TILES and side > _ALL_FREQUENCIES_PX:
             break
-    return None if leader is None else _refined(sum(agreeing) / len(agreeing), side, leader)
+    return None if leader is None else _refined(sum(agreeing) / len(agreeing), _plan(side), leader)
 
 
 def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
@@ -158,57 +162,47 @@ def _places(shape: tuple[int, ...], side: int, most: int) -> list[list[int]]:
     ]
 
 
-def _cross_phases(image: np.ndarray, reference: np.ndarray, side: int) -> np.ndarray:
-    """Phases of the cross spectrum, weighted; the sum of the weights over the whole spectrum is 1."""
-    cross = reference.conj()
-    cross *= image
-    magnitude = np.abs(cross)
-    cross *= _weights(side) / np.maximum(magnitude, np.finfo(np.float32).tiny, out=magnitude)
-    return cross
+class _Plan(NamedTuple):
+    """What the comparison of two tiles of a side needs."""
 
-
-def _half(side: int) -> int:
+    side: int
+    half: int
     """Frequencies each way that count."""
-    return side // 2 if side <= _ALL_FREQUENCIES_PX else side // 4
-
-
-@cache
-def _window(side: int) -> np.ndarray:
-    across = np.hanning(side + 2)[1:-1].astype(np.float32)
-    window: np.ndarray = across[:, np.newaxis] * across
-    return window
-
-
-@cache
-def _weights(side: int) -> np.ndarray:
-    down, across = _frequencies(side)
-    weights = np.exp(-0.5 * (across**2 + down[:, np.newaxis] ** 2) / _CUTOFF**2)
-    half = _half(side)
-    weights[0, 0] = weights[half] = weights[:, half] = 0.0  # the mean, and what has no counterpart
-    return (weights / (weights * _halves(side)).sum()).astype(np.float32)
-
-
-@cache
-def _halves(side: int) -> np.ndarray:
+    down: np.ndarray
+    """Cycles a pixel of each row of a spectrum."""
+    across: np.ndarray
+    """Cycles a pixel of each column."""
+    halves: np.ndarray
     """How often each column of a real image's half spectrum stands in the whole one."""
-    return np.where(_frequencies(side)[1] > 0, np.float32(2), np.float32(1))
+    window: np.ndarray
+    weights: np.ndarray
+    """Weight of each frequency; their sum over the whole spectrum is 1."""
+    searches: list[tuple[np.ndarray, np.ndarray]]
+    """For each round how a spectrum's rows and columns turn by the offsets tried, (offsets, rows or columns)."""
 
 
 @cache
-def _frequencies(side: int) -> tuple[np.ndarray, np.ndarray]:
-    """Cycles a pixel down and across that are looked at."""
-    half = _half(side)
-    return np.concatenate([np.arange(half), np.arange(-half, 0)]) / side, np.arange(half + 1) / side
+def _plan(side: int) -> _Plan:
+    half = side // 2 if side <= _ALL_FREQUENCIES_PX else side // 4
+    down, across = np.concatenate([np.arange(half), np.arange(-half, 0)]) / side, np.arange(half + 1) / side
+    halves = np.where(across > 0, np.float32(2), np.float32(1))
+    taper = np.hanning(side + 2)[1:-1].astype(np.float32)
+    weights = np.exp(-0.5 * (across**2 + down[:, np.newaxis] ** 2) / _CUTOFF**2)
+    weights[0, 0] = weights[half] = weights[:, half] = 0.0  # the mean, and what has no counterpart
+    weights = (weights / (weights * halves).sum()).astype(np.float32)
+    reaches = [_STEPS**-number for number in range(_ROUNDS)]
+    tried = [np.linspace(-reach, reach, 2 * _STEPS + 1)[:, np.newaxis] for reach in reaches]
+    searches = [(_turns(offsets, down), _turns(offsets, across)) for offsets in tried]
+    return _Plan(side, half, down, across, halves, taper[:, np.newaxis] * taper, weights, searches)
 
 
-def _nearest_pixel(cross: np.ndarray, side: int) -> Shift:
+def _nearest_pixel(cross: np.ndarray, plan: _Plan) -> Shift:
     """The highest point of the correlation, to the pixel; its height is that of the top itself, by a parabola."""
     count = len(cross)
     highest = np.unravel_index(fft.irfft2(cross, (count, count)).argmax(), (count, count))
-    y, x = (round((place - count if place > count // 2 else place) * side / count) for place in map(int, highest))
+    y, x = (round((place - count if place > count // 2 else place) * plan.side / count) for place in map(int, highest))
     around = np.arange(-2, 3)[:, np.newaxis]  # the correlation may have been looked at every second pixel only
-    down, across = _frequencies(side)
-    surface = _correlation(cross, side, _turns(y + around, down), _turns(x + around, across))
+    surface = _correlation(cross, plan, _turns(y + around, plan.down), _turns(x + around, plan.across))
     row, column = (int(place) + 1 for place in np.unravel_index(surface[1:-1, 1:-1].argmax(), (3, 3)))
     top = surface[row, column]
     peak = top
@@ -221,31 +215,21 @@ def _nearest_pixel(cross: np.ndarray, side: int) -> Shift:
     return Shift(float(x + column - 2), float(y + row - 2), float(peak))
 
 
-def _refined(cross: np.ndarray, side: int, start: Shift) -> Shift:
+def _refined(cross: np.ndarray, plan: _Plan, start: Shift) -> Shift:
     """The shift ``start`` to a five hundredth of a pixel, by the sum of the spectrum itself."""
-    down, across = _frequencies(side)
     x, y, reach, height = start.x, start.y, 1.0, start.peak
-    for turns_down, turns_across in _searches(side):
-        values = _correlation(cross, side, turns_down * _turns(y, down), turns_across * _turns(x, across))
+    for turns_down, turns_across in plan.searches:
+        values = _correlation(cross, plan, turns_down * _turns(y, plan.down), turns_across * _turns(x, plan.across))
         i, j = np.unravel_index(values.argmax(), values.shape)
         offsets = np.linspace(-reach, reach, 2 * _STEPS + 1)
         x, y, reach, height = x + offsets[j], y + offsets[i], reach / _STEPS, values[i, j]
     return Shift(float(x), float(y), float(height))
 
 
-def _correlation(cross: np.ndarray, side: int, turns_down: np.ndarray, turns_across: np.ndarray) -> np.ndarray:
+def _correlation(cross: np.ndarray, plan: _Plan, turns_down: np.ndarray, turns_across: np.ndarray) -> np.ndarray:
     """The correlation of two tiles by their cross spectrum, at places given by how they turn it."""
-    values: np.ndarray = (turns_down @ cross @ (turns_across * _halves(side)).T).real
+    values: np.ndarray = (turns_down @ cross @ (turns_across * plan.halves).T).real
     return values
-
-
-@cache
-def _searches(side: int) -> list[tuple[np.ndarray, np.ndarray]]:
-    """For each round how a spectrum's rows and columns turn by the offsets tried, (offsets, rows or columns)."""
-    reaches = [_STEPS**-number for number in range(_ROUNDS)]
-    tried = [np.linspace(-reach, reach, 2 * _STEPS + 1)[:, np.newaxis] for reach in reaches]
-    down, across = _frequencies(side)
-    return [(_turns(offsets, down), _turns(offsets, across)) for offsets in tried]
 
 
 def _turns(by: float | np.ndarray, frequencies: np.ndarray) -> np.ndarray:

@@ -1,14 +1,12 @@
 """The measurement: from the pixels of a clip to its curve of relative variances (Pyka 2010, equation 4).
 
-The decomposition is orthonormal, so the energy that leaves the coarse component at level r is exactly
-the energy of that level's three details (Mallat 1989). The curve therefore needs the chain of coarse
-components only: with E_r the sum of squares of the coarse component at level r,
+The decomposition is orthonormal, so the energy that leaves the coarse component at level r is that of the level's three
+details (Mallat 1989), and the chain of coarse components is enough: with E_r its sum of squares at level r,
 
     detail_r = (E_(r-1) - E_r) / E_0        background = E_R / E_0
 
-The same holds for inner products of two clips. The chain runs in float32 where that is exact enough, else in
-float64; where a detail is too small even there to be a difference of energies (very smooth clips), all components
-are computed one by one.
+and so for inner products of two clips. The chain runs in float32 where that is exact enough, else in float64; where a
+detail is too small even there to be a difference of energies, all components are computed one by one.
 
 Clips are arrays (bands, rows, columns). Each coefficient has the place where PyWavelets has it.
 """
@@ -95,14 +93,12 @@ def check_decomposition(wavelet: str, levels: int) -> None:
 def clip_curves(
     bands: np.ndarray, wavelet: str, levels: int, luminance_weights: Sequence[float] = ()
 ) -> tuple[list[Curve], np.ndarray]:
-    """Curves of all bands of a clip, and of its luminance when weights are given.
+    """Curves of all bands of a clip, and of its luminance when weights are given; and the coarse components at level R
+    in the same order, luminance last.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of
-    ``2 ** levels``; ``luminance_weights`` has one weight for each of the first bands. Returns the
-    curves, luminance last, and the coarse components at level R in the same order.
-
-    The luminance has no transform of its own: the decomposition is linear, so its energies follow
-    from the inner products of the bands (the homogeneity of Pyka 2009).
+    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``;
+    ``luminance_weights`` has one weight for each of the first bands. The luminance has no transform of its own: its
+    energies follow from the inner products of the bands (the homogeneity of Pyka 2009).
 
     Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
@@ -127,11 +123,10 @@ def clip_curves(
 
 
 def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequence[Pair] = ()) -> Products:
-    """Energies of the components of every band, and inner products of the given pairs of bands.
+    """Energies of the components of every band, and inner products of the given pairs of bands, which may stem from
+    different rasters.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of
-    ``2 ** levels``. The bands may stem from different rasters: that gives the inner products of two
-    clips, detail by detail.
+    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``.
 
     Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
@@ -152,11 +147,10 @@ def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequ
 def detail_components(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool = False) -> Iterator[np.ndarray]:
     """The detail components of every band less its mean, level by level from the finest on.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``.
-    Each level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH, each coefficient where PyWavelets has it,
-    so that coefficient (i, j) belongs to the pixels from (2^r i, 2^r j) on. In float32 for 8 and 16 bit values and
-    float32, which is some ten times as fast as PyWavelets, else in float64. Beyond their edges the bands go on
-    periodically, or ``mirrored``.
+    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``. Each
+    level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH; coefficient (i, j) belongs to the pixels from
+    (2^r i, 2^r j) on. In float32 for 8 and 16 bit values and float32, else in float64. Beyond their edges the bands go
+    on periodically, or ``mirrored``.
 
     Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
