@@ -162,7 +162,7 @@ def _places(shape: tuple[int, ...], side: int, most: int) -> list[list[int]]:
     ]
 
 
-class _Plan(NamedTuple):
+class _TilePlan(NamedTuple):
     """What the comparison of two tiles of a side needs."""
 
     side: int
@@ -182,7 +182,7 @@ class _Plan(NamedTuple):
 
 
 @cache
-def _plan(side: int) -> _Plan:
+def _plan(side: int) -> _TilePlan:
     half = side // 2 if side <= _ALL_FREQUENCIES_PX else side // 4
     down, across = np.concatenate([np.arange(half), np.arange(-half, 0)]) / side, np.arange(half + 1) / side
     halves = np.where(across > 0, np.float32(2), np.float32(1))
@@ -193,10 +193,10 @@ def _plan(side: int) -> _Plan:
     reaches = [_STEPS**-number for number in range(_ROUNDS)]
     tried = [np.linspace(-reach, reach, 2 * _STEPS + 1)[:, np.newaxis] for reach in reaches]
     searches = [(_turns(offsets, down), _turns(offsets, across)) for offsets in tried]
-    return _Plan(side, half, down, across, halves, taper[:, np.newaxis] * taper, weights, searches)
+    return _TilePlan(side, half, down, across, halves, taper[:, np.newaxis] * taper, weights, searches)
 
 
-def _nearest_pixel(cross: np.ndarray, plan: _Plan) -> Shift:
+def _nearest_pixel(cross: np.ndarray, plan: _TilePlan) -> Shift:
     """The highest point of the correlation, to the pixel; its height is that of the top itself, by a parabola."""
     count = len(cross)
     highest = np.unravel_index(fft.irfft2(cross, (count, count)).argmax(), (count, count))
@@ -215,7 +215,7 @@ def _nearest_pixel(cross: np.ndarray, plan: _Plan) -> Shift:
     return Shift(float(x + column - 2), float(y + row - 2), float(peak))
 
 
-def _refined(cross: np.ndarray, plan: _Plan, start: Shift) -> Shift:
+def _refined(cross: np.ndarray, plan: _TilePlan, start: Shift) -> Shift:
     """The shift ``start`` to a five hundredth of a pixel, by the sum of the spectrum itself."""
     x, y, reach, height = start.x, start.y, 1.0, start.peak
     for turns_down, turns_across in plan.searches:
@@ -226,7 +226,7 @@ def _refined(cross: np.ndarray, plan: _Plan, start: Shift) -> Shift:
     return Shift(float(x), float(y), float(height))
 
 
-def _correlation(cross: np.ndarray, plan: _Plan, turns_down: np.ndarray, turns_across: np.ndarray) -> np.ndarray:
+def _correlation(cross: np.ndarray, plan: _TilePlan, turns_down: np.ndarray, turns_across: np.ndarray) -> np.ndarray:
     """The correlation of two tiles by their cross spectrum, at places given by how they turn it."""
     values: np.ndarray = (turns_down @ cross @ (turns_across * plan.halves).T).real
     return values
