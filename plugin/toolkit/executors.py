@@ -89,12 +89,9 @@ def _connected(address: str, is_cancelled: Callable[[], bool]) -> Iterator[Clien
     except ImportError:
         raise SettingsError(messages.DASK_MISSING()) from None
     asking = _started(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(address), _ANSWER_SECONDS)))
-    error: BaseException | None = asyncio.TimeoutError()
-    if _is_done(asking, _ANSWER_SECONDS, is_cancelled):
-        error = asking.exception()
+    is_answered = _is_done(asking, _ANSWER_SECONDS, is_cancelled)
     try:
-        if error is not None:
-            raise error
+        asking.result(_ANSWER_SECONDS if is_answered else 0)
         client = Client(address, timeout=_ANSWER_SECONDS)
     except SettingsError:
         raise

@@ -159,14 +159,12 @@ def window_geometry(feature: QgsFeature, transform: QgsCoordinateTransform) -> Q
     Raises WindowError for an outline that is no single simple polygon.
     """
     geometry = QgsGeometry(feature.geometry())
-    if geometry.isNull() or geometry.isEmpty():
+    if geometry.isEmpty() or not has_numbers(geometry):
         raise WindowError(messages.WINDOW_EMPTY())
     if geometry.type() != QgsWkbTypes.GeometryType.PolygonGeometry:
         raise WindowError(messages.WINDOW_NOT_POLYGON())
     if geometry.isMultipart() and geometry.constGet().numGeometries() > 1:
         raise WindowError(messages.WINDOW_MULTIPART())
-    if not has_numbers(geometry):
-        raise WindowError(messages.WINDOW_EMPTY())
     if not geometry.isGeosValid():
         raise WindowError(messages.WINDOW_SELF_CROSSING())
     return transformed(geometry, transform)
@@ -205,9 +203,7 @@ def rectangle(bounds: Extent) -> QgsGeometry:
 def line_wkb(feature: QgsFeature, transform: QgsCoordinateTransform) -> bytes | None:
     """A seamline or cell in the mosaic's reference system as WKB; None when it has no geometry."""
     geometry = QgsGeometry(feature.geometry())
-    if geometry.isNull() or geometry.isEmpty():
-        return None
-    return bytes(transformed(geometry, transform).asWkb())
+    return None if geometry.isEmpty() else bytes(transformed(geometry, transform).asWkb())
 
 
 def transformed_extent(
