@@ -61,16 +61,12 @@ class Curve:
 
 @dataclass(frozen=True)
 class Products:
-    """Inner products of the components of a clip's bands: level 1..R details, then the coarse one."""
+    """Inner products of the components of a clip's bands: each band with itself, its energies, then pairs of bands."""
 
-    own: np.ndarray
-    """(bands, R + 1), float64: each band with itself, the energies of its components."""
-    cross: np.ndarray
-    """(pairs, R + 1), float64: the pairs that were asked for."""
-    own_totals: np.ndarray
-    """(bands,), float64: energy of each band less its mean."""
-    cross_totals: np.ndarray
-    """(pairs,), float64: inner products of the pairs, less their means."""
+    components: np.ndarray
+    """(bands + pairs, R + 1), float64: level 1..R details, then the coarse component."""
+    totals: np.ndarray
+    """(bands + pairs,), float64: of the bands less their means."""
     coarse: np.ndarray
     """(bands, rows / 2^R, columns / 2^R): the coarse components at level R, up to a constant."""
     least_share: float
@@ -107,17 +103,18 @@ def clip_curves(
     pairs = list(combinations(range(mixed), 2))
     products = component_products(bands, wavelet, levels, pairs)
     pixels = bands[0].size
-    curves = [_curve(energies, total, pixels) for energies, total in zip(products.own, products.own_totals)]
+    own, cross = np.split(products.components, [len(bands)])
+    curves = [_curve(energies, total, pixels) for energies, total in zip(own, products.totals)]
     if not mixed:
         return curves, products.coarse
     doubled = np.array([2 * weights[i] * weights[j] for i, j in pairs])
-    energies = weights**2 @ products.own[:mixed] + doubled @ products.cross
-    bands_energy = weights**2 @ products.own_totals[:mixed]
+    energies = weights**2 @ own[:mixed] + doubled @ cross
+    bands_energy = weights**2 @ products.totals[:mixed]
     if energies.min() <= products.least_share * bands_energy:  # the bands cancel each other, or all are smooth
         mixture = np.tensordot(weights, bands[:mixed].astype(np.float64), axes=1)
         curves += clip_curves(mixture[np.newaxis], wavelet, levels)[0]
     else:
-        curves.append(_curve(energies, bands_energy + doubled @ products.cross_totals, pixels))
+        curves.append(_curve(energies, bands_energy + doubled @ products.totals[len(bands) :], pixels))
     luminance = np.tensordot(weights, products.coarse[:mixed], axes=1)
     return curves, np.concatenate([products.coarse, luminance[np.newaxis].astype(products.coarse.dtype)])
 
@@ -139,7 +136,7 @@ def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequ
     )
     for dtype in (np.float32, np.float64) if single else (np.float64,):
         products = _chain_products(bands, filters, levels, pairs, dtype)
-        if (products.own > products.least_share * products.own_totals[:, np.newaxis]).all():
+        if (products.components > products.least_share * products.totals[:, np.newaxis])[: len(bands)].all():
             return products
     return _exact_products(bands, filters, levels, pairs)
 
@@ -202,7 +199,8 @@ def _chain_products(
     missed = coarse.mean(axis=(1, 2), dtype=np.float64) / 2**levels
     energies = np.array(chain) - [bands[0].size * missed[i] * missed[j] for i, j in wanted]
     components = np.append(energies[:-1] - energies[1:], energies[-1:], axis=0)
-    return _products(components, energies[0], coarse, MIN_FLOAT32_SHARE if dtype is np.float32 else MIN_FLOAT64_SHARE)
+    least_share = MIN_FLOAT32_SHARE if dtype is np.float32 else MIN_FLOAT64_SHARE
+    return Products(components.T, energies[0], coarse, least_share)
 
 
 def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: Sequence[Pair]) -> Products:
@@ -219,7 +217,7 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
         components.append(sum(sums_of_products(detail, wanted) for detail in parts[1:]))
     coarse = parts[0]
     components.append(sums_of_products(coarse, wanted))
-    return _products(np.array(components), totals, coarse, MIN_EXACT_SHARE)
+    return Products(np.array(components).T, totals, coarse, MIN_EXACT_SHARE)
 
 
 def _levels(
@@ -239,12 +237,6 @@ def _near_means(bands: np.ndarray) -> list[float]:
     """
     means = [float(band[::16].mean(dtype=np.float64)) for band in bands]
     return [float(round(mean)) for mean in means] if bands.dtype.kind in "iu" else means
-
-
-def _products(components: np.ndarray, totals: np.ndarray, coarse: np.ndarray, least_share: float) -> Products:
-    """Parts (R + 1, bands + pairs) and (bands + pairs,) into the bands' own products and the pairs'."""
-    bands = len(coarse)
-    return Products(components.T[:bands], components.T[bands:], totals[:bands], totals[bands:], coarse, least_share)
 
 
 Directions = tuple[tuple[float, ...], ...]

@@ -158,13 +158,13 @@ def test_inner_products_of_two_clips(seed: int, wavelet: str, levels: int, alike
     products = component_products(pair, wavelet, levels, [(0, 1), (1, 0)])
     first, second = (decompose(band, wavelet, levels) for band in pair)
     scale = np.sqrt(first.energy * second.energy)
-    np.testing.assert_allclose(products.own[0], first.products(first), rtol=1e-7, atol=1e-9 * first.energy)
-    np.testing.assert_allclose(products.own[1], second.products(second), rtol=1e-7, atol=1e-9 * second.energy)
-    np.testing.assert_allclose(products.cross[0], first.products(second), atol=1e-9 * scale)
-    np.testing.assert_allclose(products.cross[1], products.cross[0], atol=1e-9 * scale)
-    np.testing.assert_allclose(products.own_totals, [first.energy, second.energy])
+    np.testing.assert_allclose(products.components[0], first.products(first), rtol=1e-7, atol=1e-9 * first.energy)
+    np.testing.assert_allclose(products.components[1], second.products(second), rtol=1e-7, atol=1e-9 * second.energy)
+    np.testing.assert_allclose(products.components[2], first.products(second), atol=1e-9 * scale)
+    np.testing.assert_allclose(products.components[3], products.components[2], atol=1e-9 * scale)
+    np.testing.assert_allclose(products.totals[:2], [first.energy, second.energy])
     np.testing.assert_allclose(
-        products.cross_totals, without_mean(pair[0]).ravel() @ without_mean(pair[1]).ravel(), atol=1e-9 * scale
+        products.totals[2:], without_mean(pair[0]).ravel() @ without_mean(pair[1]).ravel(), atol=1e-9 * scale
     )
 
 

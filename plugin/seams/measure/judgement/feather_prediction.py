@@ -53,9 +53,9 @@ def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Fe
         return []
     products = component_products(np.stack(planes), wavelet, levels, pairs)
     each = []
-    for (i, j), shared in zip(pairs, products.cross):
-        energy = products.own[i] + products.own[j]
-        least = imagery_limits.MIN_SHARE * (products.own_totals[i] + products.own_totals[j])
+    for (i, j), shared in zip(pairs, products.components[len(planes) :]):
+        energy = products.components[i] + products.components[j]
+        least = imagery_limits.MIN_SHARE * (products.totals[i] + products.totals[j])
         rho = tuple(2 * s / e if e > least else None for s, e in zip(shared[:-1].tolist(), energy[:-1].tolist()))
         each.append(Feather(i, j, rho))
     return each
