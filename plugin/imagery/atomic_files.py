@@ -48,15 +48,15 @@ def save_text(text: str, path: Path, encoding: str = "utf-8") -> None:
 
 
 @contextmanager
-def replacing(path: Path) -> Iterator[Path]:
-    """Like ``whole_file``, with Python's OSError where no file can be."""
+def replacing(path: Path, companions: Iterable[str] = ()) -> Iterator[Path]:
+    """Like ``whole_file``, with Python's OSError where no file can be; ``companions`` as ``UnfinishedFile.keep``."""
     if path.exists() and not path.is_file():
         yield path  # a device takes what is written to it; a folder refuses
         return
     unfinished = UnfinishedFile(path)
     try:
         yield unfinished.written
-        unfinished.keep()
+        unfinished.keep(companions)
     finally:
         unfinished.drop()
 
@@ -85,13 +85,13 @@ class UnfinishedFile:
         return self._path.exists()
 
     def keep(self, companions: Iterable[str] = ()) -> None:
-        """It is whole and becomes what it is to be. ``companions``: endings of files beside the older one that go
-        with it before the new one comes, which they would spoil; with an OSError all stay as they were."""
+        """It is whole and becomes what it is to be. ``companions``: names of files beside the older one that go with it
+        before the new one comes, which they would spoil; with an OSError all stay as they were."""
         with suppress(OSError):
             shutil.copymode(self._path, self.written)
         aside: dict[Path, Path] = {}
         try:
-            for older in (Path(f"{self._path}{ending}") for ending in companions):
+            for older in map(self._path.with_name, companions):
                 if older.exists():
                     aside[older] = Path(tempfile.mkdtemp(dir=self._folder)) / older.name
                     os.replace(older, aside[older])

@@ -37,16 +37,10 @@ def whole_raster(path: str) -> Iterator[str]:
             raise
         return
     try:
-        beside = Path(os.path.realpath(os.path.dirname(path)), os.path.basename(path))  # whatever becomes of links
-        older = files_beside(str(beside))
-        with replacing(Path(path)) as unfinished:
+        with replacing(Path(path), files_beside(os.path.realpath(path))) as unfinished:
             yield str(unfinished)
-            older -= set(os.listdir(unfinished.parent))
     except OSError:
         raise RasterError(messages.RASTER_NOT_WRITTEN(path=path)) from None
-    for name in older:
-        with suppress(OSError):
-            beside.with_name(name).unlink()
 
 
 @dataclass(frozen=True)

@@ -129,7 +129,7 @@ class FeatureSinks:
     def _replace(self, layer: _OpenSink, file: UnfinishedFile, held: int) -> None:
         """Let a file with so many features take its place."""
         try:
-            file.keep(_OF_DATABASES)
+            file.keep(file.written.name + ending for ending in _OF_DATABASES)
         except OSError:  # as on Windows, where the older one is open in QGIS
             if part := self._kept_beside(layer, file):
                 self.beside[layer.destination] = part, messages.LAYER_IN_USE(path=layer.path, part=part)

@@ -104,7 +104,7 @@ def test_what_belongs_to_the_older_file_goes_with_it_or_stays_with_it(
 
     monkeypatch.setattr(os, "replace", move)
     with nullcontext() if is_replaced else pytest.raises(PermissionError):
-        file.keep(("-wal", "-shm"))
+        file.keep(("windows.gpkg-wal", "windows.gpkg-shm"))
     file.drop()
     assert path in moves
     assert path.read_text() == ("newer" if is_replaced else "older")
