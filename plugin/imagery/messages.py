@@ -103,8 +103,6 @@ OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is 
 REMOTE_NOT_READABLE = Message(
     "{name} can't be read over the network ({why}); check its address, the network, and GDAL's settings and "
     "credentials, or copy it to a local disk.")
-REMOTE_IN_PART = Message(
-    "{name} arrived only in part over the network, also at the second try; check that it is complete on its server.")
 # folders of records
 RECORDS_IN_USE = Message("another QGIS has it open")
 RECORDS_FOREIGN = Message("something else is there")

@@ -97,8 +97,7 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
         try:
             return read(True)
         except RasterError as error:
-            in_part = error.message.template == messages.NOT_READABLE.template
-            failure = messages.REMOTE_IN_PART(name=shown) if in_part else error.message
+            failure = error.message
     if is_remote(path):
         key = _server(path) if _SILENT.search(said) else ""
         _failures[key or path] = time.monotonic() + REMEMBERED_S, failure

@@ -60,12 +60,8 @@ OF_A_WINDOW = Message("Window {window}: {what}", INFO)
 OF_WINDOWS = Message("In {count} windows ({windows}), such as {window}: {what}", INFO)
 # outputs and charts
 OUTPUT_IN_USE = Message("{path} is being written by another program; close it there, or choose another file.")
-TABLE_BEGINS_WRONG = Message(
-    "'{output}' can't be a table named {name}, as no name in a GeoPackage may begin with {begins}; choose another name."
-)
 NAME_MISREAD = Message(
-    "'{output}' can't be {path}: QGIS misreads '{found}' in the path of a layer; choose another name.")
-LAYER_NOT_WRITTEN = Message("{path} can't be written; make room on the disk, or choose another folder.")
+    "'{output}' can't be {path}: '{found}' means something else there to QGIS or GDAL; choose another name.")
 FIELD_NAMES_CUT = Message(
     "In {path} field names are cut to ten letters ({names}), so they can't be found, or are mistaken for others; write "
     "a GeoPackage to keep them.", WARNING)

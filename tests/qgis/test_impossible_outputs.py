@@ -24,7 +24,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
     for name in ("-rf", "%s{0}", "<img src=x onerror=alert(1)>", "'; drop table x; --", "=cmd|' /C calc'!A0"):
-        words = "no name in a GeoPackage may begin with"
+        words = "means something else there to QGIS or GDAL"
         assert_refused("inspectwindows", words, OUTPUT=str(tmp_path / f"{name.replace('/', '')}.gpkg"))
     assert not list(tmp_path.iterdir())
 
@@ -32,7 +32,7 @@ def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
 def test_a_name_that_qgis_reads_otherwise(tmp_path: Path) -> None:
     """A disk has room for them, and QGIS would write another file, or none."""
     for name, part in (("a|b.shp", "|"), ("a\\b.csv", "\\"), ("a:b.geojson", ":"), ("a%20b.gpkg", "%20")):
-        words = re.escape(f"can't be {tmp_path}/{name}: QGIS misreads '{part}'")
+        words = re.escape(f"can't be {tmp_path}/{name}: '{part}' means something else")
         assert_refused("inspectwindows", words, OUTPUT=str(tmp_path / name))
     assert not list(tmp_path.iterdir())
 

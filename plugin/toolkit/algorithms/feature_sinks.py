@@ -14,6 +14,7 @@ from osgeo import gdal
 from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
 from qgis.PyQt import sip
 
+from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import UnfinishedFile, drop_unfinished
 from ...imagery.errors import Message, cell_text
 from ...imagery.file_identity import DataPlace
@@ -155,12 +156,12 @@ class FeatureSinks:
         elif held > 0:
             self.lost[layer.destination] = messages.LAYER_IN_PART(path=layer.path, held=held, count=layer.written)
         else:
-            self.lost[layer.destination] = messages.LAYER_NOT_WRITTEN(path=layer.path)
+            self.lost[layer.destination] = imagery_messages.RASTER_NOT_WRITTEN(path=layer.path)
 
 
 def _why_not(place: DataPlace | None, said: str) -> str:
     """The reason why a layer can't be written: our words for a file, those of the server for a table."""
-    return said if place is None else sentence(messages.LAYER_NOT_WRITTEN(path=place.path))
+    return said if place is None else sentence(imagery_messages.RASTER_NOT_WRITTEN(path=place.path))
 
 
 def _count(place: DataPlace) -> int:

@@ -140,12 +140,11 @@ def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) 
     check_can_be_written(title, path)
     if is_raster:
         return
-    name = os.path.basename(path)
-    if is_database(path) and not place.table and name[0] in _NO_TABLE_BEGINS_WITH:
-        raise SettingsError(messages.TABLE_BEGINS_WRONG(output=title, name=name, begins=name[0]))
+    begins = os.path.basename(path)[0] if is_database(path) and not place.table else ""
     shown = os.path.splitdrive(path if text.startswith(_ADDRESSES) else text)[1].replace(os.sep, "/")
-    if misread := _MISREAD.search(shown):
-        raise SettingsError(messages.NAME_MISREAD(output=title, path=text, found=misread[0]))
+    misread = _MISREAD.search(shown)
+    if misread or (begins and begins in _NO_TABLE_BEGINS_WITH):
+        raise SettingsError(messages.NAME_MISREAD(output=title, path=text, found=misread[0] if misread else begins))
     if is_database(path) and os.path.isfile(path) and _is_locked(path):
         raise SettingsError(messages.OUTPUT_IN_USE(path=path))
 
