@@ -12360,7 +12360,7 @@
     <message>
         <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
-        <translation>„{output}” nie może być w {path}: „{found}” znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
+        <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
 </context>
 </TS>
