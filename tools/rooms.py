@@ -33,11 +33,11 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5108, 1, 0),
+    "plugin/imagery": Measures(5105, 1, 0),
     "plugin/seams/measure": Measures(18732, 1, 0),
     "plugin/seams": Measures(15797, 0, 1),
     "plugin/acceptance": Measures(6449, 1, 0),
-    "plugin/toolkit": Measures(4792, 0, 0),
+    "plugin/toolkit": Measures(4773, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),
     "plugin/resolution": Measures(3204, 0, 0),

@@ -85,19 +85,6 @@ def field_title(name: str) -> str:
     return filled(tr(_OF_LEVEL[parts[1]]), level=parts[2])
 
 
-def title_fields(layer: QgsVectorLayer) -> None:
-    """Call the fields of a layer so, but for those that are called something already."""
-    fields = layer.fields()
-    widgets = [layer.editorWidgetSetup(index) for index in range(fields.count())]
-    for index in range(fields.count()):
-        field = fields.at(index)
-        if not field.alias() and (title := field_title(field.name())):
-            layer.setFieldAlias(index, title)
-    for index, widget in enumerate(widgets):  # a new alias loses those that a style has just brought
-        if not widget.isNull() and layer.editorWidgetSetup(index).isNull():
-            layer.setEditorWidgetSetup(index, widget)
-
-
 _LABELLED = ("category", "range", "rule", "item", "paletteEntry")
 _MARKED = re.compile(r"/\*tr\*/'([^']*)'")
 """A text within an expression: ``/*tr*/'visible'``."""
@@ -127,7 +114,14 @@ def label_settings(name: str) -> QgsPalLayerSettings:
 
 
 def _name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:
-    title_fields(layer)
+    fields = layer.fields()
+    widgets = [layer.editorWidgetSetup(index) for index in range(fields.count())]
+    for index in range(fields.count()):
+        if not fields.at(index).alias() and (title := field_title(fields.at(index).name())):
+            layer.setFieldAlias(index, title)
+    for index, widget in enumerate(widgets):  # a new alias loses those that a style has just brought
+        if not widget.isNull() and layer.editorWidgetSetup(index).isNull():
+            layer.setEditorWidgetSetup(index, widget)
     field = document.documentElement().firstChildElement("fieldWords").firstChildElement("field")
     while not field.isNull():
         items = field.elementsByTagName("item")

@@ -12,15 +12,11 @@ _NAMES = {"numpy": "numpy", "pywt": "PyWavelets", "scipy": "scipy", "matplotlib"
 """Names to install them by, by the module; Debian's have ``python3-`` and the module."""
 
 
-def missing_packages(charts: bool = False, pages: bool = False) -> list[str]:
-    """Names, as one would install them, of the packages that are not here; charts and pages need more."""
-    spared = {"matplotlib": not charts, "jinja2": not pages}
-    return [name for module, name in _NAMES.items() if not spared.get(module) and find_spec(module) is None]
-
-
 def missing_packages_sentence(charts: bool = False, pages: bool = False) -> str:
-    """A sentence on packages that are missing and how to get them on this system; empty when none are."""
-    missing = missing_packages(charts, pages)
+    """A sentence on packages that are missing and how to get them on this system; empty when none are. Charts and pages
+    need more."""
+    spared = {"matplotlib": not charts, "jinja2": not pages}
+    missing = [name for module, name in _NAMES.items() if not spared.get(module) and find_spec(module) is None]
     if not missing:
         return ""
     needs = filled(tr("Seam Inspector needs the Python package(s) {packages}."), packages=", ".join(missing))

@@ -106,9 +106,13 @@ def raster_sample(source: OpenRaster) -> np.ndarray:
 def brightness(bands: np.ndarray, ranges: GreyRanges) -> np.ndarray:
     """(rows, columns, 3) uint8 of one or three bands (bands, rows, columns)."""
     low, high = ranges[str(bands.dtype)]
+    is_short = bands.dtype.kind == "u" and bands.dtype.itemsize <= 2
+    table = to_bytes(np.arange(np.iinfo(bands.dtype).max + 1), low, high) if is_short else None
     pixels = np.empty((*bands.shape[1:], 3), np.uint8)
     for i, band in enumerate(bands):
-        _stretch(band, low, high, pixels[..., i])
+        for top in range(0, len(band), _ROWS_AT_ONCE):
+            rows = slice(top, top + _ROWS_AT_ONCE)
+            pixels[rows, :, i] = to_bytes(band[rows], low, high) if table is None else table[band[rows]]
     if len(bands) == 1:
         pixels[..., 1:] = pixels[..., :1]
     return pixels
@@ -126,12 +130,3 @@ def to_bytes(values: np.ndarray, low: float, high: float) -> np.ndarray:
 def _starts(length: int) -> list[int]:
     """The starts of pieces that lie evenly along a side."""
     return sorted({int((length - _PIECE_PX) * i / (_PIECES - 1)) if length > _PIECE_PX else 0 for i in range(_PIECES)})
-
-
-def _stretch(band: np.ndarray, low: float, high: float, out: np.ndarray) -> None:
-    table = None
-    if band.dtype.kind == "u" and band.dtype.itemsize <= 2:
-        table = to_bytes(np.arange(np.iinfo(band.dtype).max + 1), low, high)
-    for top in range(0, len(band), _ROWS_AT_ONCE):
-        rows = slice(top, top + _ROWS_AT_ONCE)
-        out[rows] = to_bytes(band[rows], low, high) if table is None else table[band[rows]]
