@@ -5,13 +5,16 @@ import math
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 from osgeo import gdal, ogr
 from seam_inspector import Block, SettingsError, decide, inspect_window, limit_rules, open_block, scan, write_scan
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
+from seam_inspector.plugin.seams.measure.window import inspection
 
 from tests.made_once import the_small_block
+from tests.numbers.conftest import MakeRaster
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +56,17 @@ def test_sheets_with_their_neighbours_add_up_to_the_whole(folder: Path, tmp_path
     both = decide({name: tmp_path / f"{name}.gpkg" for name in sheets}, limit_rules()).whole
     alone = decide({"whole": whole}, limit_rules()).whole
     assert (both.measured_m, both.failed_m) == pytest.approx((alone.measured_m, alone.failed_m), abs=5)
+
+
+@pytest.mark.parametrize("column", [0, 150, 300])
+def test_a_sheet_begins_where_a_block_of_the_whole_does(
+    make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch, column: int
+) -> None:
+    monkeypatch.setattr(inspection, "NEIGHBOURS_PX", 64)
+    paths = [make_raster(f"{left}.tif", np.ones((40, 150)), gsd=1, origin=(left, 5e6)) for left in (500, 650, 800)]
+    west, _, east, _ = open_block(paths[column // 150], neighbours=paths).mosaic.extent
+    assert west == 500 + max(0, column // 64 - 1) * 64
+    assert east == min(950, 500 + (-(-(column + 150) // 64) + 1) * 64)
 
 
 def test_a_window_reaches_into_a_neighbour(folder: Path) -> None:

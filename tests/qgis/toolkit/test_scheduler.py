@@ -120,22 +120,16 @@ def assert_not_opened(
 
 
 OTHERS = (
-    b"SSH-2.0-OpenSSH_9.2p1\r\n", b"HTTP/1.1 400 Bad Request\r\n\r\n", (2**62).to_bytes(8, "little"),
+    b"", b"SSH-2.0-OpenSSH_9.2p1\r\n", b"HTTP/1.1 400 Bad Request\r\n\r\n", (2**62).to_bytes(8, "little"),
     (16).to_bytes(8, "little") + (1).to_bytes(8, "little") + (0).to_bytes(8, "little"),
 )  # fmt: skip
 
 
 @needs_dask
-@pytest.mark.parametrize("words", OTHERS, ids=["ssh", "http", "oversized frame", "empty frame"])
-def test_what_answers_but_is_not_a_scheduler_gets_a_sentence(words: bytes) -> None:
-    with port_that_says(words) as address:
-        assert_not_opened(address, SettingsError, r"does not answer .* 8786")
-
-
-@needs_dask
-def test_a_silent_port_is_waited_for_a_time_only(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("words", OTHERS, ids=["silent", "ssh", "http", "oversized frame", "empty frame"])
+def test_what_is_not_a_scheduler_gets_a_sentence(words: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("seam_inspector.plugin.toolkit.executors.ANSWER_SECONDS", 0.3)
-    with port_that_says(b"") as address:
+    with port_that_says(words) as address:
         assert_not_opened(address, SettingsError, r"does not answer .* 8786")
 
 

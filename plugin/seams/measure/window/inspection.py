@@ -162,19 +162,20 @@ def with_neighbours(sheet: Raster, neighbours: Iterable[str]) -> Raster:
     It begins where a block of all sheets together does, so that those that are measured are the blocks of the whole.
     Raises RasterError for one that can't be opened, SettingsError for one on another pixel grid.
     """
-    grid, side, others = sheet.grid, NEIGHBOURS_PX, list[Raster]()
-    for path in neighbours:
-        other = placed(OpenRaster(replace(sheet.ref, path=path)).raster)
+    grid, side = sheet.grid, NEIGHBOURS_PX
+    others = [placed(OpenRaster(replace(sheet.ref, path=path)).raster) for path in neighbours]
+    for other in others:
         if not have_same_grid(sheet, other):
             raise SettingsError(messages.NEIGHBOUR_OF_OTHER_GRID(name=other.ref.name, sheet=sheet.ref.name))
-        if other.ref.path != sheet.ref.path:
-            others.append(other)
     lefts, bottoms, rights, tops = zip(sheet.extent, *(other.extent for other in others))
     starts = round(grid.column_at(min(lefts))), round(grid.row_at(max(tops)))
-    first = [start + side * max(0, -start // side - 1) for start in starts]
-    ends = [start + side * (1 - (start - length) // side) for start, length in zip(starts, (grid.columns, grid.rows))]
-    around = grid.window_extent(PixelWindow(*first, ends[0] - first[0], ends[1] - first[1]))
-    parts = tuple(other.ref.path for other in others if extents_meet(other.extent, around))
+    column, row = (start + side * max(0, -start // side - 1) for start in starts)
+    right, bottom = (
+        start + side * (1 - (start - length) // side) for start, length in zip(starts, (grid.columns, grid.rows))
+    )
+    around = grid.window_extent(PixelWindow(column, row, right - column, bottom - row))
+    near = (other.ref.path for other in others if extents_meet(other.extent, around))
+    parts = tuple(path for path in near if path != sheet.ref.path)
     bounds = around[0], max(min(bottoms), around[1]), min(max(rights), around[2]), around[3]
     return describe_mosaic(replace(sheet.ref, parts=parts, bounds=bounds)) if parts else sheet
 
