@@ -424,11 +424,6 @@
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="52"/>
-        <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
-        <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="115"/>
         <source>significant loss below</source>
         <translation>istotna strata poniżej</translation>
@@ -2469,7 +2464,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="85"/>
+        <location filename="../plugin/toolkit/messages.py" line="80"/>
         <source>{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -4678,17 +4673,7 @@
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="53"/>
-        <source>The Dask scheduler at {address} is gone; restart it and its workers, then run this again.</source>
-        <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/messages.py" line="55"/>
-        <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
-        <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="60"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
@@ -8514,22 +8499,22 @@
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="67"/>
+        <location filename="../plugin/toolkit/messages.py" line="62"/>
         <source>{path} is being written by another program; close it there, or choose another file.</source>
         <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="69"/>
+        <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>&apos;{output}&apos; can&apos;t be a table named {name}, as no name in a GeoPackage may begin with {begins}; choose another name.</source>
         <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="73"/>
+        <location filename="../plugin/toolkit/messages.py" line="68"/>
         <source>{path} can&apos;t be written; make room on the disk, or choose another folder.</source>
         <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="78"/>
+        <location filename="../plugin/toolkit/messages.py" line="73"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -9136,12 +9121,12 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="80"/>
+        <location filename="../plugin/toolkit/messages.py" line="75"/>
         <source>{path} is unchanged, as the run did not finish; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="83"/>
+        <location filename="../plugin/toolkit/messages.py" line="78"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
@@ -10168,17 +10153,17 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="58"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="64"/>
+        <location filename="../plugin/toolkit/messages.py" line="59"/>
         <source>In {count} windows ({windows}): {what}</source>
         <translation>Okna ({count}: {windows}): {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="65"/>
+        <location filename="../plugin/toolkit/messages.py" line="60"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -10306,12 +10291,7 @@
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="57"/>
-        <source>The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; restart them, then run this again.</source>
-        <translation>Procesy robocze schedulera Dask pod adresem {address} nie odpowiadają od {seconds:.0f} s; uruchom je od nowa, a potem powtórz to zadanie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="72"/>
+        <location filename="../plugin/toolkit/messages.py" line="67"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: QGIS misreads &apos;{found}&apos; in the path of a layer; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: QGIS inaczej rozumie &apos;{found}&apos; w ścieżce warstwy; wybierz inną nazwę.</translation>
     </message>
@@ -11802,12 +11782,7 @@
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres (zwykle z portem 8786) albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="45"/>
-        <source>What answers at {address} is not a Dask scheduler; check the address (the usual port is 8786), or leave it empty.</source>
-        <translation>To, co odpowiada pod adresem {address}, nie jest schedulerem Dask; sprawdź adres (zwykle z portem 8786) albo pozostaw go pusty.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="84"/>
+        <location filename="../plugin/toolkit/messages.py" line="79"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -12172,22 +12147,22 @@
         <translation>co najmniej {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <location filename="../plugin/toolkit/messages.py" line="45"/>
         <source>Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on the scheduler, the workers and here.</source>
         <translation>Pod adresem {address} odpowiada Dask {versions}, a tutaj jest Dask {own}; zainstaluj tę samą wersję dask i distributed dla schedulera, procesów roboczych i tutaj.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="50"/>
+        <location filename="../plugin/toolkit/messages.py" line="48"/>
         <source>{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <location filename="../plugin/toolkit/messages.py" line="49"/>
         <source>The executor was shut down or lost its workers; open a new one, then run this again.</source>
         <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="75"/>
+        <location filename="../plugin/toolkit/messages.py" line="70"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -12496,6 +12471,16 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
         <source>{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <source>The Dask scheduler at {address} has no workers, or none that answers; start some or leave it empty.</source>
+        <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo pozostaw pole puste.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="53"/>
+        <source>The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.</source>
+        <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
 </context>
 </TS>

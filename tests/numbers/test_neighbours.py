@@ -55,7 +55,7 @@ def test_sheets_with_their_neighbours_add_up_to_the_whole(folder: Path, tmp_path
     assert math.fsum(map(float, seen)) == pytest.approx(float(whole.told.get("unseen_metres", "0")), abs=8)
     both = decide({name: tmp_path / f"{name}.gpkg" for name in sheets}, limit_rules()).whole
     alone = decide({"whole": whole}, limit_rules()).whole
-    assert (both.measured_m, both.failed_m) == pytest.approx((alone.measured_m, alone.failed_m), abs=5)
+    assert (both.measured_m, both.failed_m) == pytest.approx((alone.measured_m, alone.failed_m), abs=1)
 
 
 @pytest.mark.parametrize("column", [0, 150, 300])

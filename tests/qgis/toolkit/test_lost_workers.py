@@ -23,7 +23,7 @@ from tests.qgis.clusters import needs_dask, scheduler_process, two_workers
 
 pytestmark = [pytest.mark.slow, pytest.mark.release, needs_dask]
 
-SIDE, WINDOWS, LOSSES = 512, 24, 3
+SIDE, WINDOWS = 512, 24
 
 
 @pytest.fixture
@@ -68,18 +68,17 @@ def end_all(address: str) -> None:
         client.run(lambda dask_worker: dask_worker.loop.add_callback(dask_worker.close), nanny=True)
 
 
+def signalled(number: signal.Signals) -> Callable[[str], None]:
+    """A loss of the scheduler, which gets a signal."""
+    return lambda address: os.kill(scheduler_process(address), number)
+
+
 @pytest.mark.usefixtures("impatient")
-def test_a_cluster_that_lost_all_workers_is_told(cluster: str, requests: list[WindowRequest]) -> None:
+@pytest.mark.parametrize(
+    "loss", [end_all, signalled(signal.SIGKILL), signalled(signal.SIGSTOP)], ids=["workers", "scheduler", "stopped"]
+)
+def test_a_cluster_that_is_lost_is_told(
+    cluster: str, requests: list[WindowRequest], loss: Callable[[str], None]
+) -> None:
     with pytest.raises(WorkersLostError, match=f"{cluster} is gone, or has no workers any more; start"):
-        list(lose(cluster, requests, lambda: end_all(cluster)))
-
-
-@pytest.mark.usefixtures("impatient")
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP], ids=["is gone", "stands still"])
-def test_a_scheduler_that_is_lost_is_told(cluster: str, requests: list[WindowRequest], how: signal.Signals) -> None:
-    process = scheduler_process(cluster)
-    try:
-        with pytest.raises(WorkersLostError, match=f"{cluster} is gone, or has no workers"):
-            list(lose(cluster, requests, lambda: os.kill(process, how)))
-    finally:
-        os.kill(process, signal.SIGCONT)
+        list(lose(cluster, requests, lambda: loss(cluster)))
