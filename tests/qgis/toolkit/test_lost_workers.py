@@ -68,17 +68,10 @@ def end_all(address: str) -> None:
         client.run(lambda dask_worker: dask_worker.loop.add_callback(dask_worker.close), nanny=True)
 
 
-def signalled(number: signal.Signals) -> Callable[[str], None]:
-    """A loss of the scheduler, which gets a signal."""
-    return lambda address: os.kill(scheduler_process(address), number)
-
-
 @pytest.mark.usefixtures("impatient")
-@pytest.mark.parametrize(
-    "loss", [end_all, signalled(signal.SIGKILL), signalled(signal.SIGSTOP)], ids=["workers", "scheduler", "stopped"]
-)
-def test_a_cluster_that_is_lost_is_told(
-    cluster: str, requests: list[WindowRequest], loss: Callable[[str], None]
-) -> None:
+@pytest.mark.parametrize("number", [None, signal.SIGKILL, signal.SIGSTOP], ids=["workers", "scheduler", "stopped"])
+def test_a_cluster_that_is_lost_is_told(cluster: str, requests: list[WindowRequest], number: int | None) -> None:
+    process = scheduler_process(cluster)
+    loss = (lambda: os.kill(process, number)) if number else (lambda: end_all(cluster))
     with pytest.raises(WorkersLostError, match=f"{cluster} is gone, or has no workers any more; start"):
-        list(lose(cluster, requests, lambda: loss(cluster)))
+        list(lose(cluster, requests, loss))
