@@ -187,8 +187,8 @@ def _parser() -> argparse.ArgumentParser:
         return made
 
     def add_reach(parser: argparse.ArgumentParser) -> None:
-        beside = "a sheet beside MOSAIC that is looked at along the border; as often as there are"
-        parser.add_argument("--neighbour", action="append", dest="neighbours", metavar="SHEET", help=beside)
+        beside = "sheets beside MOSAIC that are looked at along the border; MOSAIC may be among them"
+        parser.add_argument("--neighbour", action="extend", nargs="+", dest="neighbours", metavar="SHEET", help=beside)
         parser.add_argument("--levels", type=int, default=DEFAULT_LEVELS, metavar="COUNT", help="of the decomposition")
 
     scanning = command("scan", _scan, "Scan a mosaic and decide on it.")
@@ -207,7 +207,7 @@ def _parser() -> argparse.ArgumentParser:
     window.add_argument("-o", "--output", help="CSV for the table of windows")
     accepting = command("accept", _accept, "Decide on what scans left.", is_measuring=False)
     accepting.add_argument("seams", metavar="SEAMS", nargs="+", help="GeoPackages of scans, a sheet each")
-    accepting.add_argument("--mosaic", action="append", default=[], dest="mosaics", help="a file that is delivered")
+    accepting.add_argument("--mosaic", action="extend", nargs="+", default=[], dest="mosaics", help="delivered files")
     accepting.add_argument("--lot-size", type=int, metavar="PIECES", help="of the whole lot, where a sample decides")
     accepting.add_argument("--seed", type=int, default=0, metavar="NUMBER", help="of the sample that is drawn")
     _add_limits(accepting)

@@ -66,7 +66,7 @@ def decide(
     for name, table in rows.items():
         if not same_system(table.wkt, wkt):
             raise SettingsError(messages.NOT_IN_ONE_SYSTEM(name=name, first=first))
-    if rows and not any(rows.values()):
+    if not any(rows.values()):
         raise NoSeamsError(messages.NO_SEAM_TO_DECIDE_ON())
     delivery = make_delivery(rows, wkt, notes, files)
     given, folders = paths_of("mosaics", mosaics), [os.path.dirname(path) for path in files.values()]

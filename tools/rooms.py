@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5641, 0, 0),
     "plugin": Measures(377, 1, 1),
     "python": Measures(1077, 0, 0),
-    "tests": Measures(49436, 783, 53),
+    "tests": Measures(49435, 783, 53),
 }
 """What each room may have; the most particular one holds for a file."""
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from threading import Event, Thread
 from typing import TYPE_CHECKING, Any, Callable, Union
 
-from ..imagery.errors import CancelledError, Message, SettingsError, WorkersLostError
+from ..imagery.errors import CancelledError, SettingsError, WorkersLostError
 from ..imagery.messages import CANCELLED
 from ..imagery.raster_pool import AHEAD, own_threads
 from . import messages
@@ -24,25 +24,24 @@ if TYPE_CHECKING:
 Crew = Union[Executor, "Client", str, None]
 """An executor, a client of a Dask cluster, the address of its scheduler, or a thread per core."""
 
-_ANSWER_SECONDS = 10.0  # to the scheduler, until it is known that it is one
-_PREPARING_SECONDS = 120.0  # for all workers to take the code
-_CANCELLED_EVERY_SECONDS = 0.1  # is asked for
+ANSWER_SECONDS = 10.0  # to a scheduler, until it is known that it is one
 PATIENCE_SECONDS = 120.0  # without any worker: long enough for those that were lost to be started anew
 LOOK_SECONDS = 5.0  # between two looks at the cluster
-_FORGET = f"""
+_CANCELLED_EVERY_SECONDS = 0.1  # is asked for
+_SILENT = OSError, asyncio.TimeoutError, concurrent.futures.TimeoutError
+_PREPARE = f"""
 import sys
 for name in [name for name in sys.modules if name.partition(".")[0] == {__name__.partition(".")[0]!r}]:
     del sys.modules[name]
+import numpy, scipy, pywt, osgeo
 """  # else workers that met an older version of the plugin would go on with its code
-_MEASURING = ("*/__init__.py", "imagery/**/*.py", "*/measure/**/*.py")  # as in the wheel, see pyproject.toml
-_NEEDED = ("numpy", "scipy", "pywt", "osgeo")
-_MISSING = "[name for name in {needed} if __import__('importlib.util').util.find_spec(name) is None]"
 _CLOSE = f"""
 import sys
 pool = sys.modules.get("{__package__.rpartition(".")[0]}.imagery.raster_pool")
 if pool:
     pool.close_rasters()
 """  # else the workers, which live on, would keep the last rasters of the run open
+_MEASURING = ("*/__init__.py", "imagery/**/*.py", "*/measure/**/*.py")  # as in the wheel, see pyproject.toml
 
 
 @contextmanager
@@ -53,24 +52,17 @@ def open_executor(
 
     Raises SettingsError for a cluster that can't be used, CancelledError, and WorkersLostError when nobody is left.
     """
-    if isinstance(crew, str) and crew:
-        with _connected(crew, is_cancelled) as client, _watched(client, is_cancelled) as opened:
+    if crew and not isinstance(crew, Executor):
+        with _client_of(crew, is_cancelled) as client, _watched(client, is_cancelled) as opened:
             yield opened
-    elif crew and not isinstance(crew, Executor):
-        if not hasattr(crew, "get_executor"):
-            raise SettingsError(messages.NO_EXECUTOR(given=type(crew).__name__))
-        if crew.status == "closed":
-            raise WorkersLostError(messages.EXECUTOR_LOST())
-        with _watched(crew, is_cancelled) as opened:
+        return
+    with own_threads(crew or None) as opened:
+        try:
             yield opened
-    else:
-        with own_threads(crew or None) as opened:
-            try:
-                yield opened
-            except (RuntimeError, concurrent.futures.CancelledError) as error:
-                if isinstance(error, RuntimeError) and _takes_work(opened[0]):
-                    raise
-                raise WorkersLostError(messages.EXECUTOR_LOST()) from None
+        except (RuntimeError, concurrent.futures.CancelledError) as error:
+            if isinstance(error, RuntimeError) and _takes_work(opened[0]):
+                raise
+            raise WorkersLostError(messages.EXECUTOR_LOST()) from None
 
 
 def _takes_work(executor: Executor) -> bool:
@@ -82,42 +74,43 @@ def _takes_work(executor: Executor) -> bool:
 
 
 @contextmanager
-def _connected(address: str, is_cancelled: Callable[[], bool]) -> Iterator[Client]:
-    """A client of the scheduler. Whatever else answers, or does not, is left to itself after a time."""
+def _client_of(crew: Client | str, is_cancelled: Callable[[], bool]) -> Iterator[Client]:
+    """The client that is given, or one of the scheduler at an address."""
+    if not isinstance(crew, str):
+        if not hasattr(crew, "get_executor"):
+            raise SettingsError(messages.NO_EXECUTOR(given=type(crew).__name__))
+        if crew.status == "closed":
+            raise WorkersLostError(messages.EXECUTOR_LOST())
+        yield crew
+        return
     try:
         from distributed import Client
     except ImportError:
         raise SettingsError(messages.DASK_MISSING()) from None
-    asking = _started(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(address), _ANSWER_SECONDS)))
-    is_answered = _is_done(asking, _ANSWER_SECONDS, is_cancelled)
     try:
-        asking.result(_ANSWER_SECONDS if is_answered else 0)
-        client = Client(address, timeout=_ANSWER_SECONDS)
-    except SettingsError:
+        _answer(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(crew), ANSWER_SECONDS)), is_cancelled)
+        client = Client(crew, timeout=ANSWER_SECONDS)
+    except (SettingsError, CancelledError):
         raise
-    except Exception as silent:  # whatever Dask makes of bytes that are none of its own, too
-        why = str(silent) or f"{_ANSWER_SECONDS:.0f} s"
-        raise SettingsError(messages.SCHEDULER_SILENT(address=address, error=why)) from None
+    except Exception as error:  # whatever Dask makes of bytes that are none of its own
+        why = str(error) or f"{ANSWER_SECONDS:.0f} s"
+        raise SettingsError(messages.SCHEDULER_SILENT(address=crew, error=why)) from None
     try:
         yield client
     finally:
-        client.close(_ANSWER_SECONDS)
+        client.close(ANSWER_SECONDS)
 
 
 async def _check_scheduler(address: str) -> None:
     """Dask's client has no limit of time for the first words, and breaks off where versions differ. Raises anything."""
-    from distributed.comm.core import connect
+    from distributed.core import rpc
     from distributed.security import Security
 
-    comm = await connect(address, timeout=_ANSWER_SECONDS, **Security().get_connection_args("client"))
-    try:
-        await comm.write({"op": "identity", "reply": True})
-        if (await comm.read())["type"] != "Scheduler":
+    arguments = Security().get_connection_args("client")
+    async with rpc(address, timeout=ANSWER_SECONDS, connection_args=arguments) as scheduler:
+        if (await scheduler.identity())["type"] != "Scheduler":
             raise TypeError(address)
-        await comm.write({"op": "versions", "reply": True})
-        _check_versions(address, await comm.read())
-    finally:
-        comm.abort()
+        _check_versions(address, await scheduler.versions())
 
 
 def _check_versions(address: str, *answers: dict[str, Any]) -> None:
@@ -129,8 +122,11 @@ def _check_versions(address: str, *answers: dict[str, Any]) -> None:
         raise SettingsError(messages.DASK_VERSIONS(address=address, versions=", ".join(sorted(versions)), own=own))
 
 
-def _started(call: Callable[[], Any]) -> Future[Any]:
-    """A call in a thread of its own, which nobody has to wait for, not even Python at its end."""
+def _answer(call: Callable[[], Any], is_cancelled: Callable[[], bool], seconds: float = PATIENCE_SECONDS) -> Any:
+    """What a call gives in a thread that nobody has to wait for, not even Python at its end.
+
+    Raises whatever it raises, TimeoutError after a time, and CancelledError as soon as it is cancelled.
+    """
     future: Future[Any] = Future()
 
     def run() -> None:
@@ -140,62 +136,48 @@ def _started(call: Callable[[], Any]) -> Future[Any]:
             future.set_exception(error)
 
     Thread(target=run, name="seam-inspector-cluster", daemon=True).start()
-    return future
-
-
-def _is_done(future: Future[Any], seconds: float, is_cancelled: Callable[[], bool] = lambda: False) -> bool:
-    """Whether it is within a time. Raises CancelledError as soon as it is cancelled."""
     last = time.monotonic() + seconds
     while not future.done() and time.monotonic() < last:
         if is_cancelled():
             raise CancelledError(CANCELLED())
         concurrent.futures.wait([future], _CANCELLED_EVERY_SECONDS)
-    return future.done()
+    return future.result(0)
 
 
 @contextmanager
 def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
     """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends."""
     address = client.scheduler.address
-    preparing = _started(lambda: _prepare(client, address))
-    if not _is_done(preparing, _PREPARING_SECONDS, is_cancelled):
-        raise SettingsError(messages.WORKERS_SILENT(address=address, seconds=_PREPARING_SECONDS))
-    if isinstance(preparing.exception(), OSError):
-        raise SettingsError(messages.SCHEDULER_LOST(address=address))
-    executor, ended = client.get_executor(), Event()
-    lost: list[Message] = []
+    try:
+        threads = _answer(lambda: _prepare(client, address), is_cancelled)
+    except _SILENT:
+        raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address)) from None
+    executor, ended, lost = client.get_executor(), Event(), Event()
 
     def watch() -> None:
-        if (why := _why_lost(client, address, ended)) is not None:
-            lost.append(why)
-            executor.shutdown(wait=False)
+        seen = time.monotonic()
+        while not ended.wait(LOOK_SECONDS):
+            with suppress(*_SILENT, ValueError):  # the connection is down; Dask tries to have it again
+                if client.sync(client.scheduler.ncores, callback_timeout=LOOK_SECONDS):
+                    seen = time.monotonic()
+            if client.status not in ("running", "connecting") or time.monotonic() - seen > PATIENCE_SECONDS:
+                lost.set()
+                executor.shutdown(wait=False)
+                return
 
     Thread(target=watch, name="seam-inspector-cluster", daemon=True).start()
     try:
-        yield executor, AHEAD * preparing.result()
+        yield executor, AHEAD * threads
     except Exception as error:
-        if lost or isinstance(error, concurrent.futures.CancelledError):  # else nobody has cancelled them
-            raise WorkersLostError((lost or [messages.SCHEDULER_LOST(address=address)])[0]) from None
+        if lost.is_set() or isinstance(error, concurrent.futures.CancelledError):  # else nobody has cancelled them
+            raise WorkersLostError(messages.WORKERS_LOST(address=address)) from None
         raise
     finally:
         ended.set()
         if client.status == "running":
             executor.shutdown(wait=False)
-            _is_done(_started(lambda: client.run(exec, _CLOSE, on_error="ignore")), _ANSWER_SECONDS)
-
-
-def _why_lost(client: Client, address: str, ended: Event) -> Message | None:
-    """Why nobody is left to measure, as soon as that is so; None once all is done."""
-    last_seen = time.monotonic()
-    while not ended.wait(LOOK_SECONDS):
-        if client.status not in ("running", "connecting"):
-            return messages.SCHEDULER_LOST(address=address)
-        with suppress(OSError, ValueError):  # the connection is down; Dask tries to have it again
-            if client.nthreads():
-                last_seen = time.monotonic()
-        if time.monotonic() - last_seen > PATIENCE_SECONDS:
-            return messages.WORKERS_LOST(address=address, seconds=PATIENCE_SECONDS)
-    return None
+            with suppress(*_SILENT):
+                _answer(lambda: client.run(exec, _CLOSE, on_error="ignore"), lambda: False, ANSWER_SECONDS)
 
 
 def _prepare(client: Client, address: str) -> int:
@@ -205,11 +187,10 @@ def _prepare(client: Client, address: str) -> int:
         raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address))
     versions = client.get_versions()
     _check_versions(address, versions["scheduler"], *versions["workers"].values())
-    lacking = client.run(eval, _MISSING.format(needed=_NEEDED))
-    missing = sorted({name for names in lacking.values() for name in names})
-    if missing:
-        raise SettingsError(messages.WORKERS_WITHOUT_PACKAGES(address=address, packages=", ".join(missing)))
-    client.run(exec, _FORGET)
+    try:
+        client.run(exec, _PREPARE)
+    except ImportError as error:
+        raise SettingsError(messages.WORKERS_WITHOUT_PACKAGES(address=address, packages=error.name)) from None
     with tempfile.TemporaryDirectory() as folder:
         client.upload_file(_measuring_archive(Path(folder)))
     return threads

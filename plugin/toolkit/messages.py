@@ -45,13 +45,10 @@ DASK_VERSIONS = Message(
 NO_EXECUTOR = Message(
     "{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.")
 EXECUTOR_LOST = Message("The executor was shut down or lost its workers; open a new one, then run this again.")
-SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
-SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; restart it and its workers, then run this again.")
+SCHEDULER_WITHOUT_WORKERS = Message(
+    "The Dask scheduler at {address} has no workers, or none that answers; start some or leave it empty.")
 WORKERS_LOST = Message(
-    "The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.")
-WORKERS_SILENT = Message(
-    "The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; restart them, then run this "
-    "again.")
+    "The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.")
 WORKERS_WITHOUT_PACKAGES = Message(
     "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as "
     "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.")

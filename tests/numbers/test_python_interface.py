@@ -249,6 +249,7 @@ def test_a_value_of_no_measurements_may_be_named_beside_those_of_the_files(folde
         (lambda block: block.window((0, 0, "a", 1), window_id=7), "Window 7 is not a rectangle"),
         (lambda block: seam_inspector.decide({"a": None}, limit_rules()), r"sheets\['a'\] is None"),
         (lambda block: seam_inspector.decide([block], limit_rules()), "give Mapping"),
+        (lambda block: seam_inspector.decide({}, limit_rules()), "no seam to decide on"),
         (lambda block: seam_inspector.decide({}, limit_rules(), lot_size=90), "lot size or seed is for a plan"),
         (lambda block: seam_inspector.decide({}, limit_rules(), lot_size="x"), "lot_size is 'x'"),
         (lambda block: scan(block, seamlines=block), "seamlines is Block; give str"),

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -44,6 +45,7 @@ def two_workers(folder: Path, python: str = sys.executable, has_the_wheel: bool 
         if not has_the_wheel:
             assert_knows_nothing(address)
         yield address
+        process.send_signal(signal.SIGCONT)  # to one that a test has stopped
         process.stdin.close()
 
 

@@ -283,7 +283,7 @@ def make_delivery(
         layers.append(replace(doubts.layer(said, own_wkt, sheet in sealed), settings=said))
     delivery, doubled = united_delivery(pieces, wkt, layers=layers)
     for notice in [*notices, *doubled]:
-        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
+        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=3)  # of who decides
     return delivery
 
 

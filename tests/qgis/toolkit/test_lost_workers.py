@@ -23,7 +23,7 @@ from tests.qgis.clusters import needs_dask, scheduler_process, two_workers
 
 pytestmark = [pytest.mark.slow, pytest.mark.release, needs_dask]
 
-SIDE, WINDOWS, LOSSES = 512, 24, 3
+SIDE, WINDOWS = 512, 24
 
 
 @pytest.fixture
@@ -69,13 +69,9 @@ def end_all(address: str) -> None:
 
 
 @pytest.mark.usefixtures("impatient")
-def test_a_cluster_that_lost_all_workers_is_told(cluster: str, requests: list[WindowRequest]) -> None:
-    with pytest.raises(WorkersLostError, match=f"{cluster} has had no workers for 1 s; start some"):
-        list(lose(cluster, requests, lambda: end_all(cluster)))
-
-
-@pytest.mark.usefixtures("impatient")
-def test_a_scheduler_that_is_gone_is_told(cluster: str, requests: list[WindowRequest]) -> None:
+@pytest.mark.parametrize("number", [None, signal.SIGKILL, signal.SIGSTOP], ids=["workers", "scheduler", "stopped"])
+def test_a_cluster_that_is_lost_is_told(cluster: str, requests: list[WindowRequest], number: int | None) -> None:
     process = scheduler_process(cluster)
-    with pytest.raises(WorkersLostError, match=f"{cluster} (is gone|has had no workers)"):
-        list(lose(cluster, requests, lambda: os.kill(process, signal.SIGKILL)))
+    loss = (lambda: os.kill(process, number)) if number else (lambda: end_all(cluster))
+    with pytest.raises(WorkersLostError, match=f"{cluster} is gone, or has no workers any more; start"):
+        list(lose(cluster, requests, loss))

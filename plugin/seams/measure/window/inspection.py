@@ -116,8 +116,8 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
     every loss; without it they are looked for, and doubtful ones take part and are told. ``crs``: the reference system
     of all rasters (WKT, such as ``EPSG:2180``, its number, or what rasterio and pyproj have), whatever their files
     name; empty or None: what they name. ``nodata``: a value of pixels that are no measurements, in all bands and of all
-    rasters, beside those that the files name. ``neighbours``: sheets of the same mosaic on its pixel grid, any or
-    all of them; what they show within 2048 px of its border is looked at, and none of their seams is counted.
+    rasters, beside those that the files name. ``neighbours``: sheets of the same mosaic on its pixel grid, those
+    around or all; what they show within 2048 px of its border, or a block more, is looked at, not counted.
 
     What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
     ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
@@ -159,25 +159,25 @@ def paths_of(name: str, given: Iterable[PathLike] | PathLike) -> list[str]:
 def with_neighbours(sheet: Raster, neighbours: Iterable[str]) -> Raster:
     """A sheet of a mosaic with what other sheets show within ``NEIGHBOURS_PX`` of it; the sheet itself lies on top.
 
+    It begins where a block of all sheets together does, so that those that are measured are the blocks of the whole.
     Raises RasterError for one that can't be opened, SettingsError for one on another pixel grid.
     """
-    grid, border = sheet.grid, NEIGHBOURS_PX
-    around = grid.window_extent(PixelWindow(-border, -border, grid.columns + 2 * border, grid.rows + 2 * border))
-    parts, extents = [], [sheet.extent]
-    for path in neighbours:
-        other = placed(OpenRaster(replace(sheet.ref, path=path)).raster)
+    grid, side = sheet.grid, NEIGHBOURS_PX
+    others = [placed(OpenRaster(replace(sheet.ref, path=path)).raster) for path in neighbours]
+    for other in others:
         if not have_same_grid(sheet, other):
             raise SettingsError(messages.NEIGHBOUR_OF_OTHER_GRID(name=other.ref.name, sheet=sheet.ref.name))
-        if extents_meet(other.extent, around) and other.ref.path != sheet.ref.path:
-            parts.append(other.ref.path)
-            extents.append(other.extent)
-    if not parts:
-        return sheet
-    lefts, bottoms, rights, tops = zip(*extents)
-    bounds = (
-        max(min(lefts), around[0]), max(min(bottoms), around[1]), min(max(rights), around[2]), min(max(tops), around[3])
+    lefts, bottoms, rights, tops = zip(sheet.extent, *(other.extent for other in others))
+    starts = round(grid.column_at(min(lefts))), round(grid.row_at(max(tops)))
+    column, row = (start + side * max(0, -start // side - 1) for start in starts)
+    right, bottom = (
+        start + side * (1 - (start - length) // side) for start, length in zip(starts, (grid.columns, grid.rows))
     )
-    return describe_mosaic(replace(sheet.ref, parts=tuple(parts), bounds=bounds))
+    around = grid.window_extent(PixelWindow(column, row, right - column, bottom - row))
+    near = (other.ref.path for other in others if extents_meet(other.extent, around))
+    parts = tuple(path for path in near if path != sheet.ref.path)
+    bounds = around[0], max(min(bottoms), around[1]), min(max(rights), around[2]), around[3]
+    return describe_mosaic(replace(sheet.ref, parts=parts, bounds=bounds)) if parts else sheet
 
 
 def make_block(
