@@ -61,7 +61,7 @@ def verdicts_of(
     measure: str, values: Sequence[tuple[Extent | None, bool, float]], is_loss: bool = False
 ) -> Verdicts:
     """Verdicts of judged windows: where each lies, whether a loss was seen there, and the measure's value."""
-    places = find_neighbourhoods([extent for extent, _, _ in values], [seen for _, seen, _ in values])
+    places = find_neighbourhoods([extent for extent, _, _ in values])
     rows = [(seen, value, place) for (_, seen, value), place in zip(values, places)]
     return Verdicts(
         measure,
@@ -105,7 +105,7 @@ class ThresholdCalibration:
     area: Interval | None = None
     """Under the ROC curve; 0.5 is a guess, 1 is without fault. None with too few verdicts."""
     best: Step | None = None
-    """The threshold with the largest Youden index of fitted distributions; None where none is better than a guess."""
+    """The threshold with the largest Youden index of fitted distributions; None where it can't be set or is a guess."""
     best_range: tuple[float, float] | None = None
     """The interval of the best threshold of all windows like these, 95 %."""
     wanted: tuple[int, int] | None = None
@@ -142,15 +142,17 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     values = np.unique(np.concatenate([visible, invisible]))
     hits, vain = (np.searchsorted(np.sort(kind), values, side="right").tolist() for kind in (visible, invisible))
     steps = tuple(_step(*counts, len(visible), len(invisible)) for counts in zip(values.tolist(), hits, vain))
-    best, name = _best(verdicts, steps, fitted, most), verdicts.measure
+    name = verdicts.measure
+    reach = (fitted.high - fitted.low) * _ROUNDING
+    step = step_at(verdicts, min(_round_within(fitted.value, reach), most - _FINEST_STEP))
+    best = step if fitted.value < most and step.youden > 0 else None
     # The range of thresholds that can be set, the given one among them.
     ends = (min(fitted.low, best.threshold), max(min(fitted.high, most), best.threshold)) if best else None
     notices = (
         (area.low <= 0.5, messages.NO_BETTER_THAN_CHANCE(measure=name, low=area.low, high=area.high)),
         (area.value == 1, messages.VERDICTS_FULLY_APART(measure=name)),
-        (best is None, messages.NO_THRESHOLD(measure=name)),
-        (best is not None and fitted.value >= most,
-         messages.THRESHOLD_TOO_HIGH(measure=name, threshold=fitted.value, most=most)),
+        (fitted.value < most and best is None, messages.NO_THRESHOLD(measure=name)),
+        (fitted.value >= most, messages.THRESHOLD_TOO_HIGH(measure=name, threshold=fitted.value, most=most)),
         (is_one_place, messages.VERDICTS_IN_ONE_PLACE(measure=name)),
     )  # fmt: skip
     return ThresholdCalibration(
@@ -178,22 +180,6 @@ def _negative(verdicts: Verdicts) -> Verdicts:
 
 def _step(threshold: float, hits: int, vain: int, seen: int, unseen: int) -> Step:
     return Step(threshold, hits, vain, hits / seen, (unseen - vain) / unseen)
-
-
-def _best(verdicts: Verdicts, steps: tuple[Step, ...], fitted: Interval, most: float) -> Step | None:
-    """At the fitted threshold; where that can't be set or is but a guess, the best step of the judged windows."""
-    if fitted.value < most:
-        reach = min((fitted.high - fitted.low) * _ROUNDING, most - fitted.value)
-        step = step_at(verdicts, min(_round_within(fitted.value, reach), most - _FINEST_STEP))
-        if step.youden > 0:
-            return step
-    settable = [step for step in steps if step.threshold < most and step.youden > 0]
-    if not settable:
-        return None
-    best = max(settable, key=lambda step: step.youden)  # the first of several: it flags least
-    above = next((step.threshold for step in steps if step.threshold > best.threshold), most)
-    gap = min(above, most) - best.threshold
-    return step_at(verdicts, _round_within(best.threshold + gap / 2, gap / 4))
 
 
 def _round_within(middle: float, reach: float) -> float:

@@ -85,8 +85,6 @@ def _standard_error(area: float, visible: int, invisible: int) -> float:
 
 
 DEGREES_OF_FREEDOM = 1.5  # a neighbourhood less one: Welch 1947 has 1 to 2, by how alike both kinds' errors are
-
-_POWERS = 0.0, 0.2, 0.4, 0.6, 0.8, 1.0  # from the logarithm to the values as they are
 _LEAST_SPREAD = 0.02  # of all values' standard deviation: a kind whose values are all the same has some
 _REACH = 1.5  # standard deviations beyond both means that a threshold may lie
 _ALIKE = 1e-9  # share by which variances differ that are as good as equal
@@ -95,77 +93,49 @@ _ALIKE = 1e-9  # share by which variances differ that are as good as equal
 def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbourhoods) -> Interval:
     """The best threshold and its 95 % interval, from the spread of the thresholds of resampled neighbourhoods.
 
-    Few neighbourhoods tell their spread badly: therefore Student's distribution. No measure is negative, so no end is.
+    Of the values or, where those are likelier to be normal, of their logarithms. Few neighbourhoods tell their spread
+    badly: therefore Student's distribution. No measure is negative, so no end is.
     """
-    values = np.concatenate([visible, invisible])
+    kinds = [visible, invisible]
+    values = np.concatenate(kinds)
     if np.ptp(values) == 0:
         return Interval(*[float(values[0])] * 3)
-    is_positive = bool(values.min() > 0)
-    unit = math.exp(np.log(values).mean()) if is_positive else 1.0
-    kinds, powers = [visible / unit, invisible / unit], _POWERS if is_positive else _POWERS[-1:]
-    (middle,), (best,) = _thresholds(kinds, [np.ones((1, len(kind))) for kind in kinds], powers)
-    drawn, _ = _thresholds(kinds, neighbourhoods.resamples(), powers)
-    spread = float(_powered(drawn, powers[best]).std(ddof=1))
+    is_skewed = bool(values.min() > 0) and _unlikeliness(list(map(np.log, kinds))) + np.log(values).sum() < (
+        _unlikeliness(kinds)
+    )
+    straight = list(map(np.log, kinds)) if is_skewed else kinds
+    (middle,) = _thresholds(straight, [np.ones((1, len(kind))) for kind in kinds])
+    spread = float(_thresholds(straight, neighbourhoods.resamples()).std(ddof=1))
     count = max(neighbourhoods.fewest, 1.5)
     reach = spread * float(critical_t(0.95, max(DEGREES_OF_FREEDOM * (count - 1), 1)))
-    straight = float(_powered(middle, powers[best]))
-    low, high = (unit * float(_unpowered(straight + side * reach, powers[best])) for side in (-1, 1))
-    return Interval(unit * float(middle), max(low, min(0.0, float(values.min()))), high)
+    ends = [float(np.exp(end) if is_skewed else end) for end in (middle, middle - reach, middle + reach)]
+    return Interval(ends[0], max(ends[1], min(0.0, float(values.min()))), ends[2])
 
 
-def _thresholds(
-    kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray], powers: Sequence[float]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Best thresholds (resamples,) of both kinds' values (n,), weighted, (resamples, n), and the places of the powers
-    at which they are likeliest to be normal, the same for both kinds (Box and Cox 1964)."""
-    scaled = [_powered(kind, powers[0]) for kind in kinds]
-    spans = [(kind.mean() - _REACH * kind.std(), kind.mean() + _REACH * kind.std()) for kind in scaled]
-    first, last = (_unpowered(end, powers[0]) for end in (min(spans)[0], max(high for _, high in spans)))
-    likelihoods, thresholds = [], []
-    for power in powers:
-        straight = [_powered(kind, power) for kind in kinds]
-        least = _LEAST_SPREAD * float(np.concatenate(straight).std())
-        fitted = [_fitted(kind, weight, least) for kind, weight in zip(straight, weights)]
-        within = np.clip(_crossing(*fitted), _powered(first, power), _powered(last, power))
-        thresholds.append(_unpowered(within, power))
-        likelihoods.append(sum(
-            (power - 1) * (weight @ np.log(kind) if power < 1 else 0.0) - weight.sum(axis=1) * np.log(spread)
-            for kind, weight, (_, spread) in zip(kinds, weights, fitted)
-        ))
-    best = np.argmax(likelihoods, axis=0)
-    return np.array(thresholds)[best, np.arange(len(best))], best
+def _unlikeliness(kinds: Sequence[np.ndarray]) -> float:
+    """Negative logarithm of the likelihood that both kinds are normal, but for what is the same for all values."""
+    least = _LEAST_SPREAD * float(np.concatenate(kinds).std())
+    return sum(len(kind) * math.log(max(float(kind.std(ddof=1)), least)) for kind in kinds)
 
 
-def _fitted(values: np.ndarray, weights: np.ndarray, least: float) -> tuple[np.ndarray, np.ndarray]:
-    """Means and standard deviations, at least ``least``, of the normal distributions of values (n,), weighted,
-    (resamples, n)."""
-    count = weights.sum(axis=1)
-    mean = weights @ values / count
-    variance = (weights @ values**2 / count - mean**2) * count / (count - 1)
-    return mean, np.maximum(np.sqrt(np.maximum(variance, 0)), least)
-
-
-def _crossing(visible: tuple[np.ndarray, np.ndarray], invisible: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
-    """Thresholds with the largest Youden index of normal distributions by means and standard deviations: where both
-    densities are equal, which is in two places, or in one where they spread alike."""
-    (mean, spread), (other_mean, other_spread) = visible, invisible
+def _thresholds(kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray]) -> np.ndarray:
+    """Thresholds (resamples,) with the largest Youden index of the normal distributions of both kinds' values (n,),
+    weighted, (resamples, n): where both densities are equal, which is in two places, or in one where they spread
+    alike."""
+    least = _LEAST_SPREAD * float(np.concatenate(kinds).std())
+    fitted = []
+    for values, weight in zip(kinds, weights):
+        count = weight.sum(axis=1)
+        mean = weight @ values / count
+        variance = (weight @ values**2 / count - mean**2) * count / (count - 1)
+        fitted.append((mean, np.maximum(np.sqrt(np.maximum(variance, 0)), least)))
+    (mean, spread), (other_mean, other_spread) = fitted
     wider = other_spread**2 - spread**2
     is_alike = np.abs(wider) <= _ALIKE * (other_spread**2 + spread**2)
     middle = mean * other_spread**2 - other_mean * spread**2
     aside = spread * other_spread * np.sqrt((mean - other_mean) ** 2 + 2 * wider * np.log(other_spread / spread))
     first, second = ((middle + sign * aside) / np.where(is_alike, 1, wider) for sign in (1, -1))
     youden = (ndtr((place - mean) / spread) - ndtr((place - other_mean) / other_spread) for place in (first, second))
-    return np.where(is_alike, (mean + other_mean) / 2, np.where(np.greater_equal(*youden), first, second))
-
-
-def _powered(values: np.ndarray, power: float) -> np.ndarray:
-    """Box and Cox 1964: (x^power - 1) / power, the logarithm for 0."""
-    return np.log(values) if power == 0 else (values**power - 1) / power
-
-
-def _unpowered(numbers: np.ndarray, power: float) -> np.ndarray:
-    """The values that ``_powered`` moved there, 0 where it reaches none."""
-    if power == 0:
-        return np.exp(numbers)
-    inside = 1 + power * numbers
-    return np.asarray(inside if power == 1 else np.maximum(inside, 0.0) ** (1 / power))
+    best = np.where(is_alike, (mean + other_mean) / 2, np.where(np.greater_equal(*youden), first, second))
+    lows, highs = zip(*((kind.mean() - _REACH * kind.std(), kind.mean() + _REACH * kind.std()) for kind in kinds))
+    return np.clip(best, min(lows), max(highs))
