@@ -100,35 +100,39 @@ def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: N
     values = np.concatenate(kinds)
     if np.ptp(values) == 0:
         return Interval(*[float(values[0])] * 3)
-    is_skewed = bool(values.min() > 0) and _unlikeliness(list(map(np.log, kinds))) + np.log(values).sum() < (
-        _unlikeliness(kinds)
-    )
-    straight = list(map(np.log, kinds)) if is_skewed else kinds
-    (middle,) = _thresholds(straight, [np.ones((1, len(kind))) for kind in kinds])
-    spread = float(_thresholds(straight, neighbourhoods.resamples()).std(ddof=1))
+    (middle,), (is_skewed,) = _thresholds(kinds, [np.ones((1, len(kind))) for kind in kinds])
+    drawn, _ = _thresholds(kinds, neighbourhoods.resamples())
+    spread = float((np.log(drawn.clip(np.finfo(float).tiny)) if is_skewed else drawn).std(ddof=1))
     count = max(neighbourhoods.fewest, 1.5)
     reach = spread * float(critical_t(0.95, max(DEGREES_OF_FREEDOM * (count - 1), 1)))
-    ends = [float(np.exp(end) if is_skewed else end) for end in (middle, middle - reach, middle + reach)]
-    return Interval(ends[0], max(ends[1], min(0.0, float(values.min()))), ends[2])
+    low, high = (float(middle * np.exp(end) if is_skewed else middle + end) for end in (-reach, reach))
+    return Interval(float(middle), max(low, min(0.0, float(values.min()))), high)
 
 
-def _unlikeliness(kinds: Sequence[np.ndarray]) -> float:
-    """Negative logarithm of the likelihood that both kinds are normal, but for what is the same for all values."""
+def _thresholds(kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Best thresholds (resamples,) of both kinds' values (n,), weighted, (resamples, n), and whether the logarithms are
+    likelier to be normal."""
+    crossings, unlikely = _crossings(kinds, weights)
+    if min(kind.min() for kind in kinds) <= 0:
+        return crossings, np.zeros(len(crossings), bool)
+    logs = list(map(np.log, kinds))
+    of_logs, unlikely_logs = _crossings(logs, weights)
+    is_skewed = unlikely_logs + sum(weight @ log for weight, log in zip(weights, logs)) < unlikely
+    return np.where(is_skewed, np.exp(of_logs), crossings), is_skewed
+
+
+def _crossings(kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Thresholds (resamples,) with the largest Youden index of the normal distributions of both kinds' values: where
+    both densities are equal, which is in two places, or in one where they spread alike; and how unlikely the values
+    are, the logarithm."""
     least = _LEAST_SPREAD * float(np.concatenate(kinds).std())
-    return sum(len(kind) * math.log(max(float(kind.std(ddof=1)), least)) for kind in kinds)
-
-
-def _thresholds(kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray]) -> np.ndarray:
-    """Thresholds (resamples,) with the largest Youden index of the normal distributions of both kinds' values (n,),
-    weighted, (resamples, n): where both densities are equal, which is in two places, or in one where they spread
-    alike."""
-    least = _LEAST_SPREAD * float(np.concatenate(kinds).std())
-    fitted = []
+    fitted, unlikely = [], np.zeros(len(weights[0]))
     for values, weight in zip(kinds, weights):
         count = weight.sum(axis=1)
         mean = weight @ values / count
         variance = (weight @ values**2 / count - mean**2) * count / (count - 1)
         fitted.append((mean, np.maximum(np.sqrt(np.maximum(variance, 0)), least)))
+        unlikely += count * np.log(fitted[-1][1])
     (mean, spread), (other_mean, other_spread) = fitted
     wider = other_spread**2 - spread**2
     is_alike = np.abs(wider) <= _ALIKE * (other_spread**2 + spread**2)
@@ -138,4 +142,4 @@ def _thresholds(kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray]) -> n
     youden = (ndtr((place - mean) / spread) - ndtr((place - other_mean) / other_spread) for place in (first, second))
     best = np.where(is_alike, (mean + other_mean) / 2, np.where(np.greater_equal(*youden), first, second))
     lows, highs = zip(*((kind.mean() - _REACH * kind.std(), kind.mean() + _REACH * kind.std()) for kind in kinds))
-    return np.clip(best, min(lows), max(highs))
+    return np.clip(best, min(lows), max(highs)), unlikely
