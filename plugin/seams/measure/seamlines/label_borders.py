@@ -47,26 +47,16 @@ _DISK = sorted(
 def _gaps_closed(labels: np.ndarray) -> np.ndarray:
     """Narrow strips without labels filled by the nearest one; the outline of what has labels stays as it is."""
     empty = labels == NONE
-    if not empty.any():
-        return labels
-    wide = _spread(~_spread(~empty))  # what a disk finds room in
-    narrow = np.argwhere(empty & ~wide)
-    out, around = labels.copy(), np.pad(labels, _GAP, constant_values=NONE)
+    far = ndimage.distance_transform_edt(empty) > _GAP
+    if far.any():  # what a disk finds room in stays
+        empty &= ndimage.distance_transform_edt(~far) > _GAP
+    narrow, out, around = np.argwhere(empty), labels.copy(), np.pad(labels, _GAP, constant_values=NONE)
     for down, across in _DISK:
         row, column = narrow.T
         around_label = around[row + down + _GAP, column + across + _GAP]
         out[row, column] = around_label
         narrow = narrow[around_label == NONE]
     return out
-
-
-def _spread(mask: np.ndarray) -> np.ndarray:
-    """What lies within ``_GAP`` of a mask, bool."""
-    rows, columns = mask.shape
-    around, spread = np.pad(mask, _GAP), np.zeros(mask.shape, bool)
-    for down, across in _DISK:
-        spread |= around[down + _GAP : down + _GAP + rows, across + _GAP : across + _GAP + columns]
-    return spread
 
 
 def _outvoted(labels: np.ndarray) -> np.ndarray:
@@ -97,17 +87,19 @@ def _islands_filled(labels: np.ndarray, island: int) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class LabelBorder:
-    """One border between two labels, from one junction to the next, or a ring."""
+class SourceBorder:
+    """A border of what follows one source, from one junction to the next, or a ring; seams are those that have a source
+    on either side."""
 
-    nodes: np.ndarray
-    """(n, 2) int64, n >= 2: row and column of sample corners; first and last are equal when it is a ring."""
+    vertices: np.ndarray
+    """(n, 2) float64, n >= 2, first and last equal when it is a ring: columns and rows of sample corners, or map units
+    once it is traced."""
     left: int
-    """The label on the left hand of who walks along it, the lower one; ``NONE`` where it is an outline."""
+    """Number of the source on the left hand of who walks along it, the lower one; ``NONE`` where it is an outline."""
     right: int
-    """The label on the right hand."""
+    """Number of the source on the right hand."""
     keys: tuple[int, int]
-    """What its two ends are known by: borders with an end of the same key meet there."""
+    """What its ends are known by: borders with an end of the same key meet there."""
 
 
 @dataclass(frozen=True)
@@ -156,15 +148,16 @@ def tile_edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:
     return _edges(np.pad(labels, margins, constant_values=NONE)[:-1], tile)
 
 
-def joined_borders(edges: np.ndarray, columns: int) -> list[LabelBorder]:
+def joined_borders(edges: np.ndarray, columns: int) -> list[SourceBorder]:
     """The borders that the edges of all tiles, (4, n), make, outlines included, by the nodes where they begin;
     ``columns`` of the whole mosaic."""
     start, stop, left, right = edges
     borders = []
     for group in _chained(start, stop):
         nodes = np.append(start[group], stop[group[-1]])
-        places, sides = np.column_stack(np.divmod(nodes // 2, columns + 1)), (int(left[group[0]]), int(right[group[0]]))
-        borders.append(LabelBorder(places, *sides, (int(nodes[0]), int(nodes[-1]))))
+        row, column = np.divmod(nodes // 2, columns + 1)
+        sides, keys = (int(left[group[0]]), int(right[group[0]])), (int(nodes[0]), int(nodes[-1]))
+        borders.append(SourceBorder(np.column_stack([column, row]).astype(float), *sides, keys))
     return sorted(borders, key=lambda border: (border.keys, border.left, border.right))
 
 
