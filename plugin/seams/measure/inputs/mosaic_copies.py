@@ -44,7 +44,11 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     these is like it.
     """
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
-    doubts = {n: messages.COPY_AMONG_SOURCES for n in on_mosaic if is_made_of(sources[n].ref, mosaic.ref)}
+    parts = {n: vrt_parts(path) if os.path.isfile(path := sources[n].ref.path) else () for n in on_mosaic}
+    doubts = {
+        n: messages.COPY_AMONG_SOURCES for n in on_mosaic
+        if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])
+    }
     if candidates := [n for n in on_mosaic if n not in doubts]:
         with RasterPool() as pool:
             comparison = _Comparison(mosaic, sources, pool)
@@ -182,8 +186,3 @@ def covered_share(first: Extent, second: Extent) -> float:
     height = min(first[3], second[3]) - max(first[1], second[1])
     area = (first[2] - first[0]) * (first[3] - first[1])
     return max(width, 0.0) * max(height, 0.0) / area if area > 0 else 0.0
-
-
-def is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:
-    """Whether a raster is a VRT that names the mosaic."""
-    return os.path.isfile(ref.path) and any(is_same_file(RasterRef(part), mosaic) for part in vrt_parts(ref.path))
