@@ -14,10 +14,12 @@ from scipy import stats
 from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     STANDARD_LIMITS,
     Verdicts,
+    area_interval,
     calibrate,
+    roc_area,
     step_at,
+    wanted_verdicts,
 )
-from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import area_interval, roc_area, wanted_verdicts
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
