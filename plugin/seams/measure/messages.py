@@ -4,10 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 # settings
-MAX_RATIO_OUT_OF_RANGE = Message("The largest ratio of a significant loss is {ratio}; give a number between 0 and 1.")
-MIN_KEPT_OUT_OF_RANGE = Message(
-    "The smallest share of detail that a seam has to keep is {kept}; give a number between 0 and 1."
-)
+LIMIT_OUT_OF_RANGE = Message("{name} is {limit}; give a number between 0 and 1.")
 REFERENCE_UNKNOWN = Message("A verdict can't be given against '{reference}'; choose one of {known}.")
 # the mosaic, its sources and its seamlines
 NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
