@@ -132,15 +132,9 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     """
     if request.extent is None:
         return not_foretold(request, request.reason)
-    sources: list[OpenRaster] = []
-    unreadable: list[Message] = []
-    for source in request.sources:
-        try:
-            raster = OpenRaster(source.ref)
-            placed(raster.raster)
-            sources.append(raster)
-        except RasterError as error:
-            unreadable.append(error.message.as_warning())
+    opened = one_by_one((source.ref, _on_map) for source in request.sources)
+    sources = [raster for raster in opened if isinstance(raster, OpenRaster)]
+    unreadable = [error.message.as_warning() for error in opened if isinstance(error, RasterError)]
     # The band that most are judged by, so that a source of other bands does not cost all the others.
     counts = Counter(source.raster.judged_band for source in sources)
     band = counts.most_common(1)[0][0] if counts else ""
@@ -172,6 +166,11 @@ def forecast_window(request: ForecastRequest) -> Forecast:
         _reason(len(clips), expected, notices),
         (*notices, *assumed),
     )
+
+
+def _on_map(raster: OpenRaster) -> OpenRaster:
+    placed(raster.raster)
+    return raster
 
 
 def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:

@@ -29,14 +29,6 @@ _SIGMA = 1.5  # samples, 6 px: of the neighbourhood whose majority counts; error
 _ISLAND_PX2 = 600  # px squared: what is smaller says nothing of a seam, and is an error as often as not
 
 
-def cleaned(labels: np.ndarray, label_px: int) -> np.ndarray:
-    """(rows, columns) int of samples of ``label_px``: narrow gaps are closed, single wrong labels outvoted by their
-    neighbours, and islands of less than 600 px squared given to what lies around them."""
-    if not labels.size or (labels == labels[0, 0]).all():
-        return labels
-    return _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
-
-
 _DISK = sorted(
     ((down, across) for down in range(-_GAP, _GAP + 1) for across in range(-_GAP, _GAP + 1)
      if down**2 + across**2 <= _GAP**2),
@@ -124,28 +116,25 @@ class LabelTile:
 
 
 def cleaned_edges(labels: np.ndarray, tile: LabelTile, label_px: int) -> np.ndarray:
-    """The edges of a tile of labels that are not cleaned, (rows, columns) of ``tile.around(MARGIN)``."""
-    place = tuple(
-        slice(inner.start - outer.start, inner.stop - outer.start)
-        for inner, outer in zip(tile.around(1), tile.around(MARGIN))
-    )
-    return tile_edges(cleaned(labels, label_px)[place], tile)
-
-
-def tile_edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:
     """A tile's own edges: those within it, on its upper and its left side, and on the mosaic's outline.
 
-    ``labels``: (rows, columns) of ``tile.around(1)``. Returns (4, n) int64: first and last node, left and right label;
-    a node is twice its number, plus 1 for the second of two in one place.
+    ``labels``: (rows, columns) int of samples of ``label_px``, of ``tile.around(MARGIN)``. First, narrow gaps are
+    closed, single wrong labels outvoted by their neighbours, and islands of less than 600 px squared given to what lies
+    around them. Returns (4, n) int64: first and last node, left and right label; a node is twice its number, plus 1 for the
+    second of two in one place.
     """
-    margins = []
-    for around, first, length, end in zip(
-        tile.around(1), (tile.row, tile.column), (tile.height, tile.width), (tile.rows, tile.columns)
+    if (labels != labels[:1, :1]).any():
+        labels = _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
+    places, margins = [], []
+    for inner, outer, first, length, end in zip(
+        tile.around(1), tile.around(MARGIN), (tile.row, tile.column), (tile.height, tile.width),
+        (tile.rows, tile.columns),
     ):
+        places.append(slice(inner.start - outer.start, inner.stop - outer.start))
         # Of the last tile the sample beyond is its own: there is nothing, and the outline lies before it.
         last = first + length + (first + length == end)
-        margins.append((around.start - first + 1, last + 1 - around.stop))
-    return _edges(np.pad(labels, margins, constant_values=NONE)[:-1], tile)
+        margins.append((inner.start - first + 1, last + 1 - inner.stop))
+    return _edges(np.pad(labels[tuple(places)], margins, constant_values=NONE)[:-1], tile)
 
 
 def joined_borders(edges: np.ndarray, columns: int) -> list[SourceBorder]:
