@@ -120,8 +120,8 @@ def cleaned_edges(labels: np.ndarray, tile: LabelTile, label_px: int) -> np.ndar
 
     ``labels``: (rows, columns) int of samples of ``label_px``, of ``tile.around(MARGIN)``. First, narrow gaps are
     closed, single wrong labels outvoted by their neighbours, and islands of less than 600 px squared given to what lies
-    around them. Returns (4, n) int64: first and last node, left and right label; a node is twice its number, plus 1 for the
-    second of two in one place.
+    around them. Returns (4, n) int64: first and last node, left and right label; a node is twice its number, plus 1
+    for the second of two in one place.
     """
     if (labels != labels[:1, :1]).any():
         labels = _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
