@@ -36,16 +36,16 @@ def find_neighbourhoods(extents: Sequence[Extent | None]) -> list[int]:
     centres = np.column_stack([left + right, bottom + top]) / 2 / np.where(sides > 0, sides, 1)
     pairs = cKDTree(centres).query_pairs(LINK_SIDES, p=np.inf, output_type="ndarray")
     links = coo_matrix((np.ones(len(pairs), bool), (pairs[:, 0], pairs[:, 1])), shape=(len(placed),) * 2)
-    blocks = np.zeros((len(extents), 4), np.int64)  # alone or not, and the group with row and column of the block in it
-    blocks[:, 1] = np.arange(len(extents))
-    for number, group in enumerate(connected_components(links, directed=False)[1]):
-        blocks[placed[number], :2] = 1, group
-    for group in np.unique(blocks[placed, 1]):
-        members = np.flatnonzero(blocks[placed, 1] == group)
+    count, groups = connected_components(links, directed=False)
+    numbers, blocks = list(range(len(extents))), {}
+    for group in range(count):
+        members = np.flatnonzero(groups == group)
         away = centres[members] - centres[members].min(axis=0)
         length = away.max(axis=0) + 1
-        blocks[np.array(placed)[members], 2:] = away // (length / np.ceil(length / LONGEST_SIDES))
-    return np.unique(blocks, axis=0, return_inverse=True)[1].ravel().tolist()
+        block = away // (length / np.ceil(length / LONGEST_SIDES))
+        for member, key in zip(members.tolist(), map(tuple, block.tolist())):
+            numbers[placed[member]] = blocks.setdefault((group, key), len(extents) + len(blocks))
+    return np.unique(numbers, return_inverse=True)[1].tolist()
 
 
 def effective_count(places: Sequence[int] | np.ndarray) -> float:
