@@ -37,7 +37,8 @@ def find_neighbourhoods(extents: Sequence[Extent | None]) -> list[int]:
     pairs = cKDTree(centres).query_pairs(LINK_SIDES, p=np.inf, output_type="ndarray")
     links = coo_matrix((np.ones(len(pairs), bool), (pairs[:, 0], pairs[:, 1])), shape=(len(placed),) * 2)
     count, groups = connected_components(links, directed=False)
-    numbers, blocks = list(range(len(extents))), {}
+    numbers = list(range(len(extents)))
+    blocks: dict[tuple[int, tuple[float, ...]], int] = {}
     for group in range(count):
         members = np.flatnonzero(groups == group)
         away = centres[members] - centres[members].min(axis=0)
