@@ -21,7 +21,7 @@ from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
 from ..seamlines.seam_pieces import SeamPiece
 from .lone_blocks import ZONES_PX
-from .lone_stretches import GROUND, GROUND_PX, STRETCH_PX, STRIP, STRIP_PX, LoneStretches
+from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, LoneStretches, ground_of
 from .scan_result import JudgedPiece, state_by
 
 EXCESS, DECAY = 1.5, 0.75
@@ -77,29 +77,15 @@ class LoneSeams:
         self.seam_ids = tuple(seam_ids)
         order = np.argsort(stretches.piece, kind="stable")
         self._stretches = stretches.chosen(order)
-        seams = np.asarray(seam_ids, dtype=np.intp)[self._stretches.piece]
-        in_runs = runs_of(seams, np.ones(len(seams)), _RUN)
-        self._run = np.repeat(np.arange(len(in_runs)), list(map(len, in_runs)))
-        least = _LEAST_AREA * self._stretches.length_px
-        area, width = self._stretches.area, GROUND_PX[1] - GROUND_PX[0]
-        self._usable = (area[0] >= least * 2 * STRIP_PX) & (area[GROUND] >= least * width).all(axis=0)
-        self._usable &= (self._stretches.plain[GROUND] > 0).all(axis=0)
-        self._selection, self._scatter = 0.0, None
-        self._variance = np.zeros(len(self._stretches))
-        used = np.flatnonzero(self._usable)
-        if not len(used):
-            return
-        self._selection = SELECTION * (self._compared(used, plain=True)[0] - self._compared(used)[0])
-        runs, first = np.unique(self._run[used], return_index=True)
-        sums, counts = np.zeros(self._run[-1] + 1), np.zeros(self._run[-1] + 1)
-        for run, chosen in zip(runs, np.split(used, first[1:])):
-            if len(chosen) > 1:
-                influence = self._compared(chosen)[1]
-                sums[run] = len(chosen) ** 2 * (influence**2).sum()  # of one stretch, times their number less one
-                counts[run] = len(chosen) - 1
-        if counts.any():
-            self._scatter = float(sums.sum() / counts.sum())
-            self._variance = ((sums + self._scatter * _BORROWED) / (counts + _BORROWED))[self._run]
+        self._seam = np.asarray(seam_ids, dtype=np.intp)[self._stretches.piece]
+        runs = runs_of(self._seam, np.ones(len(self._seam)), _RUN)
+        self._run = np.repeat(np.arange(len(runs)), list(map(len, runs)))
+        self.range = 0
+        """Place in ``RANGES_PX`` of what the strips are compared with."""
+        self._prepare()
+        if self._reaches_beyond():
+            self.range = 1
+            self._prepare()
 
     def kept(self, pieces: Sequence[int] | None = None) -> LoneKept | None:
         """What some pieces kept together, or all; None where too little of them or of the ground can be measured."""
@@ -133,6 +119,34 @@ class LoneSeams:
         """How much the upper end of log kept is raised for seams that are led through smooth ground."""
         return max(-self._selection, 0.0) + (0.0 if self._stretches.has_colour.all() else COLOURLESS)
 
+    def _has_ground(self, range_: int) -> np.ndarray:
+        """Stretches with enough ground on both sides, (n,) bool."""
+        s, parts, (near, far) = self._stretches, ground_of(range_), RANGES_PX[range_]
+        return np.asarray(
+            ((s.area[parts] >= _LEAST_AREA * (far - near) * s.length_px) & (s.plain[parts] > 0)).all(axis=0)
+        )
+
+    def _prepare(self) -> None:
+        """The stretches that take part, and what the intervals of all pieces follow from."""
+        s = self._stretches
+        self._usable = (s.area[0] >= _LEAST_AREA * 2 * STRIP_PX * s.length_px) & self._has_ground(self.range)
+        self._selection, self._scatter = 0.0, None
+        self._variance = np.zeros(len(s))
+        used = np.flatnonzero(self._usable)
+        if not len(used):
+            return
+        self._selection = SELECTION * (self._compared(used, plain=True)[0] - self._compared(used)[0])
+        runs, first = np.unique(self._run[used], return_index=True)
+        sums, counts = np.zeros(self._run[-1] + 1), np.zeros(self._run[-1] + 1)
+        for run, chosen in zip(runs, np.split(used, first[1:])):
+            if len(chosen) > 1:
+                influence = self._compared(chosen)[1]
+                sums[run] = len(chosen) ** 2 * (influence**2).sum()  # of one stretch, times their number less one
+                counts[run] = len(chosen) - 1
+        if counts.any():
+            self._scatter = float(sums.sum() / counts.sum())
+            self._variance = ((sums + self._scatter * _BORROWED) / (counts + _BORROWED))[self._run]
+
     def _kept(self, chosen: np.ndarray) -> LoneKept | None:
         """What some stretches kept."""
         if not len(chosen) or self._scatter is None:
@@ -146,13 +160,17 @@ class LoneSeams:
         width = self._width_px(chosen) if high < 1 and kept < BAND_KEPT else 0.0
         return LoneKept(kept, float(low), float(high), width, float(self._stretches.length_px[chosen].sum()))
 
-    def _compared(self, chosen: np.ndarray, plain: bool = False) -> tuple[float, np.ndarray]:
-        """Logarithm of the strip over the ground on both sides, and what each stretch adds to it; ``plain``: of the
-        detail as it is."""
+    def _compared(self, chosen: np.ndarray, plain: bool = False, beyond: bool = False) -> tuple[float, np.ndarray]:
+        """Logarithm of the strip over the ground on both sides, and what each stretch adds to it.
+
+        ``plain``: as the detail is; ``beyond``: not of the strip but of the nearer ground, over that farther off.
+        """
         s = self._stretches
         area, values = (by_stretch[:, chosen] for by_stretch in (s.area, s.plain if plain else s.matched))
         influence, log_kept = np.zeros(len(chosen)), 0.0
-        for sign, parts in ((1, STRIP), (-1, GROUND)):
+        for sign, parts in (
+            (1, ground_of(0) if beyond else STRIP), (-1, ground_of(1 if beyond else self.range)),
+        ):
             weights = area[parts] / area[parts].sum(axis=1, keepdims=True)
             means = (weights * values[parts]).sum(axis=1)
             level = max(float(means.mean()), 1e-12)
@@ -174,11 +192,24 @@ class LoneSeams:
             variance = max(variance, between)
         return float(np.sqrt(variance + LEAST_ERROR**2))
 
+    def _reaches_beyond(self) -> bool:
+        """Whether, beside a loss along the seams, the nearer ground has lost detail itself."""
+        whole = self.kept()
+        if whole is None or not whole.tells_loss:
+            return False
+        chosen = np.flatnonzero(self._usable & self._has_ground(1))
+        if len(np.unique(self._run[chosen])) < _FEWEST_RUNS:
+            return False
+        log_kept, influence = self._compared(chosen, beyond=True)
+        plain, _ = self._compared(chosen, plain=True, beyond=True)
+        error = self._error(chosen, influence)
+        return bool(log_kept + _quantile(_BORROWED) * error + SELECTION * max(log_kept - plain, 0.0) < 0)
+
     def _width_px(self, chosen: np.ndarray) -> float:
         """Width of the band along some stretches."""
-        s = self._stretches
-        areas = s.area[GROUND, chosen]
-        level = (areas * s.matched[GROUND, chosen]).sum(axis=1) / areas.sum(axis=1)
+        s, ground = self._stretches, ground_of(self.range)
+        areas = s.area[ground, chosen]
+        level = (areas * s.matched[ground, chosen]).sum(axis=1) / areas.sum(axis=1)
         bins = []
         for zone, (near, far) in enumerate(zip(ZONES_PX, ZONES_PX[1:])):
             area = s.zone_area[zone, chosen]

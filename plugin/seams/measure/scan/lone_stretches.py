@@ -22,17 +22,22 @@ STRETCH_PX = 64.0
 """Pieces are cut evenly into stretches of about this length; how much these differ tells the interval."""
 STRIP_PX = 8
 """Width on either side of the seam that kept_1 is of."""
-GROUND_PX = (16, 64)
-"""Distances of the ground that the strip is compared with."""
+RANGES_PX = ((16, 64), (64, 128))
+"""Ground that the strip is compared with; the second where feathers reach beyond the first."""
 FEWEST_CELLS = 250
 """Fewest cells of ground; with fewer in a tile and beside it, what is expected is found from all cells of the table."""
 
 _TILE_CELLS = 64  # what is expected is found anew in each tile of so many cells a side
 _BESIDE_CELLS = 32  # and from cells up to so far beside it
 _LEAST_PART_PX = 32.0  # area of a part: smaller ones have fewer than 8 coefficients in each direction
-STRIP, GROUND = slice(0, 1), slice(1, 3)
-"""Places of the strip, and of the ground on the left and on the right, among the parts of stretches."""
-_PARTS = 3
+STRIP = slice(0, 1)
+"""Place of the strip among the parts of stretches; those of the ground follow, left and right of each range."""
+_PARTS = 1 + 2 * len(RANGES_PX)
+
+
+def ground_of(range_: int) -> slice:
+    """Places of the ground on both sides among the parts of stretches; ``range_``: place in ``RANGES_PX``."""
+    return slice(1 + 2 * range_, 3 + 2 * range_)
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,8 +107,9 @@ def lone_stretches(
     # The strip's parts of a cell are one: smaller ones would be capped oftener than the cells of the ground.
     part = np.full(len(table.zone), -1)
     part[table.zone < ZONES_PX.index(STRIP_PX)] = 0
-    beside = (table.zone >= ZONES_PX.index(GROUND_PX[0])) & (table.zone < ZONES_PX.index(GROUND_PX[1]))
-    part[beside] = GROUND.start + ~seam.on_left[table.cell[beside]]
+    for range_, (near, far) in enumerate(RANGES_PX):
+        there = (table.zone >= ZONES_PX.index(near)) & (table.zone < ZONES_PX.index(far))
+        part[there] = ground_of(range_).start + ~seam.on_left[table.cell[there]]
     used = belongs & (part >= 0)
     key, merged = np.unique(table.cell[used].astype(np.int64) * _PARTS + part[used], return_inverse=True)
     cell, part = np.divmod(key, _PARTS)
@@ -138,7 +144,7 @@ def _means(
 
 def _expected(table: LoneTable) -> np.ndarray:
     """The finest energy a pixel that ground like each cell's has, (cells,)."""
-    far = table.zone >= ZONES_PX.index(GROUND_PX[0])
+    far = table.zone >= ZONES_PX.index(RANGES_PX[0][0])
     area = np.bincount(table.cell[far], table.area[far], len(table))
     energy = np.bincount(table.cell[far], table.energy[far], len(table)) / np.maximum(area, 1)
     known = area >= _LEAST_PART_PX

@@ -135,6 +135,15 @@ def test_without_colour_more_has_to_be_lost(made: LoneMosaic) -> None:
     assert one.high == pytest.approx(np.exp(COLOURLESS) * three.high, rel=0.02)
 
 
+@pytest.mark.slow
+def test_a_wide_feather_is_compared_with_what_lies_beyond() -> None:
+    """Where there is enough seam to tell."""
+    mosaic = lone_mosaic(seed=1, rows=4096, uneven=0.2)
+    wide, narrow, hard = (mosaic.seams(mosaic.blended(width)) for width in (120, 48, 0))
+    assert (wide.range, narrow.range, hard.range) == (1, 0, 0)
+    assert whole(wide).kept < 0.75
+
+
 # --- intervals and verdicts ------------------------------------------------------------------------------------
 
 
