@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy import stats
 from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods, find_neighbourhoods
-from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import best_threshold
+from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import best_threshold
 
 from .timing import print_table
 
@@ -72,7 +72,7 @@ class Layout:
             kinds = random.permutation(kinds)
         own = random.normal(size=len(kinds))
         if self.is_row:
-            return population.values(self._along(own), kinds), kinds, self._blocks(kinds)
+            return population.values(self._along(own), kinds), kinds, self._blocks(len(kinds))
         places = np.arange(len(kinds)) // self.size
         shared = random.normal(size=places.max() + 1)[places]
         effects = np.sqrt(self.correlation) * shared + np.sqrt(1 - self.correlation) * own
@@ -86,10 +86,9 @@ class Layout:
         return effects
 
     @staticmethod
-    def _blocks(kinds: np.ndarray) -> np.ndarray:
+    def _blocks(count: int) -> np.ndarray:
         """Neighbourhoods as the product makes them of the windows' outlines."""
-        extents = [(200.0 * place, 0.0, 200.0 * place + 100, 100.0) for place in range(len(kinds))]
-        return np.array(find_neighbourhoods(extents, kinds.tolist()))
+        return np.array(find_neighbourhoods([(200.0 * k, 0.0, 200.0 * k + 100, 100.0) for k in range(count)]))
 
 
 def _normals(name: str, area: float, visible: float = 0.15, invisible: float = 0.15, step: float = 0.0) -> Population:

@@ -25,7 +25,7 @@ from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
 from .measure.seamlines.given_seams import GivenSeams, given_seams
 from .measure.seamlines.seam_features import SeamFeature
 from .measure.source_images import Source
-from .measure.window.inspection import inspect_one, inspect_windows
+from .measure.window.inspection import inspect_in_stages, inspect_windows
 from .measure.window.measured_window import MeasureWindow, measure_window
 from .measure.window.window_request import WindowRequest
 from .measure.window.window_result import WindowClips
@@ -40,7 +40,7 @@ def inspection_job(requests: Iterable[WindowRequest], count: int, measure: Measu
 
     def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         if count == 1:
-            for measured in inspect_one(next(iter(requests)), measure):
+            for measured in inspect_in_stages(next(iter(requests)), measure):
                 yield (0.0, Ahead(measured)) if isinstance(measured, WindowClips) else (1.0, measured)
                 if cancelled():
                     return

@@ -16,7 +16,7 @@ from ...imagery.limits import COLOURS, LUMINANCE, has_colours
 from ...imagery.rasters import Raster
 from ...imagery.shifts import Shift, Spectra
 from ...imagery.wavelets import Curve, judged_plane
-from .tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
+from .tone import Tone, clipped_share, coarse_means, fit_tones
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +143,8 @@ def measure_changes(
     mosaic: ComparedImage, other: ComparedImage, tones: Mapping[str, Tone | None], shift: Shift | None
 ) -> dict[str, Change]:
     """Changes by band, the judged one first. Of a source that covers the window only partly there is no contrast."""
-    clipped = {name: _clipped(mosaic, other, band) for band, name in enumerate(mosaic.names)}
+    where = slice(None) if other.valid is None else (other.valid, np.newaxis)
+    clipped = {name: clipped_share(a[where], b[where]) for name, a, b in zip(mosaic.names, mosaic.bands, other.bands)}
     clipped[LUMINANCE] = max(clipped.values())
     nothing = (None,) * len(next(iter(mosaic.curves.values())).detail)
     return {
@@ -160,15 +161,8 @@ def measure_changes(
 
 def gains_of_colours(tones: Mapping[str, Tone | None]) -> float | None:
     """Largest over smallest gain of the colours; None without colours."""
-    gains = [tone.gain for tone in (tones.get(name) for name in COLOURS) if tone is not None]
-    return colour_shift(gains) if len(gains) == len(COLOURS) else None
-
-
-def _clipped(mosaic: ComparedImage, other: ComparedImage, band: int) -> float:
-    if other.valid is None:
-        return clipped_share(mosaic.bands[band], other.bands[band])
-    valid = other.valid
-    return clipped_share(mosaic.bands[band][valid][np.newaxis], other.bands[band][valid][np.newaxis])
+    gains = [abs(tone.gain) for tone in (tones.get(name) for name in COLOURS) if tone is not None]
+    return max(gains) / min(gains) if len(gains) == len(COLOURS) and min(gains) > 0 else None
 
 
 def _contrast(mosaic: Curve, source: Curve) -> tuple[float | None, ...]:

@@ -4,10 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 # settings
-MAX_RATIO_OUT_OF_RANGE = Message("The largest ratio of a significant loss is {ratio}; give a number between 0 and 1.")
-MIN_KEPT_OUT_OF_RANGE = Message(
-    "The smallest share of detail that a seam has to keep is {kept}; give a number between 0 and 1."
-)
+LIMIT_OUT_OF_RANGE = Message("{name} is {limit}; give a number between 0 and 1.")
 REFERENCE_UNKNOWN = Message("A verdict can't be given against '{reference}'; choose one of {known}.")
 # the mosaic, its sources and its seamlines
 NO_MOSAIC = Message("No mosaic is chosen; choose the mosaic in the inputs.")
@@ -192,12 +189,11 @@ VERDICTS_WITHOUT_OUTLINE = Message(
     "narrow; use the window layer itself.", WARNING
 )
 NO_THRESHOLD = Message(
-    "{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another "
-    "measure.", WARNING
+    "{measure}: no threshold is better than a guess; look at the verdicts again, or use another measure.", WARNING
 )
 THRESHOLD_TOO_HIGH = Message(
-    "{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set; the "
-    "best below that is given.", WARNING
+    "{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set.",
+    WARNING
 )
 # the report
 NO_REPORT_FILE = Message("No file is given for the report; choose where it is to be written.")
@@ -298,10 +294,6 @@ SEAM_POLYGONS_REPAIRED = Message(
 SEAM_POLYGONS_OVERLAP = Message(
     "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on "
     "top, so no seam is measured there.", WARNING
-)
-SEAM_POLYGONS_OVERLAP_NAMED = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); it is unknown "
-    "which lies on top, so no seam is measured there.", WARNING
 )
 SEAM_POLYGONS_GAPE = Message(
     "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not "

@@ -5,7 +5,7 @@ shifts touch those, and they stand in grey values.
 """
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -129,12 +129,6 @@ def _gamma(pixels: np.ndarray, weights: Sequence[float], y: np.ndarray) -> float
 def _spread(residuals: np.ndarray) -> float:
     """Standard deviation by what four fifths stay within: a bend shows in dark and bright parts, which are few."""
     return float(np.quantile(np.abs(residuals), 0.8)) / 1.2816
-
-
-def colour_shift(gains: Iterable[float]) -> float | None:
-    """Largest over smallest gain of the bands; None where there are fewer than two, or one of them is no gain."""
-    known = [abs(gain) for gain in gains]
-    return max(known) / min(known) if len(known) > 1 and min(known) > 0 else None
 
 
 def clipped_share(mosaic: np.ndarray, source: np.ndarray) -> float:

@@ -15,7 +15,7 @@ from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.raster_pool import one_by_one, open_raster, reading_threads
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
-from ..measure.judgement.greatest_loss import SHOWN_PX, greatest_loss
+from ..measure.judgement.greatest_loss import SHOWN_PX
 from ..measure.profile.window_detail import LossPicture
 from ..measure.source_images import Source
 from ..measure.window.explained_window import window_lost
@@ -174,7 +174,7 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
     side = min(REPORT_CLIP_PX, searched.width, searched.height)
     placed = measured_loss(block, searched) if job.loss is None else PlacedLoss(window, job.loss)
     if placed is None:
-        loss, (row, column) = None, greatest_loss(_grey(clips[0]), [_grey(clip) for clip in clips[1:]], side)
+        loss, row, column = None, (searched.height - side) // 2, (searched.width - side) // 2
     else:
         row, column = most_lost(searched, placed, side)
         framed = PixelWindow(searched.column + column, searched.row + row, side, side)
@@ -200,11 +200,6 @@ def _ordered(sources: Sequence[Source], names: Sequence[str]) -> list[Source]:
     places = {name: place for place, name in reversed(list(enumerate(names)))}
     named = [source for source in sources if source.ref.name in places]
     return sorted(named, key=lambda source: places[source.ref.name]) if named else list(sources)
-
-
-def _grey(clip: Clip) -> np.ndarray:
-    """One band that stands for all: green where there is one."""
-    return np.asarray(clip.bands[1 if clip.raster.has_luminance else 0])
 
 
 def _encoded(pictures: Sequence[np.ndarray], bytes_each: float) -> tuple[list[bytes], int]:

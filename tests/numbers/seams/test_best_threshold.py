@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.special import ndtr, ndtri
 from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import best_threshold
+from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import best_threshold
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
 from tests.examples import at_most

@@ -7,7 +7,6 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import (
     Block,
     inspect_in_stages,
-    inspect_one,
     inspect_window,
     window_request,
 )
@@ -57,6 +56,6 @@ def test_what_nobody_foresaw_becomes_the_reason(block: Block) -> None:
     def broken(_request: object) -> None:
         raise ZeroDivisionError("of the test")
 
-    (result,) = inspect_one(window_request(block, 3, extent_of(block), InspectionSettings()), broken)
+    (result,) = inspect_in_stages(window_request(block, 3, extent_of(block), InspectionSettings()), broken)
     assert isinstance(result, WindowResult)
     assert "ZeroDivisionError: of the test" in str(result.judgement.reason)

@@ -15,18 +15,14 @@ def window(x: float, y: float = 0.0, side: float = 100.0) -> Extent:
     return x, y, x + side, y + side
 
 
-def alternating(count: int) -> list[bool]:
-    return [place % 2 == 0 for place in range(count)]
-
-
 def test_windows_far_apart_are_neighbourhoods_of_their_own() -> None:
-    assert len(set(find_neighbourhoods([window(500 * place) for place in range(12)], alternating(12)))) == 12
+    assert len(set(find_neighbourhoods([window(500 * place) for place in range(12)]))) == 12
 
 
 @pytest.mark.parametrize("spacing", [0, 30, 100, 200])
 def test_windows_that_overlap_or_are_near_belong_together(spacing: float) -> None:
     groups = [window(5000 * group + spacing * place, 300 * group) for group in range(6) for place in range(4)]
-    found = find_neighbourhoods(groups, alternating(24))
+    found = find_neighbourhoods(groups)
     assert len(set(found)) == 6
     assert all(len(set(found[start : start + 4])) == 1 for start in range(0, 24, 4))
 
@@ -34,14 +30,14 @@ def test_windows_that_overlap_or_are_near_belong_together(spacing: float) -> Non
 def test_degrees_do_as_well_as_metres() -> None:
     metres = [window(2000 * (place // 3) + 100 * (place % 3), 40 * place) for place in range(15)]
     degrees = [(left / 70e3, bottom / 111e3, right / 70e3, top / 111e3) for left, bottom, right, top in metres]
-    found = find_neighbourhoods(metres, alternating(15))
-    assert find_neighbourhoods(degrees, alternating(15)) == found
+    found = find_neighbourhoods(metres)
+    assert find_neighbourhoods(degrees) == found
     assert len(set(found)) == 5
 
 
 def test_a_long_row_is_cut() -> None:
     row = [window(200 * place) for place in range(40)]
-    found = find_neighbourhoods(row, alternating(40))
+    found = find_neighbourhoods(row)
     assert 8 <= len(set(found)) <= 16
     for group in set(found):
         members = [place for place, one in enumerate(found) if one == group]
@@ -49,20 +45,11 @@ def test_a_long_row_is_cut() -> None:
         assert len(members) <= 4  # 800 m
 
 
-def test_rows_are_cut_shorter_where_a_kind_would_lie_in_too_few() -> None:
-    row, visible = [window(100 * place) for place in range(14)], [place < 7 for place in range(14)]
-    found = np.array(find_neighbourhoods(row, visible))
-    assert effective_count(found[:7]) >= 2.5  # of two or three windows each, and no shorter
-    assert effective_count(found[7:]) >= 2.5
-    one_place = find_neighbourhoods([window(place) for place in range(14)], visible)
-    assert len(set(one_place)) == 1  # all on top of each other: there is nothing to cut
-
-
 def test_windows_without_an_outline_stand_for_themselves() -> None:
-    found = find_neighbourhoods([None, window(0), None, window(50)], alternating(4))
+    found = find_neighbourhoods([None, window(0), None, window(50)])
     assert found[1] == found[3]
     assert len(set(found)) == 3
-    assert find_neighbourhoods([], []) == []
+    assert find_neighbourhoods([]) == []
 
 
 def test_a_neighbourhood_is_drawn_as_a_whole_and_both_kinds_remain() -> None:

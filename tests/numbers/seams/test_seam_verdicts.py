@@ -19,10 +19,10 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import (
     Judgement,
     Ratios,
     Verdict,
-    check_min_kept,
 )
 from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
 from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST
 
 LITTLE = 1e-9
@@ -192,10 +192,11 @@ def test_less_kept_is_never_judged_better(
         assert order.index(duller) <= order.index(better)
 
 
-@pytest.mark.parametrize("min_kept", [0.0, 1.0, -0.5, 1.5, math.nan, math.inf])
-def test_a_limit_that_is_no_share_is_refused(min_kept: float) -> None:
+@pytest.mark.parametrize("name", ["max_ratio", "min_kept"])
+@pytest.mark.parametrize("limit", [0.0, 1.0, -0.5, 1.5, math.nan, math.inf])
+def test_a_limit_that_is_no_share_is_refused(name: str, limit: float) -> None:
     with pytest.raises(SettingsError, match="give a number between 0 and 1"):
-        check_min_kept(min_kept)
+        InspectionSettings(**{name: limit}).check()
 
 
 @pytest.mark.parametrize(("sharpness", "verdict"), [(1.0, Verdict.NOT_COMPARABLE), (0.7, Verdict.REDUCED)])

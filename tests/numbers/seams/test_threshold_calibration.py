@@ -14,10 +14,12 @@ from scipy import stats
 from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     STANDARD_LIMITS,
     Verdicts,
+    area_interval,
     calibrate,
+    roc_area,
     step_at,
+    wanted_verdicts,
 )
-from seam_inspector.plugin.seams.measure.calibration.verdict_statistics import area_interval, roc_area, wanted_verdicts
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
@@ -47,9 +49,9 @@ def test_the_threshold_is_told_with_what_it_does_to_the_judged_windows(
 ) -> None:
     verdicts = Verdicts("ratio_1", tuple(visible), tuple(invisible))
     found = calibrate(verdicts, most=1.0)
-    settable = [step_at(verdicts, threshold) for threshold in np.arange(0, 1, 0.025)]
-    assert (found.best is None) == (max(step.youden for step in settable) <= 0)  # none is better than a guess
-    if found.best:
+    if found.best is None:
+        assert any("threshold" in str(notice) for notice in found.notices)
+    else:
         assert found.best == step_at(verdicts, found.best.threshold)
         assert 0 < found.best.youden <= max(step.youden for step in found.steps)
         assert found.best.threshold < 1
@@ -70,20 +72,9 @@ def test_a_measure_of_loss_is_calibrated_as_what_is_left_is(visible: list[float]
     for step in found.steps:
         assert step.flagged_visible == sum(value >= step.threshold for value in visible)
         assert step.flagged_invisible == sum(value >= step.threshold for value in invisible)
-    assert (found.best is None) == (left.best is None)
     if found.best and found.best_range:
         assert found.best == step_at(verdicts, found.best.threshold)
         assert found.best_range[0] <= found.best.threshold <= found.best_range[1]
-
-
-def test_where_the_best_threshold_cant_be_set_the_best_step_that_can_is_given() -> None:
-    visible, invisible = (0.2, 0.4, 0.9, 1.2, 1.4), (0.6, 1.3, 1.6, 1.8, 2.0)
-    verdicts = Verdicts("ratio_1", visible, invisible)
-    assert [round(5 * step_at(verdicts, at).youden) for at in (0.5, 0.95)] == [2, 2]
-    best = calibrate(verdicts, most=1.0).best
-    assert best is not None
-    assert (best.flagged_visible, best.flagged_invisible) == (2, 0)  # of two as good the one that flags least
-    assert 0.4 <= best.threshold < 0.6
 
 
 def test_the_interval_is_that_of_scipys_bootstrap() -> None:
@@ -141,16 +132,10 @@ def test_a_measure_that_tells_nothing_says_so() -> None:
 
 
 def test_losses_above_what_can_be_set_are_told() -> None:
-    verdicts = Verdicts("ratio_1", (0.5, 1.1, 1.2, 1.25, 1.3), (0.9, 1.5, 1.6, 1.7, 1.8))
-    found = calibrate(verdicts, most=1.0)
-    assert found.best is not None
-    assert found.best.threshold == pytest.approx(0.7, abs=0.1)  # flags one visible loss and none in vain
-    assert (found.best.flagged_visible, found.best.flagged_invisible) == (1, 0)
-    assert any("below 1" in str(notice) for notice in found.notices)
-    none = calibrate(Verdicts("ratio_1", (1.1, 1.2, 1.3, 1.4, 1.5), (1.6, 1.7, 1.8, 1.9, 2.0)), most=1.0)
-    assert none.best is None
-    assert none.best_range is None
-    assert any("no threshold" in str(notice) for notice in none.notices)
+    found = calibrate(Verdicts("ratio_1", (1.1, 1.2, 1.3, 1.4, 1.5), (1.6, 1.7, 1.8, 1.9, 2.0)), most=1.0)
+    assert found.best is None
+    assert found.best_range is None
+    assert any("threshold of 1.55" in str(notice) and "below 1" in str(notice) for notice in found.notices)
 
 
 # --- how many verdicts are enough ------------------------------------------------------------------------------

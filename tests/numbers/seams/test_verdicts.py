@@ -6,13 +6,12 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery.errors import Message, SettingsError
+from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import (
     Judgement,
     Verdict,
-    check_max_ratio,
     curve_ratios,
     judge,
 )
@@ -106,9 +105,3 @@ def test_ratios_to_nothing_are_left_empty() -> None:
     assert ratios.detail == pytest.approx((0.08, None, 0.2))
     assert ratios.background is None
     assert curve_ratios(SOURCE, CONSTANT).detail == (None, None, None)
-
-
-@pytest.mark.parametrize("max_ratio", [0.0, 1.0, -0.5, 1.5, math.nan, math.inf])
-def test_a_limit_that_is_no_share_is_refused(max_ratio: float) -> None:
-    with pytest.raises(SettingsError, match="give a number between 0 and 1"):
-        check_max_ratio(max_ratio)

@@ -14,7 +14,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.judgement.visibility import Viewing, visibility, white_grey, window_visibility
+from seam_inspector.plugin.seams.measure.judgement.visibility import visibility, white_grey, window_visibility
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 
 from tests.numbers.seams.profile.blends import SIDE, blend
@@ -57,7 +57,7 @@ def _mannos_sakrison(frequency: float) -> float:
 def test_it_is_the_integral_of_the_papers_formulas(
     kept: tuple[float, ...], variance: tuple[float, ...], grey: float, magnification: float
 ) -> None:
-    found = visibility(kept, variance, grey, WHITE, Viewing(magnification=magnification))
+    found = visibility(kept, variance, grey, WHITE, magnification)
     assert found == pytest.approx(by_integration(kept, variance, grey, magnification), rel=1e-3, abs=1e-6)
 
 
@@ -126,10 +126,10 @@ def detail_of(plane: np.ndarray) -> tuple[float, ...]:
 
 def just_seen(plane: np.ndarray, magnification: float, levels: int) -> float:
     """What has to be kept at all levels for one just noticeable difference."""
-    variance, grey, viewing = detail_of(plane), float(plane.mean()), Viewing(magnification=magnification)
+    variance, grey = detail_of(plane), float(plane.mean())
 
     def beyond(kept: float) -> float:
-        found = visibility([kept] * levels, variance[:levels], grey, WHITE, viewing)
+        found = visibility([kept] * levels, variance[:levels], grey, WHITE, magnification)
         return found - 1
 
     return float(brentq(beyond, 1e-9, 1))

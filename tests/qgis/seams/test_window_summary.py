@@ -77,7 +77,7 @@ def result(
         causes=tuple(map(Cause, causes.split("; "))), evidence=evidence, profile=profile, has_seam=True, explained=0.83,
         contrast=0.43, sharpness=0.69, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
         similarity={"luminance": 1.0}, changes=({"luminance": change},) * 2, expected=(0.41, 0.6, 0.9),
-        unclear_share=0.02, mixed_share=0.1, shares=(1.0,), visibility=1.4,
+        unclear_share=0.02, mixed_share=0.1, visibility=1.4,
     )  # fmt: skip
     return WindowResult(
         1, None, Judgement(Verdict.SIGNIFICANT, ratios), Verdict.REDUCED, explanation=explanation,

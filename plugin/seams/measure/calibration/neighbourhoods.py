@@ -15,9 +15,7 @@ from ....imagery.grids import Extent
 
 LINK_SIDES = 2.0  # centres that far apart or less: windows that overlap, touch or leave room for one between them,
 # as those of one seam do at the standard spacing
-LONGEST_SIDES = 8.0  # a row of windows is cut to this length: four windows at the standard spacing
-SHORTEST_SIDES = 3.0  # what is no longer is never cut
-FEWEST_NEIGHBOURHOODS = 3.0  # of either kind: below it rows are cut shorter
+LONGEST_SIDES = 8.0  # of a block: four windows at the standard spacing
 MIN_NEIGHBOURHOODS = 1.5  # of either kind: below it there is nothing to resample
 
 RESAMPLES = 2000
@@ -25,17 +23,29 @@ RESAMPLES = 2000
 _SEED = 20100705  # the same verdicts give the same interval
 
 
-def find_neighbourhoods(extents: Sequence[Extent | None], visible: Sequence[bool]) -> list[int]:
+def find_neighbourhoods(extents: Sequence[Extent | None]) -> list[int]:
     """The number of each window's neighbourhood; a window without an outline is one of its own.
 
-    Windows that come within a side of each other belong together. A long row of them is cut, shorter where the verdicts
-    of a kind would lie in too few neighbourhoods.
+    Windows that come within a side of each other belong together; what reaches far is cut into even blocks.
     """
     placed = [place for place, extent in enumerate(extents) if extent is not None]
-    numbers = np.arange(len(extents)) + len(extents)
-    if placed:
-        centres, kinds = _centres([extents[place] for place in placed]), np.array([visible[place] for place in placed])
-        numbers[placed] = _cut(centres, kinds, _linked(centres))
+    if not placed:
+        return list(range(len(extents)))
+    left, bottom, right, top = np.array([extents[place] for place in placed], np.float64).T
+    sides = np.median([right - left, top - bottom], axis=1)  # so that degrees do as well as metres
+    centres = np.column_stack([left + right, bottom + top]) / 2 / np.where(sides > 0, sides, 1)
+    pairs = cKDTree(centres).query_pairs(LINK_SIDES, p=np.inf, output_type="ndarray")
+    links = coo_matrix((np.ones(len(pairs), bool), (pairs[:, 0], pairs[:, 1])), shape=(len(placed),) * 2)
+    count, groups = connected_components(links, directed=False)
+    numbers = list(range(len(extents)))
+    blocks: dict[tuple[int, tuple[float, ...]], int] = {}
+    for group in range(count):
+        members = np.flatnonzero(groups == group)
+        away = centres[members] - centres[members].min(axis=0)
+        length = away.max(axis=0) + 1
+        block = away // (length / np.ceil(length / LONGEST_SIDES))
+        for member, key in zip(members.tolist(), map(tuple, block.tolist())):
+            numbers[placed[member]] = blocks.setdefault((group, key), len(extents) + len(blocks))
     return np.unique(numbers, return_inverse=True)[1].tolist()
 
 
@@ -83,42 +93,3 @@ class Neighbourhoods:
         unseen = np.bincount(self._places[self._visible :], minlength=self.count) > 0
         strata = [np.flatnonzero(kind) for kind in (seen & ~unseen, unseen & ~seen, seen & unseen)]
         return [np.arange(self.count)] if 1 in map(len, strata) else [stratum for stratum in strata if len(stratum)]
-
-
-def _centres(extents: Sequence[Extent | None]) -> np.ndarray:
-    """Centres of the windows, in sides of a window, so that degrees do as well as metres."""
-    left, bottom, right, top = np.array(extents, np.float64).T
-    sides = np.median([right - left, top - bottom], axis=1)
-    return np.column_stack([left + right, bottom + top]) / 2 / np.where(sides > 0, sides, 1)
-
-
-def _linked(centres: np.ndarray) -> np.ndarray:
-    """Numbers of the groups in which each window comes near another."""
-    pairs = cKDTree(centres).query_pairs(LINK_SIDES, p=np.inf, output_type="ndarray")
-    links = coo_matrix((np.ones(len(pairs), bool), (pairs[:, 0], pairs[:, 1])), shape=(len(centres),) * 2)
-    return connected_components(links, directed=False)[1]
-
-
-def _cut(centres: np.ndarray, visible: np.ndarray, groups: np.ndarray) -> np.ndarray:
-    """Groups after the long ones were halved, the longest first."""
-    groups = groups.copy()
-    length = {group: _length(centres[groups == group]) for group in set(groups.tolist())}
-    while True:
-        longest = max(length, key=lambda group: length[group])
-        if length[longest] <= (SHORTEST_SIDES if _too_few(groups, visible) else LONGEST_SIDES):
-            return groups
-        members = np.flatnonzero(groups == longest)
-        along = centres[members, np.ptp(centres[members], axis=0).argmax()]
-        new = max(length) + 1
-        groups[members[along > (along.min() + along.max()) / 2]] = new
-        length.update({group: _length(centres[groups == group]) for group in (longest, new)})
-
-
-def _length(centres: np.ndarray) -> float:
-    """How far a group reaches along an axis, in sides."""
-    return float(np.ptp(centres, axis=0).max()) + 1
-
-
-def _too_few(groups: np.ndarray, visible: np.ndarray) -> bool:
-    kinds = [groups[kind] for kind in (visible, ~visible) if kind.any()]
-    return min(effective_count(kind) for kind in kinds) < FEWEST_NEIGHBOURHOODS

@@ -71,13 +71,6 @@ class CellGrid:
             slice(int(np.clip(np.floor(left), 0, columns)), int(np.clip(np.ceil(right), 0, columns))),
         )
 
-    def middles(self, cells: slice, across: bool) -> np.ndarray:
-        """Coordinates of the middles of columns of cells, or of rows of them."""
-        pixels = (np.arange(cells.start, cells.stop) + 0.5) * self.step
-        if across:
-            return self.grid.left + pixels * self.grid.pixel_width
-        return self.grid.top - pixels * self.grid.pixel_height
-
 
 def valid_cells(source: OpenRaster, extent: Extent, mosaic: Raster) -> ValidCells:
     """Cells where a raster, the mosaic or one with that footprint, has pixels: by nodata, alpha and masks.
@@ -88,7 +81,8 @@ def valid_cells(source: OpenRaster, extent: Extent, mosaic: Raster) -> ValidCell
     rows, columns = cell_grid.over(extent)
     if rows.stop <= rows.start or columns.stop <= columns.start:
         return ValidCells(columns.start, rows.start, np.zeros((0, 0), bool))
-    x, y = cell_grid.middles(columns, True), cell_grid.middles(rows, False)
+    x, y = ((np.arange(cells.start, cells.stop) + 0.5) * cell_grid.step for cells in (columns, rows))
+    x, y = mosaic.grid.left + x * mosaic.grid.pixel_width, mosaic.grid.top - y * mosaic.grid.pixel_height
     left, right, skew_x, top, skew_y, down = raster.placement
     if raster.is_north_up and same_coordinates(raster.wkt, mosaic.wkt, mosaic.extent, 0.5 * mosaic.grid.pixel_width):
         at_column, at_row = np.broadcast_arrays(((x - left) / right)[None, :], ((y - top) / down)[:, None])

@@ -24,7 +24,7 @@ from . import messages
 
 _SIDE_PX = 64  # of what is compared at one place
 _PLACES = 3  # along each side of what two rasters share
-_SAMPLES = 32  # rows and columns at least, of what two clips share, that are compared
+_SAMPLES = 256  # rows and columns of two clips that are compared
 _MOST_OFF_PX = 0.01  # of pixels that lie on each other
 _OPEN = 128  # rasters
 
@@ -58,14 +58,12 @@ def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None
         number: clip for number, clip in enumerate(clips)
         if clip is not None and not (clip.resampled or clip.raster.is_turned)
     }
-    boxes = {number: _box(clip) for number, clip in known.items()}
 
     def are_same(first: int, second: int) -> bool:
         if not have_same_grid(known[first].raster, known[second].raster):
             return False
-        begins, stops = zip(boxes[first], boxes[second])
-        starts, ends = np.maximum(*begins), np.minimum(*stops)
-        rows, columns = (slice(start, end, max((end - start) // _SAMPLES, 1)) for start, end in zip(starts, ends))
+        shape = known[first].bands.shape[1:]
+        rows, columns = (slice(None, None, max(length // _SAMPLES, 1)) for length in shape)
         both = np.ones(known[first].bands[0, rows, columns].shape, bool)
         for number in (first, second):
             valid = known[number].valid
@@ -74,14 +72,6 @@ def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None
         return _same_content(values, others, both) is True
 
     return _joined(sources, (pair for pair in combinations(known, 2) if are_same(*pair)))
-
-
-def _box(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
-    """First row and column of the pixels that a clip has, and the ends of both."""
-    if clip.valid is None:
-        return np.zeros(2, int), np.array(clip.bands.shape[1:])
-    lines = [np.flatnonzero(clip.valid.any(axis=axis)) for axis in (1, 0)]
-    return np.array([line[0] for line in lines]), np.array([line[-1] + 1 for line in lines])
 
 
 def images_in_parts(sources: Iterable[Source]) -> list[Message]:

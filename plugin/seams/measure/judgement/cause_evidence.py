@@ -1,8 +1,6 @@
 """What was measured in a window -> the evidence that causes are judged by: texture, tones, misfit of two images."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from ....imagery.rasters import Raster, is_range_known, value_range
@@ -12,8 +10,7 @@ from ..following.boxes import in_squares
 from ..following.compression import vanished_share
 from ..limits import MIN_MISREGISTRATION_PX
 from ..seam_cells import UNKNOWN
-from ..tone import Tone
-from .causes import MIN_COMPRESSED_DN, Misfit, SourceTone, Texture
+from .causes import MIN_COMPRESSED_DN, Misfit, Texture
 
 _BLOCK_PX = 16  # side of what detail is compared in: 64 coefficients in each direction
 _FEWEST_BLOCKS = 12  # that follow one source for sure: fewer have no quantiles worth the name
@@ -71,21 +68,6 @@ def _held(sums: np.ndarray) -> float:
     variables, Fuller 1987)."""
     mm, mc, cc, uu = sums.sum(axis=1).tolist()
     return float(mm / max(mc, 1e-9) * np.sqrt(cc / max(uu, 1e-9)))
-
-
-def source_tones(
-    mosaic: Raster, sources: Sequence[tuple[Raster, Tone, float | None]], middle: float, unit_dn: float
-) -> tuple[SourceTone, ...]:
-    """Tones of sources, each given by its raster, the tone of its judged band and the shift of its colours; offsets
-    are told at a ``middle`` grey value of theirs."""
-    factors = [range_factor(mosaic, raster) for raster, _, _ in sources]
-    return tuple(
-        SourceTone(
-            None if factor is None else tone.gain * factor, (tone.gain * middle + tone.bias) / (255 * unit_dn),
-            tone.gamma, colours,
-        )
-        for factor, (_, tone, colours) in zip(factors, sources)
-    )
 
 
 def grey_unit(mosaic: Raster, values: np.ndarray) -> float:

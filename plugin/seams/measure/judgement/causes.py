@@ -241,11 +241,6 @@ class CauseEvidence:
         return self.filter_power >= MIN_EVENED_POWER
 
     @property
-    def is_resampled(self) -> bool:
-        """Told by ground that is not mixed: a mixture lies between its two images."""
-        return not self.is_mixed and self.off_pixel >= MIN_RESAMPLED_PX
-
-    @property
     def is_blurred(self) -> bool:
         """Whether less fine detail comes over than compression, a power function or evened light leave."""
         if self.is_evened:
@@ -334,7 +329,8 @@ def _along_the_seam(evidence: CauseEvidence) -> dict[Cause, float]:
 
 def _all_over(evidence: CauseEvidence) -> dict[Cause, float]:
     """What is missing elsewhere, which the first of these took."""
-    is_resampled = evidence.is_resampled
+    # By ground that is not mixed: a mixture lies between its two images.
+    is_resampled = not evidence.is_mixed and evidence.off_pixel >= MIN_RESAMPLED_PX
     holds = {
         Cause.DODGING: evidence.is_evened,
         Cause.RESAMPLED: is_resampled,

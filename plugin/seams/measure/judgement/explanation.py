@@ -22,7 +22,7 @@ from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture, loss_picture
 from ..seam_cells import UNKNOWN, is_one_of, present
 from ..tone import whole_squares
-from .cause_evidence import grey_unit, measure_texture, misfit_of, placed_misfit, range_factor, source_tones
+from .cause_evidence import grey_unit, measure_texture, misfit_of, placed_misfit, range_factor
 from .causes import Cause, CauseEvidence, Misfit, SourceTone, Texture, find_causes
 from .feather_prediction import expected_ratios, feathers
 from .hard_cut import HardCut, cut_hard, follows_at
@@ -72,8 +72,6 @@ class Explanation:
     """Share of pixels for which no source wins clearly."""
     mixed_share: float
     """Share of pixels in which two sources are mixed."""
-    shares: tuple[float, ...]
-    """Share of the pixels that follow each source, in their order."""
     visibility: float | None = None
     """The loss beside the seam in just noticeable differences of contrast; None where no profile is."""
     loss: LossPicture | None = field(default=None, compare=False, repr=False)
@@ -179,7 +177,6 @@ def explain(
         ),
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
-        shares=following.shares,
         visibility=window_visibility(profile, detail.judged, image.plane, ground.inside, image.raster),
         loss=loss_picture(detail, ground.expected.labels, ground.inside),
     )
@@ -227,12 +224,16 @@ def _texture(finest: np.ndarray, cut: HardCut, unmixed: np.ndarray, unit: float)
 
 
 def _source_tones(cut: HardCut, judged: str, unit: float) -> tuple[SourceTone, ...]:
-    """Tones of the sources that are followed."""
+    """Tones of the sources that are followed; offsets are told at their middle grey value."""
     followed = [i for i in cut.ground.following.followed if cut.ground.following.shares[i] >= MIN_TONE_SHARE]
     known = [(i, tone) for i in followed if (tone := cut.tones[i][judged]) is not None]
     middle = float(np.mean([cut.sources[i].coarse[judged].mean() for i, _ in known])) if known else 0.0
-    tones = [(cut.sources[i].raster, tone, gains_of_colours(cut.tones[i])) for i, tone in known]
-    return source_tones(cut.mosaic.raster, tones, middle, unit)
+    return tuple(
+        SourceTone(
+            None if (factor := range_factor(cut.mosaic.raster, cut.sources[i].raster)) is None else tone.gain * factor,
+            (tone.gain * middle + tone.bias) / (255 * unit), tone.gamma, gains_of_colours(cut.tones[i]),
+        ) for i, tone in known
+    )
 
 
 def _unevenness(cut: HardCut, levels: int) -> float:

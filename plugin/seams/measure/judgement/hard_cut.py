@@ -18,7 +18,7 @@ from ..following.followed_source import FollowedSource
 from ..following.likely_source import MIN_FIT
 from ..following.placed_sources import PlacedSources, follow_sources
 from ..following.source_filters import cut_of
-from ..profile.window_detail import LossPicture, WindowDetail, loss_picture, window_detail
+from ..profile.window_detail import WindowDetail, window_detail
 from ..seam_cells import UNKNOWN, present
 from ..tone import Tone, whole_squares
 
@@ -31,8 +31,6 @@ _FEWEST_FAR = 64  # squares
 class Composite:
     """Two forms of one cut."""
 
-    names: tuple[str, ...]
-    """Bands that the mosaic and all sources have."""
     bands: np.ndarray
     """(bands, rows, columns): the sources' pixels as they are; contrast is measured against these."""
     levelled: np.ndarray
@@ -62,9 +60,9 @@ def make_composite(
     in_its_tone = (mosaic - biases[main]) / np.where(gains[main] == 0, 1, gains[main])
     plain = cut_of(as_type(in_its_tone, dtype), {i: sources[i].astype(dtype) for i in followed}, labels)
     if all(abs(tone.gain - 1) * 2**16 + abs(tone.bias) < LEAST_CHANGE for of in toned.values() for tone in of):
-        return Composite(names, plain, plain)
+        return Composite(plain, plain)
     shown = {i: np.asarray(gains[i] * sources[i] + biases[i], np.float32) for i in followed}
-    return Composite(names, plain, cut_of(mosaic, shown, labels))
+    return Composite(plain, cut_of(mosaic, shown, labels))
 
 
 def as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
@@ -77,10 +75,13 @@ def as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
 
 def follows_at(following: FollowedSource, source: int, levels: int) -> np.ndarray:
     """Squares of 2^R px that follow one source clearly and wholly, (rows / 2^R, columns / 2^R) bool; where there are
-    enough, those away from its seams, over which feathers and blends of several bands ease tones."""
+    enough, those away from its seams, over which feathers and blends of several bands ease tones. All squares for one
+    that is not followed."""
     places, side = whole_squares((following.labels == source) & following.clear, levels), 2**levels
     eased = near_border(following.labels[::side, ::side], -(-_EASED_PX // side))[: places.shape[0], : places.shape[1]]
     far = places & ~eased
+    if source not in following.followed:
+        return np.ones_like(places)
     return far if np.count_nonzero(far) >= _FEWEST_FAR else places
 
 
@@ -163,34 +164,16 @@ def cut_hard(
     ``labels``, (rows, columns) uint8 of all that was read, says which source each pixel was taken from where that is
     known, else ``seam_cells.UNKNOWN``.
     """
-    ground = _ground_of(mosaic, sources, labels)
+    ground = ground_of(mosaic, sources, labels)
     planes = [image.plane[ground.inside] for image in (ground.followed.mosaic, *ground.followed.images)]
     image, *images = on_common_bands((mosaic, *sources), planes, levels)
-    tones = [image.tones_of(other, _where_followed(ground.following, i, levels)) for i, other in enumerate(images)]
+    tones = [image.tones_of(other, follows_at(ground.following, i, levels)) for i, other in enumerate(images)]
     bands = [other.bands for other in images]
     composite = make_composite(image.bands, bands, image.names, ground.following.labels, tones)
     return HardCut(image, tuple(images), tuple(tones), composite, ground)
 
 
-def window_loss(
-    mosaic: MeasuredClip, sources: Sequence[MeasuredClip], wavelet: str, levels: int, labels: np.ndarray | None = None
-) -> LossPicture | None:
-    """What a window lost of its sources' detail, without its causes; None where they say too little of it.
-
-    ``labels``: as for ``cut_hard``.
-    """
-    ground = _ground_of(mosaic, sources, labels)
-    if ground.is_unclear:
-        return None
-    return loss_picture(ground.detail(wavelet, levels), ground.expected.labels, ground.inside)
-
-
-def _ground_of(mosaic: MeasuredClip, sources: Sequence[MeasuredClip], labels: np.ndarray | None) -> JudgedGround:
+def ground_of(mosaic: MeasuredClip, sources: Sequence[MeasuredClip], labels: np.ndarray | None) -> JudgedGround:
+    """The judged band of at least one source, followed; ``labels``: as for ``cut_hard``."""
     image, *images = judged_planes((mosaic, *sources))
     return judged_ground(image, images, labels, mosaic.inside)
-
-
-def _where_followed(following: FollowedSource, source: int, levels: int) -> np.ndarray:
-    """Squares of 2^R px from which a source's tone is taken; all of one that is not followed."""
-    where = follows_at(following, source, levels)
-    return where if source in following.followed else np.ones_like(where)

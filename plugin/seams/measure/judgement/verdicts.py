@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import Message, SettingsError
+from ....imagery.errors import Message
 from ....imagery.seam_totals import MOST_SPREAD
 from ....imagery.wavelets import Curve
 from .. import messages
@@ -65,18 +65,6 @@ class Judgement:
         within = () if self.reason is None else (self.reason, *self.reason.values.values())
         templates = (message.template for message in within if isinstance(message, Message))
         return next((_CODES[template] for template in templates if template in _CODES), "")
-
-
-def check_max_ratio(max_ratio: float) -> None:
-    """Raise SettingsError unless the limit lies between 0 and 1."""
-    if not 0 < max_ratio < 1:
-        raise SettingsError(messages.MAX_RATIO_OUT_OF_RANGE(ratio=max_ratio))
-
-
-def check_min_kept(min_kept: float) -> None:
-    """Raise SettingsError unless the limit lies between 0 and 1."""
-    if not 0 < min_kept < 1:
-        raise SettingsError(messages.MIN_KEPT_OUT_OF_RANGE(kept=min_kept))
 
 
 def judge_profile(

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -41,83 +41,43 @@ CENTRE_FREQUENCY = 3 / 8  # cycles a pixel: the middle of the octave from 1/4 to
 _CELL_STEPS = CELL_PX.bit_length() - 1  # halvings that lead from pixels to cells
 
 
-@dataclass(frozen=True)
-class Viewing:
-    """How an operator sees the mosaic."""
-
-    magnification: float = JUDGED_MAGNIFICATION
-    """Screen pixels a pixel of the mosaic."""
-    screen_dpi: float = 96.0
-    """Screen pixels an inch."""
-    distance_cm: float = 60.0
-    """From eye to screen."""
-    gamma: float = 2.2
-    """Luminance of the screen over grey values, both as shares of white: sRGB's (IEC 61966-2-1) as one power."""
-    flare: float = 0.01
-    """Light that the room adds to all of the screen, as a share of white: sRGB's encoding viewing flare."""
-
-    @property
-    def pixels_per_degree(self) -> float:
-        """Screen pixels a degree of visual angle."""
-        return 2 * self.distance_cm * math.tan(math.radians(0.5)) * self.screen_dpi / 2.54
-
-    def frequency(self, level: int) -> float:
-        """Frequency of the middle of a level's detail, level 1 the finest, in cycles a degree."""
-        return CENTRE_FREQUENCY / 2 ** (level - 1) / self.magnification * self.pixels_per_degree
-
-    def contrast(self, rms: float, grey: float, white: float) -> float:
-        """Contrast of luminance of detail with that rms about a mean grey, rms and mean in DN above black.
-
-        The tangent of the screen's curve at the mean; what is brighter than ``white`` is shown as white.
-        """
-        share = min(grey / white, 1.0)
-        return self.gamma * share ** (self.gamma - 1) * rms / white / (self.flare + share**self.gamma)
+SCREEN_DPI, DISTANCE_CM = 96.0, 60.0  # of the screen, and from it to the eye
+GAMMA = 2.2  # luminance of the screen over grey values, both as shares of white: sRGB's (IEC 61966-2-1) as one power
+FLARE = 0.01  # light that the room adds to all of the screen, as a share of white: sRGB's encoding viewing flare
+_PIXELS_PER_DEGREE = 2 * DISTANCE_CM * math.tan(math.radians(0.5)) * SCREEN_DPI / 2.54
 
 
-DESK = Viewing()
-"""How the desk shows a window to be judged."""
+def visibility(
+    kept: Sequence[float | None], detail_variance: Sequence[float], grey: float, white: float,
+    magnification: float = JUDGED_MAGNIFICATION,
+) -> float | None:
+    """The loss of detail beside a seam in JND, 1 being what an eye just sees side by side.
 
-
-def contrast_sensitivity(frequency: float) -> float:
-    """1 / the contrast that is just seen at so many cycles a degree (Mannos and Sakrison 1974)."""
-    reach = 0.114 * frequency
-    return PEAK_SENSITIVITY / _PEAK * 2.6 * (0.0192 + reach) * math.exp(-(reach**1.1))
-
-
-def noticeable_differences(contrast: float, kept_contrast: float, frequency: float) -> float:
-    """How many just noticeable differences lie between two contrasts at one frequency, cycles a degree; 0: no loss."""
-    sensitivity = contrast_sensitivity(frequency)
-    return max(0.0, _steps_from_nothing(contrast * sensitivity) - _steps_from_nothing(kept_contrast * sensitivity))
+    By level, from level 1: what is ``kept`` of the variance, and the variance that the sources' detail has there, DN
+    squared. ``grey``: the mosaic's mean there, ``white``: the brightest value it can have, DN above black; what is
+    brighter is shown as white. A level of which nothing is known adds nothing, and more detail than there was is no
+    loss. None where level 1 is not known or nothing says how bright the screen is.
+    """
+    if not kept or kept[0] is None or not (grey > 0 and white > 0):
+        return None
+    brightness, total = min(grey / white, 1.0), 0.0
+    # Contrast of luminance, by the tangent of the screen's curve at the mean.
+    slope = GAMMA * brightness ** (GAMMA - 1) / white / (FLARE + brightness**GAMMA)
+    for level, (share, variance) in enumerate(zip(kept, detail_variance), 1):
+        if share is not None:
+            reach = 0.114 * CENTRE_FREQUENCY / 2 ** (level - 1) / magnification * _PIXELS_PER_DEGREE
+            sensitivity = PEAK_SENSITIVITY / _PEAK * 2.6 * (0.0192 + reach) * math.exp(-(reach**1.1))
+            contrast = slope * math.sqrt(variance) * sensitivity
+            lost = _steps_from_nothing(contrast) - _steps_from_nothing(contrast * math.sqrt(max(share, 0.0)))
+            total += max(lost, 0.0) ** POOLING_EXPONENT
+    return float(total ** (1 / POOLING_EXPONENT))
 
 
 def _steps_from_nothing(times_threshold: float) -> float:
     """The integral from 0 of dc / delta_c, contrasts as multiples of the threshold."""
     if times_threshold <= 1:
         return times_threshold
-    kept_contrast = 1 - DISCRIMINATION_EXPONENT
-    return 1 + (times_threshold**kept_contrast - 1) / kept_contrast
-
-
-def visibility(
-    kept: Sequence[float | None], detail_variance: Sequence[float], grey: float, white: float, viewing: Viewing = DESK
-) -> float | None:
-    """The loss of detail beside a seam in JND, 1 being what an eye just sees side by side.
-
-    By level, from level 1: what is ``kept`` of the variance, and the variance that the sources' detail has there, DN
-    squared. ``grey``: the mosaic's mean there, ``white``: the brightest value it can have, DN above black. A level of
-    which nothing is known adds nothing, and more detail than there was is no loss. None where level 1 is not known or
-    nothing says how bright the screen is.
-    """
-    if not kept or kept[0] is None or not (grey > 0 and white > 0):
-        return None
-    total = 0.0
-    for level, (share, variance) in enumerate(zip(kept, detail_variance), 1):
-        if share is None:
-            continue
-        contrast = viewing.contrast(math.sqrt(variance), grey, white)
-        lost = noticeable_differences(contrast, contrast * math.sqrt(max(share, 0.0)), viewing.frequency(level))
-        total += lost**POOLING_EXPONENT
-    return float(total ** (1 / POOLING_EXPONENT))
+    return 1 + (times_threshold ** (1 - DISCRIMINATION_EXPONENT) - 1) / (1 - DISCRIMINATION_EXPONENT)
 
 
 MOST_REFLECTANCE = 2.0

@@ -155,13 +155,13 @@ def _mended(request: RunRequest) -> MendedRun:
     if not pixels.any():
         raise RasterError(messages.PART_NOT_COVERED())
     before, both = read.mosaic_clip.bands, valid[0] & valid[1]
-    images = [placed_bands(ground, side, _named(read.clip(side), names), valid[side]) for side in _SIDES]
+    images = [placed_bands(ground, side, _named(read.clips[side], names), valid[side]) for side in _SIDES]
     for side, image in zip(_SIDES, images):
         dress(ground, side, image, before, unmixed_sides[side])
         for name, band, shown in zip(names, image, before):
             share = shown_detail(band, shown, unmixed_sides[side])
             if share is not None and share < _LEAST_DETAIL:
-                source = read.clip(side).raster.ref.name
+                source = read.clips[side].raster.ref.name
                 raise RasterError(messages.DETAIL_NOT_SHOWN(name=source, share=share, band=name))
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
     made = eased(images, weight, before, part.fade(inside), both)
@@ -241,18 +241,14 @@ class _Pixels:
         refs = [source.ref for source in request.sources[:count]]
         block = BlockPixels(request.mosaic, refs, window, 0, request.grey_factor)
         self.window, self.mosaic = window, request.mosaic
-        self.mosaic_clip, self._clips = block.held.mosaic, block.held.clips
-        if any(side not in self._clips for side in _SIDES):
+        self.mosaic_clip, self.clips = block.held.mosaic, block.held.clips
+        if any(side not in self.clips for side in _SIDES):
             raise RasterError(next(iter(block.notices), messages.PART_NOT_COVERED()))
-        self.planes = block.part(window, list(self._clips))
-
-    def clip(self, source: int) -> Clip:
-        """The bands of one."""
-        return self._clips[source]
+        self.planes = block.part(window, list(self.clips))
 
     def valid(self, source: int) -> np.ndarray:
         """(rows, columns) bool: where the mosaic and this source have pixels; not its rim, mixed with nothing maybe."""
-        is_valid, source_valid = np.ones(self.planes.mosaic.shape, bool), self.clip(source).valid
+        is_valid, source_valid = np.ones(self.planes.mosaic.shape, bool), self.clips[source].valid
         if source_valid is not None:
             is_valid &= source_valid & ~widened(opened(~source_valid, SQUARE_PX), _RIM_PX)
         return is_valid if self.mosaic_clip.valid is None else is_valid & self.mosaic_clip.valid

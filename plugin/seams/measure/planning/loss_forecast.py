@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
 from itertools import zip_longest
 
 import numpy as np
@@ -17,9 +18,9 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.clips import Clip, read_clip
 from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError, WindowError
-from ....imagery.grids import Extent, PixelWindow, middle_of, snap_window
+from ....imagery.grids import Extent, middle_of, snap_window
 from ....imagery.open_raster import OpenRaster, placed
-from ....imagery.rasters import Raster
+from ....imagery.raster_pool import one_by_one
 from ....imagery.reference_systems import extent_on, metres_per_unit
 from ....imagery.shifts import Shift, Spectra, find_shift
 from ....imagery.wavelets import check_decomposition, judged_plane
@@ -38,6 +39,8 @@ from ..judgement.feather_prediction import (
 from ..limits import COSINE, RAMPS
 from ..source_images import Source, covers
 from ..while_measuring import measuring
+from ..window.measured_window import comparable, measured_clip
+from ..window.window_request import InspectionSettings, WindowRequest
 
 
 @dataclass(frozen=True)
@@ -129,35 +132,29 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     """
     if request.extent is None:
         return not_foretold(request, request.reason)
-    sources: list[OpenRaster] = []
-    unreadable: list[Message] = []
-    for source in request.sources:
-        try:
-            raster = OpenRaster(source.ref)
-            placed(raster.raster)
-            sources.append(raster)
-        except RasterError as error:
-            unreadable.append(error.message.as_warning())
+    opened = one_by_one((source.ref, _on_map) for source in request.sources)
+    sources = [raster for raster in opened if isinstance(raster, OpenRaster)]
+    unreadable = [error.message.as_warning() for error in opened if isinstance(error, RasterError)]
     # The band that most are judged by, so that a source of other bands does not cost all the others.
     counts = Counter(source.raster.judged_band for source in sources)
-    band = counts.most_common(1)[0][0] if counts else None
+    band = counts.most_common(1)[0][0] if counts else ""
     try:
         place, unfit = _place(request, [source for source in sources if source.raster.judged_band == band])
     except WindowError as error:
         return replace(not_foretold(request, error.message), notices=tuple(unreadable))
-    if place is None:
+    if place is None or place.window is None:
         why = tuple([*unreadable, *unfit][: imagery_limits.MAX_REASONS])
         reason = messages.NO_SOURCE_COMPARABLE(why=why) if why else messages.NO_SOURCES()
         return replace(not_foretold(request, reason), notices=tuple(unreadable))
-    clips, refused = _comparable_clips(place, sources, band)
-    notices = (*unreadable, *refused)
+    measure = partial(measured_clip, request=place, partly=False, judged_only=True)
+    measured, notices, _ = comparable(one_by_one([(source.ref, measure) for source in request.sources]), band)
+    clips, mosaic = [source.clip for source in measured], place.mosaic
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     wavelet, levels = request.settings.wavelet, request.settings.levels
     pairs = feathers(planes, wavelet, levels)
     expected = expected_ratios(pairs, levels)
     kept, assumed = _kept(request, place, planes, pairs)
     spectra = [Spectra(plane) for plane in planes]
-    mosaic = place.mosaic
     return Forecast(
         request.window_id,
         extent_on(mosaic.grid.window_extent(place.window), mosaic.wkt, request.wkt or mosaic.wkt),
@@ -171,29 +168,25 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     )
 
 
+def _on_map(raster: OpenRaster) -> OpenRaster:
+    placed(raster.raster)
+    return raster
+
+
 def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:
     """The result of a window of which nothing can be foretold."""
     return Forecast(request.window_id, None, 0, None, (), (None,) * request.settings.levels, reason=reason)
 
 
-@dataclass(frozen=True, eq=False)
-class _ForecastPlace:
-    """The window's place: on the pixels of one source."""
-
-    mosaic: Raster
-    """That source, which stands in for the mosaic."""
-    window: PixelWindow
-    clip: Clip
-    """Its pixels."""
-
-
-def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[_ForecastPlace | None, list[Message]]:
-    """The window on the first of the finest sources that covers it north-up, and why those before it did not do.
+def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[WindowRequest | None, list[Message]]:
+    """The window on the first of the finest sources that covers it north-up, which stands in for the mosaic, and why
+    those before it did not do.
 
     Raises WindowError when the window can't be measured on that grid.
     """
     assert request.extent is not None
     unfit: list[Message] = []
+    settings = InspectionSettings(request.settings.wavelet, request.settings.levels)
     finest = min((source.raster.ground_sample_distance for source in sources), default=0.0)
     alike = (1 + imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE) * finest
     for source in sorted(sources, key=lambda source: max(source.raster.ground_sample_distance, alike)):
@@ -202,45 +195,22 @@ def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[_Fo
             extent = extent_on(request.extent, request.wkt or raster.wkt, raster.wkt)
             if not covers(raster.extent, extent, grid.pixel_width, grid.pixel_height):
                 raise NotCoveredError(imagery_messages.NOT_COVERED(name=raster.ref.name))
-            window = snap_window(grid, extent, request.settings.levels)
-            return _ForecastPlace(raster, window, read_clip(source, raster, window)), unfit
+            window = snap_window(grid, extent, settings.levels)
+            read_clip(source, raster, window)  # it may have holes there
+            return WindowRequest(request.window_id, raster, (), window, settings, is_alone=True), unfit
         except RasterError as error:
             unfit.append(error.message)
     return None, unfit
 
 
-def _comparable_clips(
-    place: _ForecastPlace, sources: Sequence[OpenRaster], band: str | None
-) -> tuple[list[Clip], list[Message]]:
-    """The clips of the sources that cover the window, and why others that do can't be compared."""
-    clips: list[Clip] = []
-    notices: list[Message] = []
-    for source in sources:
-        try:
-            is_mosaic = source.ref == place.mosaic.ref
-            clip = place.clip if is_mosaic else read_clip(source, place.mosaic, place.window)
-        except NotCoveredError:
-            continue
-        except RasterError as error:
-            notices.append(error.message.as_warning())
-            continue
-        name, bands = clip.raster.ref.name, clip.raster.band_names
-        if clip.raster.judged_band != band:
-            notices.append(messages.BANDS_DIFFER(name=name, band=band, bands=", ".join(bands)).as_warning())
-        elif not np.ptp(judged_plane(clip.bands, bands)) > 0:
-            notices.append(messages.SOURCE_CONSTANT(name=name).as_warning())
-        else:
-            clips.append(clip)
-    return clips, notices
-
-
 def _kept(
-    request: ForecastRequest, place: _ForecastPlace, planes: Sequence[np.ndarray], pairs: Sequence[Feather]
+    request: ForecastRequest, place: WindowRequest, planes: Sequence[np.ndarray], pairs: Sequence[Feather]
 ) -> tuple[list[KeptDetail], list[Message]]:
     """What a feather of the width asked for would leave of each pair, and what had to be assumed for it."""
     settings = request.settings
     if not settings.width_m or not pairs:
         return [], []
+    assert place.window is not None
     grid = place.mosaic.grid
     metres_x, metres_y = metres_per_unit(place.mosaic.wkt, middle_of(grid.window_extent(place.window)))
     pixel_m = grid.pixel_height * metres_y, grid.pixel_width * metres_x

@@ -7,7 +7,6 @@ pixels, it is moved within that stretch, and dropped when it fits nowhere there.
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from operator import itemgetter
@@ -241,31 +240,21 @@ class WindowIndex:
     """Windows of one size by place."""
 
     def __init__(self, side_px: int) -> None:
-        self._side = side_px
-        self._cells: defaultdict[tuple[int, int], list[PixelWindow]] = defaultdict(list)
+        self._side, self._corners = side_px, np.empty((0, 2))
 
     def add(self, window: PixelWindow) -> None:
         """Take a window in."""
-        self._cells[window.column // self._side, window.row // self._side].append(window)
-
-    def _around(self, column: float, row: float) -> Iterator[PixelWindow]:
-        """All windows whose corner lies less than a side from a place, and some more."""
-        home_column, home_row = int(column // self._side), int(row // self._side)
-        for near_column in (home_column - 1, home_column, home_column + 1):
-            for near_row in (home_row - 1, home_row, home_row + 1):
-                yield from self._cells.get((near_column, near_row), ())
+        self._corners = np.append(self._corners, [[window.column, window.row]], axis=0)
 
     def covers(self, column: float, row: float) -> bool:
         """Whether a place lies in a window."""
-        return any(
-            0 <= column - window.column <= window.width and 0 <= row - window.row <= window.height
-            for window in self._around(column, row)
-        )
+        inside = (column, row) - self._corners
+        return bool(((inside >= 0) & (inside <= self._side)).all(axis=1).any())
 
     def shares_too_much(self, window: PixelWindow) -> bool:
         """Whether a window shares more than half of its pixels with one that is here."""
-        most = MAX_SHARED_SHARE * window.width * window.height
-        return any(window.shared_pixels(other) > most for other in self._around(window.column, window.row))
+        shared = np.maximum(self._side - abs(self._corners - (window.column, window.row)), 0).prod(axis=1)
+        return bool((shared > MAX_SHARED_SHARE * self._side**2).any())
 
 
 class SeamTrack:

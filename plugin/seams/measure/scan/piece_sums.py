@@ -64,7 +64,7 @@ class BlockOutputs:
 
     key: BlockKey
     edges: np.ndarray
-    """(4, n) of its borders, as ``tile_edges`` has them."""
+    """(4, n) of its borders, as ``cleaned_edges`` has them."""
     cells: np.ndarray | None
     """``loss_cells``, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
     sources: Sequence[int]

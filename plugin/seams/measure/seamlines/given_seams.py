@@ -170,14 +170,13 @@ class _Network:
 
 
 WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged
-_NAMED = 3  # overlaps that are told by name
+_NAMED = 3  # ambiguous names that are told
 
 
-def polygon_faults(polygons: Sequence[tuple[str, ogr.Geometry]], grid: Grid) -> list[Message]:
-    """One notice of overlaps and one of gaps, where there are any.
+def polygon_faults(polygons: Sequence[ogr.Geometry], grid: Grid) -> list[Message]:
+    """One notice of overlaps and one of gaps, where there are any: holes in what all cover together on the mosaic.
 
-    ``polygons``: what each is called (empty: nothing), and valid polygons or multipolygons in map units. Gaps are
-    holes in what all cover together, inside the mosaic.
+    ``polygons``: valid polygons or multipolygons in map units.
     """
     if not polygons:
         return []
@@ -186,25 +185,18 @@ def polygon_faults(polygons: Sequence[tuple[str, ogr.Geometry]], grid: Grid) -> 
     notices = []
     with gdal_silenced():
         overlaps = []
-        left, right, bottom, top = np.array([geometry.GetEnvelope() for _, geometry in polygons]).T
-        for number, (name, geometry) in enumerate(polygons):
+        left, right, bottom, top = np.array([geometry.GetEnvelope() for geometry in polygons]).T
+        for number, geometry in enumerate(polygons):
             meets = (left < right[number]) & (right > left[number]) & (bottom < top[number]) & (top > bottom[number])
             for other in np.flatnonzero(meets[number + 1 :]) + number + 1:
-                shared = geometry.Intersection(polygons[other][1])
+                shared = geometry.Intersection(polygons[other])
                 parts = () if shared is None else parts_with_area(shared)
                 area = sum(part.GetArea() for part in parts if 2 * part.GetArea() > narrow * part.Boundary().Length())
                 if area:
-                    overlaps.append((area * square_metres, name, polygons[other][0]))
+                    overlaps.append(area * square_metres)
         if overlaps:
-            overlaps.sort(key=lambda overlap: -overlap[0])
-            named = [f"{first} / {other}" for _, first, other in overlaps if first and other][:_NAMED]
-            total = sum(area for area, _, _ in overlaps)
-            notices.append(
-                messages.SEAM_POLYGONS_OVERLAP_NAMED(count=len(overlaps), area=total, names=", ".join(named))
-                if named
-                else messages.SEAM_POLYGONS_OVERLAP(count=len(overlaps), area=total)
-            )
-        gaps = [gap.GetArea() * square_metres for gap in _gaps([polygon for _, polygon in polygons], grid, narrow)]
+            notices.append(messages.SEAM_POLYGONS_OVERLAP(count=len(overlaps), area=sum(overlaps)))
+        gaps = [gap.GetArea() * square_metres for gap in _gaps(polygons, grid, narrow)]
     if gaps:
         notices.append(messages.SEAM_POLYGONS_GAPE(count=len(gaps), area=sum(gaps)))
     return notices

@@ -11,13 +11,11 @@ other there and don't end. Each tile tells its own edges, and all of them are jo
 """
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 from scipy import ndimage
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 NONE = -1
 """The label where no source is followed, or nobody looked."""
@@ -29,15 +27,6 @@ MARGIN = REACH + 1
 _GAP = 3  # samples: a strip up to twice as wide without labels (12 to 24 px) is crossed by those around it
 _SIGMA = 1.5  # samples, 6 px: of the neighbourhood whose majority counts; errors at borders are a cell or two wide
 _ISLAND_PX2 = 600  # px squared: what is smaller says nothing of a seam, and is an error as often as not
-_SQUARE, _VOTERS = 64, 5  # samples a side that are voted on together, and how far votes come from: 3 sigma
-
-
-def cleaned(labels: np.ndarray, label_px: int) -> np.ndarray:
-    """(rows, columns) int of samples of ``label_px``: narrow gaps are closed, single wrong labels outvoted by their
-    neighbours, and islands of less than 600 px squared given to what lies around them."""
-    if not labels.size or (labels == labels[0, 0]).all():
-        return labels
-    return _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
 
 
 _DISK = sorted(
@@ -50,11 +39,10 @@ _DISK = sorted(
 def _gaps_closed(labels: np.ndarray) -> np.ndarray:
     """Narrow strips without labels filled by the nearest one; the outline of what has labels stays as it is."""
     empty = labels == NONE
-    if not empty.any():
-        return labels
-    wide = _spread(~_spread(~empty))  # what a disk finds room in
-    narrow = np.argwhere(empty & ~wide)
-    out, around = labels.copy(), np.pad(labels, _GAP, constant_values=NONE)
+    far = ndimage.distance_transform_edt(empty) > _GAP
+    if far.any():  # what a disk finds room in stays
+        empty &= ndimage.distance_transform_edt(~far) > _GAP
+    narrow, out, around = np.argwhere(empty), labels.copy(), np.pad(labels, _GAP, constant_values=NONE)
     for down, across in _DISK:
         row, column = narrow.T
         around_label = around[row + down + _GAP, column + across + _GAP]
@@ -63,97 +51,47 @@ def _gaps_closed(labels: np.ndarray) -> np.ndarray:
     return out
 
 
-def _spread(mask: np.ndarray) -> np.ndarray:
-    """What lies within ``_GAP`` of a mask, bool."""
-    rows, columns = mask.shape
-    around, spread = np.pad(mask, _GAP), np.zeros(mask.shape, bool)
-    for down, across in _DISK:
-        spread |= around[down + _GAP : down + _GAP + rows, across + _GAP : across + _GAP + columns]
-    return spread
-
-
 def _outvoted(labels: np.ndarray) -> np.ndarray:
-    """Each label the one that most of a small neighbourhood has, those nearer counting more; NONE has no vote.
-
-    Done in those squares only where labels differ.
-    """
-    differs = np.zeros(labels.shape, dtype=bool)
-    differs[:, 1:] |= labels[:, 1:] != labels[:, :-1]
-    differs[1:] |= labels[1:] != labels[:-1]
-    out = labels.copy()
-    for top in range(0, len(labels), _SQUARE):
-        rows, above = _around(top, len(labels))
-        for left in range(0, labels.shape[1], _SQUARE):
-            columns, beside = _around(left, labels.shape[1])
-            if differs[rows, columns].any():
-                square = labels[rows, columns]
-                winner = np.where(square == NONE, NONE, _majority(square))
-                out[top : top + _SQUARE, left : left + _SQUARE] = winner[above, beside]
-    return out
-
-
-def _around(start: int, end: int) -> tuple[slice, slice]:
-    """Samples of a square along one axis with those that have a vote there, and the own ones among them."""
-    first = max(start - _VOTERS, 0)
-    return slice(first, min(start + _SQUARE + _VOTERS, end)), slice(start - first, start - first + _SQUARE)
-
-
-def _majority(labels: np.ndarray) -> np.ndarray:
-    best = np.zeros(labels.shape, np.float32)
-    winner = np.full(labels.shape, NONE, labels.dtype)
-    down, across = map(_weights, labels.shape)
+    """Each label the one that most of a small neighbourhood has, those nearer counting more; NONE has no vote."""
+    best, winner = np.zeros(labels.shape, np.float32), np.full(labels.shape, NONE, labels.dtype)
     for label in np.flatnonzero(np.bincount(labels.ravel() - NONE)[1:]) + NONE + 1:
         # In float64: two labels with as many votes stay so, to the digits that are compared.
-        votes = (down @ (labels == label) @ across).astype(np.float32)
+        mine = (labels == label).astype(np.float64)
+        votes = ndimage.gaussian_filter(mine, _SIGMA, mode="constant", truncate=3.0).astype(np.float32)
         np.copyto(winner, label, where=votes > best)
         np.maximum(best, votes, out=best)
-    return winner
-
-
-@cache
-def _weights(length: int) -> np.ndarray:
-    """Weights of the votes of samples along an axis, (length, length): a Gaussian, nothing beyond its ends."""
-    return np.asarray(ndimage.gaussian_filter1d(np.eye(length), _SIGMA, mode="constant", truncate=3.0))
+    return np.where(labels == NONE, NONE, winner)
 
 
 def _islands_filled(labels: np.ndarray, island: int) -> np.ndarray:
-    """Areas of less than ``island`` samples filled by what lies nearest; empty ones too."""
-    small = np.zeros(labels.shape, dtype=bool)
-    groups = []
+    """Areas of less than ``island`` samples filled by what lies nearest, no farther off than an island may be large;
+    empty ones too."""
+    small = np.zeros(labels.shape, bool)
     for label in np.flatnonzero(np.bincount(labels.ravel() - NONE)) + NONE:
         area, _ = ndimage.label(labels == label)
         few = np.bincount(area.ravel()) < island
         few[0] = False
-        if few.any():
-            small |= few[area]
-            boxes = ndimage.find_objects(area)
-            groups += [boxes[i - 1] for i in np.flatnonzero(few)]
-    out = labels.copy()
-    for rows, columns in groups:
-        # What fills an island is no farther off than an island may be large; else it stays empty.
-        top, left = max(rows.start - island, 0), max(columns.start - island, 0)
-        around = np.s_[top : rows.stop + island, left : columns.stop + island]
-        inner = np.s_[rows.start - top : rows.stop - top, columns.start - left : columns.stop - left]
-        away, nearest = ndimage.distance_transform_edt(small[around], return_indices=True)
-        near = labels[around][tuple(nearest)][inner]
-        gone = small[rows, columns]
-        known = (away[inner] <= island) & ~small[around].all()
-        out[rows, columns] = np.where(gone, np.where(known, near, NONE), labels[rows, columns])
-    return out
+        small |= few[area]
+    if not small.any() or small.all():
+        return np.where(small, NONE, labels)
+    away, nearest = ndimage.distance_transform_edt(small, return_indices=True)
+    return np.where(away <= island, labels[tuple(nearest)], NONE)
 
 
 @dataclass(frozen=True, eq=False)
-class LabelBorder:
-    """One border between two labels, from one junction to the next, or a ring."""
+class SourceBorder:
+    """A border of what follows one source, from one junction to the next, or a ring; seams are those that have a source
+    on either side."""
 
-    nodes: np.ndarray
-    """(n, 2) int64, n >= 2: row and column of sample corners; first and last are equal when it is a ring."""
+    vertices: np.ndarray
+    """(n, 2) float64, n >= 2, first and last equal when it is a ring: columns and rows of sample corners, or map units
+    once it is traced."""
     left: int
-    """The label on the left hand of who walks along it, the lower one; ``NONE`` where it is an outline."""
+    """Number of the source on the left hand of who walks along it, the lower one; ``NONE`` where it is an outline."""
     right: int
-    """The label on the right hand."""
+    """Number of the source on the right hand."""
     keys: tuple[int, int]
-    """What its two ends are known by: borders with an end of the same key meet there."""
+    """What its ends are known by: borders with an end of the same key meet there."""
 
 
 @dataclass(frozen=True)
@@ -178,39 +116,37 @@ class LabelTile:
 
 
 def cleaned_edges(labels: np.ndarray, tile: LabelTile, label_px: int) -> np.ndarray:
-    """The edges of a tile of labels that are not cleaned, (rows, columns) of ``tile.around(MARGIN)``."""
-    place = tuple(
-        slice(inner.start - outer.start, inner.stop - outer.start)
-        for inner, outer in zip(tile.around(1), tile.around(MARGIN))
-    )
-    return tile_edges(cleaned(labels, label_px)[place], tile)
-
-
-def tile_edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:
     """A tile's own edges: those within it, on its upper and its left side, and on the mosaic's outline.
 
-    ``labels``: (rows, columns) of ``tile.around(1)``. Returns (4, n) int64: first and last node, left and right label;
-    a node is twice its number, plus 1 for the second of two in one place.
+    ``labels``: (rows, columns) int of samples of ``label_px``, of ``tile.around(MARGIN)``. First, narrow gaps are
+    closed, single wrong labels outvoted by their neighbours, and islands of less than 600 px squared given to what lies
+    around them. Returns (4, n) int64: first and last node, left and right label; a node is twice its number, plus 1
+    for the second of two in one place.
     """
-    margins = []
-    for around, first, length, end in zip(
-        tile.around(1), (tile.row, tile.column), (tile.height, tile.width), (tile.rows, tile.columns)
+    if (labels != labels[:1, :1]).any():
+        labels = _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
+    places, margins = [], []
+    for inner, outer, first, length, end in zip(
+        tile.around(1), tile.around(MARGIN), (tile.row, tile.column), (tile.height, tile.width),
+        (tile.rows, tile.columns),
     ):
+        places.append(slice(inner.start - outer.start, inner.stop - outer.start))
         # Of the last tile the sample beyond is its own: there is nothing, and the outline lies before it.
         last = first + length + (first + length == end)
-        margins.append((around.start - first + 1, last + 1 - around.stop))
-    return _edges(np.pad(labels, margins, constant_values=NONE)[:-1], tile)
+        margins.append((inner.start - first + 1, last + 1 - inner.stop))
+    return _edges(np.pad(labels[tuple(places)], margins, constant_values=NONE)[:-1], tile)
 
 
-def joined_borders(edges: np.ndarray, columns: int) -> list[LabelBorder]:
+def joined_borders(edges: np.ndarray, columns: int) -> list[SourceBorder]:
     """The borders that the edges of all tiles, (4, n), make, outlines included, by the nodes where they begin;
     ``columns`` of the whole mosaic."""
     start, stop, left, right = edges
     borders = []
     for group in _chained(start, stop):
         nodes = np.append(start[group], stop[group[-1]])
-        places, sides = np.column_stack(np.divmod(nodes // 2, columns + 1)), (int(left[group[0]]), int(right[group[0]]))
-        borders.append(LabelBorder(places, *sides, (int(nodes[0]), int(nodes[-1]))))
+        row, column = np.divmod(nodes // 2, columns + 1)
+        sides, keys = (int(left[group[0]]), int(right[group[0]])), (int(nodes[0]), int(nodes[-1]))
+        borders.append(SourceBorder(np.column_stack([column, row]).astype(float), *sides, keys))
     return sorted(borders, key=lambda border: (border.keys, border.left, border.right))
 
 
@@ -253,40 +189,19 @@ def _edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:
     ], axis=1).astype(np.int64)
 
 
-def _chained(start: np.ndarray, stop: np.ndarray) -> list[np.ndarray]:
+def _chained(start: np.ndarray, stop: np.ndarray) -> list[list[int]]:
     """Numbers of the edges of each border, one after the other: from a node that other than two meet to the next; of a
     ring from its lowest node."""
-    count = len(start)
-    if not count:
-        return []
-    nodes, ends = np.unique(np.concatenate([start, stop]), return_inverse=True)
-    starts, stops = ends[:count], ends[count:]
-    is_end = np.bincount(ends, minlength=len(nodes)) != 2
-    leaving = np.full(len(nodes), -1)
-    leaving[starts] = np.arange(count)
-    following = np.where(is_end[stops], -1, leaving[stops])
-    linked = np.flatnonzero(following >= 0)
-    links = coo_matrix((np.ones(len(linked), bool), (linked, following[linked])), shape=(count, count))
-    chains, chain = connected_components(links, directed=False)
+    nodes, counts = np.unique(np.concatenate([start, stop]), return_counts=True)
+    junctions = set(nodes[counts != 2].tolist())
+    starts, stops = start.tolist(), stop.tolist()
+    leaving = {node: edge for edge, node in enumerate(starts) if node not in junctions}
 
-    # A ring has no last edge: it is opened at its first node.
-    is_ring = np.ones(chains, dtype=bool)
-    is_ring[chain[following < 0]] = False
-    if is_ring.any():
-        first_node = np.full(chains, len(nodes))
-        np.minimum.at(first_node, chain, starts)
-        following[is_ring[chain] & (stops == first_node[chain])] = -1
-    order = np.lexsort((-_edges_to_last(following), chain))
-    return np.split(order, np.flatnonzero(np.diff(chain[order])) + 1)
+    def chain_from(edge: int | None) -> Iterator[int]:
+        while edge is not None:
+            yield edge
+            edge = leaving.pop(stops[edge], None)
 
-
-def _edges_to_last(following: np.ndarray) -> np.ndarray:
-    """How many edges follow each one in its chain: pointers that leap twice as far in every round."""
-    far, count = following.copy(), (following >= 0).astype(np.int64)
-    moving = np.flatnonzero(far >= 0)
-    while len(moving):
-        target = far[moving]
-        count[moving] += count[target]
-        far[moving] = far[target]
-        moving = moving[far[moving] >= 0]
-    return count
+    chains = [[*chain_from(edge)] for edge, node in enumerate(starts) if node in junctions]
+    rings = ([*chain_from(leaving.pop(node))] for node in sorted(leaving) if node in leaving)
+    return [*chains, *rings]

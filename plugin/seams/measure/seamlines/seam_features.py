@@ -171,8 +171,8 @@ class GatheredLines:
     """Polygons that name their source."""
     dates: dict[str, set[str]] = field(default_factory=dict)
     """When each source was taken, as far as anything says."""
-    polygons: list[tuple[str, ogr.Geometry]] = field(default_factory=list)
-    """All of them, repaired, with what they are called."""
+    polygons: list[ogr.Geometry] = field(default_factory=list)
+    """All of them, repaired."""
     repaired: int = 0
     """Polygons that crossed themselves."""
     crossing: int = 0
@@ -248,7 +248,7 @@ def _gather(
             lines.repaired += not is_valid
             lines.rings += rings
             lines.ring_owners += [owner] * len(rings)
-            lines.polygons.append((owner_name(owner), polygon))
+            lines.polygons.append(polygon)
             if source:
                 lines.cells.append(Cell(source, bytes(polygon.ExportToWkb(ogr.wkbNDR)), _extent(polygon)))
         elif part.GetPointCount() > 1:

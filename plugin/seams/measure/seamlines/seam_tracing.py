@@ -4,7 +4,7 @@ from __future__ import annotations
 import struct
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from osgeo import ogr
@@ -13,26 +13,12 @@ from scipy import ndimage
 from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.grids import Grid
 from ....imagery.lines import as_xy, is_polygon, simple_parts, straightened
-from .label_borders import NONE, LabelBorder, joined_borders
+from .label_borders import NONE, SourceBorder, joined_borders
 from .seam_pieces import SidedSeam
 
 _SIGMA = 2.0  # samples along a border, 8 px: a stair's length and more; a corner of 90 degrees is cut by 6 px
 _STRAIGHT = 0.5  # samples, 2 px, that a vertex may be off the straight line before it is kept
 _STAIR = 1.0  # the same on outlines, whose corners are kept as they are
-
-
-@dataclass(frozen=True, eq=False)
-class SourceBorder:
-    """A border of what follows one source; seams are those that have a source on either side."""
-
-    vertices: np.ndarray
-    """(n, 2) float64 map units."""
-    left: int
-    """Number of the source on the left hand; ``NONE`` where the border is an outline."""
-    right: int
-    """Number of the source on the right hand."""
-    keys: tuple[int, int]
-    """What its ends are known by: borders with an end of the same key meet there."""
 
 
 def seams_of(borders: Iterable[SourceBorder]) -> list[SidedSeam]:
@@ -53,13 +39,13 @@ def trace_borders(edges: np.ndarray, grid: Grid, columns: int, label_px: int = 4
     borders = []
     for border in joined_borders(edges, columns):
         places = np.minimum(_regularised(border) * label_px, (grid.columns, grid.rows))
-        borders.append(SourceBorder(corner + places * pixel, border.left, border.right, border.keys))
+        borders.append(replace(border, vertices=corner + places * pixel))
     return borders
 
 
-def _regularised(border: LabelBorder) -> np.ndarray:
+def _regularised(border: SourceBorder) -> np.ndarray:
     """A border without its stairs: (n, 2) columns and rows in samples; its ends stay."""
-    path = border.nodes[:, ::-1].astype(float)
+    path = border.vertices
     if border.left == NONE:
         return as_xy(straightened(path @ (1, 1j), _STAIR))
     middles = (path[:-1] + path[1:]) / 2

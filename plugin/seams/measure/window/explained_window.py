@@ -16,10 +16,10 @@ from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import ReadEach
 from ....imagery.wavelets import Curve, correlation
 from .. import messages
-from ..compared_image import Change, MeasuredClip, judged_planes
+from ..compared_image import Change, MeasuredClip
 from ..judgement.causes import Cause
 from ..judgement.explanation import Explanation, explain
-from ..judgement.hard_cut import cut_hard, judged_ground, window_loss
+from ..judgement.hard_cut import JudgedGround, as_type, cut_hard, ground_of
 from ..judgement.verdicts import (
     MIN_EXPLAINED,
     Judgement,
@@ -32,7 +32,7 @@ from ..judgement.verdicts import (
 )
 from ..limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
-from ..profile.window_detail import LossPicture
+from ..profile.window_detail import LossPicture, loss_picture
 from ..seam_cells import UNKNOWN, cell_labels
 from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
@@ -49,9 +49,8 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     if not measured.is_explicable:
         pairs = [pair for source in measured.sources for pair in _pairs(mosaic, source, {})]
         return WindowResult(
-            request.window_id, request.window, paper, paper.verdict, clips, tuple(pairs),
-            notices=tuple(notices), ground_sample_distance=request.mosaic.ground_sample_distance,
-            reference=request.settings.reference,
+            request.window_id, request.window, paper, paper.verdict, clips, tuple(pairs), None,
+            tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
         )
     judged = measured.judged
     settings, labels = request.settings, known_labels(request, judged)
@@ -83,9 +82,14 @@ def window_lost(measured: MeasuredWindow) -> LossPicture | None:
     """Picture of where a window lost its sources' detail, as its explanation has it; None where that can't be told."""
     if not measured.is_explicable:
         return None
-    settings, judged = measured.request.settings, measured.judged
-    labels = known_labels(measured.request, judged)
-    return window_loss(measured.mosaic, judged, settings.wavelet, settings.levels, labels)
+    settings, ground = measured.request.settings, _ground(measured)
+    if ground.is_unclear:
+        return None
+    return loss_picture(ground.detail(settings.wavelet, settings.levels), ground.expected.labels, ground.inside)
+
+
+def _ground(measured: MeasuredWindow) -> JudgedGround:
+    return ground_of(measured.mosaic, measured.judged, known_labels(measured.request, measured.judged))
 
 
 def _with_other_pixels(reason: Message, measured: MeasuredWindow) -> Message:
@@ -200,11 +204,8 @@ def window_composite(request: WindowRequest) -> WindowComposite | Message:
     cut = cut_hard(measured.mosaic, measured.judged, request.settings.levels, known_labels(request, measured.judged))
     if cut.ground.is_unclear:
         return messages.COMPOSITE_UNCLEAR()
-    kind, levelled = cut.mosaic.bands.dtype, cut.composite.levelled / measured.mosaic.grey_factor
-    if kind.kind != "f":
-        ends = np.iinfo(kind)
-        levelled = np.clip(np.rint(levelled), ends.min, ends.max)
-    return WindowComposite(cut.mosaic.names, levelled.astype(kind))
+    levelled = cut.composite.levelled / measured.mosaic.grey_factor
+    return WindowComposite(cut.mosaic.names, as_type(levelled, cut.mosaic.bands.dtype))
 
 
 @dataclass(frozen=True)
@@ -232,7 +233,5 @@ def live_profile(measured: MeasuredWindow) -> SeamProfile | None:
     """What is kept along the seam, as a whole inspection has it; None without a seam or where it can't be told."""
     if not measured.judged:
         return None
-    image, *images = judged_planes((measured.mosaic, *measured.judged))
-    settings, labels = measured.request.settings, known_labels(measured.request, measured.judged)
-    ground = judged_ground(image, images, labels, measured.mosaic.inside)
+    settings, ground = measured.request.settings, _ground(measured)
     return None if ground.is_unclear else ground.detail(settings.wavelet, settings.levels).profile

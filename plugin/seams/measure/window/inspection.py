@@ -219,24 +219,8 @@ def inspect_window(request: WindowRequest) -> WindowResult:
     ``not_comparable`` with the reason. Neither raises. Raises SettingsError for what ``Block.window`` did not make.
     """
     imagery_limits.check_type("request", request, WindowRequest)
-    *_, result = inspect_in_stages(request)
-    assert isinstance(result, WindowResult)
-    return result
-
-
-def inspect_in_stages(
-    request: WindowRequest, measure: MeasureWindow = measure_window
-) -> Iterator[WindowClips | WindowResult]:
-    """Inspect one window: the curves as soon as they are there, unless there are none, then all.
-
-    ``measure`` may know a faster way to the first of them.
-    """
-    measured = measure(request)
-    if isinstance(measured, MeasuredWindow):
-        yield measured.clips
-        yield explain_window(measured)
-    else:
-        yield not_comparable(request, measured)
+    measured = measure_window(request)
+    return explain_window(measured) if isinstance(measured, MeasuredWindow) else not_comparable(request, measured)
 
 
 def inspect_windows(
@@ -254,9 +238,19 @@ def inspect_windows(
         yield from in_order(requests, inspect_window, not_comparable, Workers(*opened, cancelled))
 
 
-def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[WindowClips | WindowResult]:
-    """``inspect_in_stages`` for a window that somebody waits for; what nobody foresaw becomes the reason likewise."""
+def inspect_in_stages(
+    request: WindowRequest, measure: MeasureWindow = measure_window
+) -> Iterator[WindowClips | WindowResult]:
+    """Inspect a window that somebody waits for: the curves as soon as they are there, unless there are none, then all.
+
+    ``measure`` may know a faster way to the first of them. What nobody foresaw becomes the reason of a result.
+    """
     try:
-        yield from inspect_in_stages(request, measure)
+        measured = measure(request)
+        if isinstance(measured, MeasuredWindow):
+            yield measured.clips
+            yield explain_window(measured)
+        else:
+            yield not_comparable(request, measured)
     except Exception as error:  # as an executor keeps it for ``in_order``
         yield not_comparable(request, unforeseen(error))

@@ -84,7 +84,7 @@ def measure_window(
         return request.reason
     refs = request.mosaic.ref, *(source.ref for source in request.sources)
     mosaic, *others = read_each([
-        (ref, partial(_measured, request=request, partly=number > 0, judged_only=judged_only))
+        (ref, partial(measured_clip, request=request, partly=number > 0, judged_only=judged_only))
         for number, ref in enumerate(refs)
     ])
     if isinstance(mosaic, RasterError):
@@ -95,7 +95,7 @@ def measure_window(
     if len(images) < len(request.sources):
         return measure_window(replace(request, sources=tuple(images)), read_each, judged_only)
     band = mosaic.clip.raster.judged_band
-    sources, notices, not_covering = _comparable(others, band)
+    sources, notices, not_covering = comparable(others, band)
     pixel_m = mosaic.clip.raster.ground_sample_distance
     judged = [
         source for source in sources
@@ -114,7 +114,8 @@ def measure_window(
     return MeasuredWindow(request, mosaic, tuple(judged), tuple(shown), tuple(sources), paper, tuple(notices))
 
 
-def _measured(raster: OpenRaster, request: WindowRequest, partly: bool, judged_only: bool) -> MeasuredClip:
+def measured_clip(raster: OpenRaster, request: WindowRequest, partly: bool, judged_only: bool) -> MeasuredClip:
+    """A raster's clip of a window, with its curves where it has all pixels. Raises RasterError."""
     window, around = request.window, request.around
     assert window is not None
     clip, wide, factor = read_with_surroundings(raster, request.mosaic, window, around, partly)
@@ -135,7 +136,7 @@ def in_file_values(curves: Mapping[str, Curve], factor: float) -> dict[str, Curv
     return {name: replace(curve, variance=curve.variance / factor**2) for name, curve in curves.items()}
 
 
-def _comparable(
+def comparable(
     measured: Iterable[MeasuredClip | RasterError], band: str
 ) -> tuple[list[MeasuredClip], list[Message], list[Message]]:
     """Sources that can be compared, why others can't, and which do not cover the window at all."""

@@ -16,7 +16,6 @@ from ....imagery.rasters import Raster
 from ....imagery.wavelets import check_decomposition
 from .. import limits, messages
 from ..inputs.grey_values import read_grey_clip
-from ..judgement.verdicts import check_max_ratio, check_min_kept
 from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
 from ..source_images import Source
@@ -100,8 +99,9 @@ class InspectionSettings:
         """Raise SettingsError when a value is out of its range."""
         imagery_limits.check_settings(self, InspectionSettings)
         check_decomposition(self.wavelet, self.levels)
-        check_max_ratio(self.max_ratio)
-        check_min_kept(self.min_kept)
+        for name, limit in (("MAX_RATIO", self.max_ratio), ("MIN_KEPT", self.min_kept)):
+            if not 0 < limit < 1:
+                raise SettingsError(messages.LIMIT_OUT_OF_RANGE(name=name, limit=limit))
         if self.reference not in REFERENCES:
             raise SettingsError(messages.REFERENCE_UNKNOWN(reference=self.reference, known=", ".join(REFERENCES)))
 

@@ -79,7 +79,7 @@ def test_overlaps_are_told_and_have_no_seam() -> None:
     given = given_seams(
         [box(0, 0, 110, 200, source="a"), box(100, 0, 250, 200, source="b"), box(250, 0, 400, 200, source="c")], GRID
     )
-    assert "overlap in 1 places of 2000.0 m2 in all (such as a / b)" in told(given)
+    assert "overlap in 1 places of 2000.0 m2 in all;" in told(given)
     assert [northward(seam) for seam in given.seams] == [("b", "c")]
 
 
