@@ -129,27 +129,21 @@ UNFILTERED = Filters({}, False)
 class Learned:
     """What came over a mosaic, as far as that is known of more ground than there is in a part of it."""
 
-    filters: Filters
+    taps: Mapping[int, np.ndarray]
+    """The filter (5, 5) of each source that anything is known of; ``UNTOUCHED`` where nothing came over it."""
     left_over: Mapping[int, float]
-    """Share of the mosaic's finest detail that is left over where it was learned, of each source it was learned of."""
-
-    def supposing(self, taps: Mapping[int, np.ndarray]) -> Learned:
-        """What is known, with ``taps`` of sources that no ground is sure to follow: what they come nearest to the
-        mosaic by, which may be made of others. All is left over of these."""
-        more = {source: kernel for source, kernel in taps.items() if source not in self.left_over}
-        if not more:
-            return self
-        filters = Filters({**self.taps, **more}, False)
-        return Learned(filters, {**self.left_over, **dict.fromkeys(more, 1.0)})
+    """Share of the mosaic's finest detail that is left over where it was learned, of the same sources; 1 of those that
+    no ground is sure to follow: what they come nearest to the mosaic by may be made of others."""
 
     @property
-    def taps(self) -> dict[int, np.ndarray]:
-        """The filter (5, 5) of each source that it was learned of."""
-        return {source: self.filters.taps.get(source, UNTOUCHED) for source in self.left_over}
+    def is_plain(self) -> bool:
+        """Whether nothing came over any."""
+        return all((kernel == UNTOUCHED).all() for kernel in self.taps.values())
 
     def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
-        """A source's plane as the mosaic shows it, by a lent filter too; as it is where nothing is known."""
-        return self.filters.applied(source, plane) if source in self.filters.taps else plane
+        """A source's plane as the mosaic shows it; as it is where nothing is known."""
+        taps = self.taps.get(source, UNTOUCHED)
+        return plane if (taps == UNTOUCHED).all() else filtered(plane, taps)
 
 
 def known_filters(taps: Mapping[int, np.ndarray], sources: Sequence[int]) -> Filters | None:
