@@ -10,12 +10,12 @@ from scipy import ndimage
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import placed_components
 from ..compared_image import ComparedImage
-from ..following.boxes import enlarged, narrowed, square_shares, square_sums
+from ..following.boxes import enlarged, filled_in, narrowed, square_shares, square_sums
 from ..following.expected_mosaic import Closeness, expected_mosaic
 from ..following.followed_source import HIGH_PASS_PX
 from ..following.levelling import SQUARE_PX as TONE_PX
 from ..following.levelling import gain_field, square_means
-from ..following.likely_source import QUICK, filled_in
+from ..following.likely_source import QUICK
 from ..following.placed_sources import PlacedSources, follow_given, follow_sources
 from ..following.source_filters import Learned, known_filters
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable

@@ -18,6 +18,7 @@ from ..following.expected_mosaic import mosaic_of
 from ..following.followed_source import (
     LEAST_ENERGY,
     MIN_MIXTURE_FIT,
+    MIN_TEXTURED,
     MIN_WINNER_LEAD,
     high_pass,
     highest,
@@ -274,7 +275,7 @@ def _followed(
     best, lead = highest(correlation)
     winner = numbers[best]
     top = correlation.max(axis=0)
-    textured = whole_mosaic > 8 * least
+    textured = whole_mosaic > MIN_TEXTURED * least
     explained = np.maximum(top, 0) ** 2
     fits, alone, by_next = textured & (explained >= MIN_FIT), 1 - explained, 1 - np.maximum(top - lead, 0) ** 2
     sure = fits & is_sure(top, lead)
@@ -282,9 +283,8 @@ def _followed(
     quarters = local_correlation(mosaic, energies, shared)
     quarter, quarter_lead = highest(quarters)
     quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
-    differs = (
-        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (mosaic > 8 * least)
-    ).any(axis=0)
+    clearly = (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (mosaic > MIN_TEXTURED * least)
+    differs = ((quarter != best) & clearly).any(axis=0)
     images = list(fines.values())
     mixed_quarters, explained_by_two = mixtures(
         mosaic, dict(enumerate(energies)), dict(enumerate(shared)),
@@ -308,7 +308,7 @@ def _followed(
 
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """Patches without texture to tell a source by."""
-    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * LEAST_ENERGY)
+    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * MIN_TEXTURED * LEAST_ENERGY)
 
 
 def _cells(
