@@ -275,12 +275,15 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
     numbers = present(labels)
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}
-        fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
-        single = {i: taps_of_source for i, taps_of_source in fitted.items() if taps_of_source is not None}
-        if any(
-            _explains_more(fine, common, filtered(reference, taps_of_source), parts[i], MIN_SINGLE_GAIN)
-            for i, taps_of_source in single.items()
-        ):
+        # Of what is explained best: some of a part may be of another source, or hold a seam.
+        fitted = {
+            i: fit_filter(fine, reference, _best_explained(fine, common, part), gain=1.0) for i, part in parts.items()
+        }
+        single = {
+            i: kernel for i, kernel in fitted.items() if kernel is not None
+            and _explains_more(fine, common, filtered(reference, kernel), parts[i], MIN_SINGLE_GAIN)
+        }
+        if single:
             return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
 
