@@ -10,14 +10,14 @@ from scipy import ndimage
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import placed_components
 from ..compared_image import ComparedImage
-from ..following.boxes import enlarged, narrowed, square_shares, square_sums
+from ..following.boxes import enlarged, filled_in, narrowed, square_shares, square_sums
 from ..following.expected_mosaic import Closeness, expected_mosaic
 from ..following.followed_source import HIGH_PASS_PX
 from ..following.levelling import SQUARE_PX as TONE_PX
 from ..following.levelling import gain_field, square_means
-from ..following.likely_source import QUICK, filled_in
+from ..following.likely_source import QUICK
 from ..following.placed_sources import PlacedSources, follow_given, follow_sources
-from ..following.source_filters import Filters, known_filters
+from ..following.source_filters import Learned, known_filters
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import MeetingSources, compared_planes, detail_sums, energy_of_rounding
 from ..seam_cells import UNKNOWN, is_one_of, present
@@ -159,7 +159,7 @@ def measure_plain(
     window = replace(block, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
     if look.learned is None:
         return CellTable.empty(levels)
-    source = np.where(is_one_of(look.source, look.learned.left_over), look.source, np.uint8(UNKNOWN))
+    source = np.where(is_one_of(look.source, look.learned.taps), look.source, np.uint8(UNKNOWN))
     numbers = present(source)
     if not numbers:
         return CellTable.empty(levels)
@@ -172,7 +172,7 @@ def measure_plain(
             labels[(labels == number) & ~valid] = UNKNOWN
     if planes.mosaic_valid is not None:
         labels[~planes.mosaic_valid] = UNKNOWN
-    made, gain = _composite(planes, labels, list(planes.sources), look.learned.filters)
+    made, gain = _composite(planes, labels, list(planes.sources), look.learned)
     inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
     known = square_shares(labels[inside] != UNKNOWN, CELL_PX) == 1
     measured = enlarged(dense, UNIT_PX // CELL_PX)
@@ -194,7 +194,7 @@ def measure_plain(
 
 
 def _composite(
-    planes: Planes, labels: np.ndarray, numbers: list[int], filters: Filters
+    planes: Planes, labels: np.ndarray, numbers: list[int], learned: Learned
 ) -> tuple[np.ndarray, np.ndarray]:
     """The sources as sharp as the mosaic shows them, the mosaic itself where none is followed; and by cells, without
     the margin, what their detail is multiplied by in its tones."""
@@ -211,7 +211,7 @@ def _composite(
         whole = followed[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
         gains = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
         np.copyto(gain[squares], gains, where=whole)
-        np.copyto(made[place], filters.applied(number, plane), where=followed[place])
+        np.copyto(made[place], learned.applied(number, plane), where=followed[place])
     margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
     inside = gain[margin:-margin, margin:-margin]
     return made, square_shares(inside, per_cell)

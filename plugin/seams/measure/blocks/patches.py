@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 from scipy import ndimage
@@ -19,6 +18,7 @@ from ..following.expected_mosaic import mosaic_of
 from ..following.followed_source import (
     LEAST_ENERGY,
     MIN_MIXTURE_FIT,
+    MIN_TEXTURED,
     MIN_WINNER_LEAD,
     high_pass,
     highest,
@@ -29,7 +29,7 @@ from ..following.followed_source import (
 )
 from ..following.foreign_ground import foreign_patches
 from ..following.likely_source import MIN_FIT
-from ..following.source_filters import MAX_LEFT_UNFILTERED, Learned, best_filter, filtered
+from ..following.source_filters import MAX_LEFT_UNFILTERED, UNTOUCHED, Learned, best_filter, filtered
 from ..profile.cell_table import CELL_PX, CellTable
 from ..seam_cells import UNKNOWN, present
 from .block_grid import SQUARE_PX
@@ -105,8 +105,8 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         shown = {i: filtered(plane, supposed[i]) if i in supposed else plane for i, plane in fines.items()}
         patches = _patches(fine, shown, planes, with_patch, empty)
     cells, learned = cells_of(patches)
-    if learned.filters.taps:
-        shown = {i: learned.applied(i, plane) if i in learned.left_over else shown[i] for i, plane in fines.items()}
+    if not learned.is_plain:
+        shown = {i: learned.applied(i, plane) if i in learned.taps else shown[i] for i, plane in fines.items()}
         patches = _patches(fine, shown, planes, with_patch, empty)
         cells, learned = cells_of(patches)
     # What was warped is explained as badly as by another image.
@@ -114,7 +114,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
     if strangers.any():
         patches = patches.without(strangers)
         cells, learned = cells_of(patches)
-    learned = learned.supposing(supposed)
+    learned = Learned({**supposed, **learned.taps}, {**dict.fromkeys(supposed, 1.0), **learned.left_over})
     return SquareLook(patches.source, patches.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
 
 
@@ -124,10 +124,13 @@ class _Patches:
 
     source: np.ndarray
     """uint8: as in ``SquareLook``."""
+    sure: np.ndarray
+    """bool: where it is that one for sure, and nothing else."""
     doubtful: np.ndarray
-    """bool"""
+    """bool: where a dense look is called for."""
     sampled: np.ndarray
-    """bool: those that follow one source. Not those alone that tell it best: smooth ground comes over otherwise."""
+    """bool: those that follow one source, and so clearly that they are not mixed with the next. Not those alone that
+    tell it best: smooth ground comes over otherwise."""
     energy: np.ndarray
     """Energy of the mosaic, DN squared, 0 where it shows nothing to tell a source by."""
     left_over: np.ndarray
@@ -173,16 +176,18 @@ def _patches(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, with_patch: np.ndarray, empty: np.ndarray
 ) -> _Patches:
     shape = with_patch.shape[0], with_patch.shape[1]
-    winner, sure, doubtful, impure, energy, left_over = _followed(fine, fines, planes, shape)
-    winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
+    followed = _followed(fine, fines, planes, shape)
+    winner = np.where(with_patch, followed.source, np.uint8(UNKNOWN))
+    doubtful, sure = followed.doubtful & with_patch, followed.sure & with_patch
     silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
     filled, alone, known = winner, silent, winner != UNKNOWN
     if silent.any() and known.any():  # squares that say nothing follow what is nearest to them
         distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
         filled, alone = np.where(silent, winner[row, column], winner), silent & (distance > _FARTHEST_FILLED)
     doubtful |= alone & ~with_patch
-    sampled = with_patch & ~doubtful & ~impure & (filled != UNKNOWN) & sure.any()
-    return _Patches(filled, doubtful, sampled, np.where(with_patch, energy, 0), left_over)
+    sampled = followed.sampled & with_patch & ~doubtful & (filled != UNKNOWN) & sure.any()
+    energy = np.where(with_patch, followed.energy, 0)
+    return replace(followed, source=filled, sure=sure, doubtful=doubtful, sampled=sampled, energy=energy)
 
 
 def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarray:
@@ -209,8 +214,8 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
     if look.learned is not None:
         fines = {i: look.learned.applied(i, fine) for i, fine in fines.items()}
-    winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
-    middles[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
+    followed = _followed(high_pass(planes.mosaic), fines, planes, shape)
+    middles[tuple(squares.T)] = np.where(followed.sure & valid, followed.source, UNKNOWN)[:, 0]
     return middles
 
 
@@ -253,26 +258,9 @@ def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarr
     return np.asarray(down.reshape(rows, 2, columns, 2, CELL_PX).sum(axis=4).transpose(1, 3, 0, 2).reshape(4, *shape))
 
 
-class _Followed(NamedTuple):
-    """What patches follow, each (rows, columns)."""
-
-    source: np.ndarray
-    """uint8: ``UNKNOWN`` where none explains it."""
-    sure: np.ndarray
-    """bool: where it is that one for sure, and nothing else."""
-    doubtful: np.ndarray
-    """bool: where a dense look is called for."""
-    impure: np.ndarray
-    """bool: where it is that one by all likelihood, but not so clearly that it may not be mixed with the next."""
-    energy: np.ndarray
-    """Energy of the mosaic, DN squared, 0 without texture."""
-    left_over: np.ndarray
-    """What sources leave over of it, alone or mixed."""
-
-
 def _followed(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, shape: tuple[int, int]
-) -> _Followed:
+) -> _Patches:
     """What each patch follows: the source of highest correlation."""
     numbers = np.array(list(fines), np.uint8)
     least = LEAST_ENERGY * (CELL_PX**2)
@@ -287,7 +275,7 @@ def _followed(
     best, lead = highest(correlation)
     winner = numbers[best]
     top = correlation.max(axis=0)
-    textured = whole_mosaic > 8 * least
+    textured = whole_mosaic > MIN_TEXTURED * least
     explained = np.maximum(top, 0) ** 2
     fits, alone, by_next = textured & (explained >= MIN_FIT), 1 - explained, 1 - np.maximum(top - lead, 0) ** 2
     sure = fits & is_sure(top, lead)
@@ -295,9 +283,8 @@ def _followed(
     quarters = local_correlation(mosaic, energies, shared)
     quarter, quarter_lead = highest(quarters)
     quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
-    differs = (
-        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (mosaic > 8 * least)
-    ).any(axis=0)
+    clearly = (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (mosaic > MIN_TEXTURED * least)
+    differs = ((quarter != best) & clearly).any(axis=0)
     images = list(fines.values())
     mixed_quarters, explained_by_two = mixtures(
         mosaic, dict(enumerate(energies)), dict(enumerate(shared)),
@@ -314,14 +301,14 @@ def _followed(
     doubtful = (textured & ~(sure | likelier) & ~strange) | differs | mixed
     left_over = (mosaic * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
     winner = np.where(sure | likelier | doubtful, winner, np.uint8(UNKNOWN))
-    return _Followed(
-        winner, sure & ~doubtful, doubtful, likelier & ~sure, np.where(textured, whole_mosaic, 0), left_over
-    )
+    impure = likelier & ~sure
+    energy = np.where(textured, whole_mosaic, 0)
+    return _Patches(winner, sure & ~doubtful, doubtful, ~(doubtful | impure), energy, left_over)
 
 
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """Patches without texture to tell a source by."""
-    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * LEAST_ENERGY)
+    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * MIN_TEXTURED * LEAST_ENERGY)
 
 
 def _cells(
@@ -354,8 +341,10 @@ def _cells(
             break
         followed = np.where(outlying, np.uint8(UNKNOWN), followed)
     rows, columns = ((start[step // 2 :: step] + _CELL.start) // CELL_PX for start in starts)
-    left_over = {i: _share_left(followed == i, mm, rest) for i in numbers}
-    learned = Learned(filters, left_over)
+    learned = Learned(
+        {i: filters.taps.get(i, UNTOUCHED) for i in numbers},
+        {i: _share_left(followed == i, mm, rest) for i in numbers},
+    )
     sums = [products[np.newaxis] for products in (mm, cc, mc)]
     return CellTable.far(rows, columns, followed != UNKNOWN, sums, levels), learned
 

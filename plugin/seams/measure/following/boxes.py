@@ -1,10 +1,14 @@
-"""Samples and the squares around them: sums and borders, from runs that double, a few additions whatever the side."""
+"""Samples and the squares around them: sums and borders, from runs that double, a few additions whatever the side; and
+parts of samples that are too small to be believed."""
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
+from scipy import ndimage
 
+SMALLEST_PART_PX = 600
+"""Pixels of one source on their own that are believed; a square of 24 px."""
 PIECE_PX = 128
 """Rows worked on at a time, so that what lies between two passes stays in the cache."""
 
@@ -136,3 +140,32 @@ def _dilated(mask: np.ndarray, down: int, across: int, pad: int) -> np.ndarray:
     padded = np.zeros((mask.shape[0] + 2 * pad, mask.shape[1] + 2 * pad), bool)
     padded[pad : pad + mask.shape[0], pad : pad + mask.shape[1]] = mask
     return runs(runs(padded, down, 0, np.logical_or), across, 1, np.logical_or)
+
+
+def without_islands(labels: np.ndarray, least: int) -> np.ndarray:
+    """Parts of fewer than ``least`` samples go with what is nearest to them; labels (rows, columns) uint8."""
+    numbers = np.flatnonzero(np.bincount(labels.ravel(), minlength=1))
+    if len(numbers) == 1:
+        return labels
+    small = np.zeros(labels.shape, bool)
+    for number in numbers.tolist():
+        parts, count = ndimage.label(labels == number)
+        few = np.bincount(parts.ravel(), minlength=count + 1) < least
+        few[0] = False
+        if few.any():
+            small |= few[parts]
+    return filled_in(labels, small)
+
+
+def filled_in(labels: np.ndarray, open_to: np.ndarray) -> np.ndarray:
+    """What is ``open_to`` what surrounds it goes with what is nearest, (rows, columns); labels if all or nothing is."""
+    if not open_to.any() or open_to.all():
+        return labels
+    filled, small = labels.copy(), open_to
+    islands, _ = ndimage.label(small, np.ones((3, 3)))
+    for number, place in enumerate(ndimage.find_objects(islands), 1):
+        # What is nearest to an island touches it.
+        around = tuple(slice(max(part.start - 1, 0), part.stop + 1) for part in place)
+        nearest = ndimage.distance_transform_edt(small[around], return_distances=False, return_indices=True)
+        np.copyto(filled[around], labels[around][tuple(nearest)], where=islands[around] == number)
+    return filled

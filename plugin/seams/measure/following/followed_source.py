@@ -28,6 +28,7 @@ MIN_MIXTURE_FIT = 0.9  # share of the mosaic's fine detail that a mixture of two
 MIN_MIXTURE_GAIN = 0.05  # by which the mixture has to explain more than the better source alone
 MIN_MIXTURE_WEIGHT = 0.1  # of each of the two sources
 LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
+MIN_TEXTURED = 8  # times that: with less there is nothing to tell a source by
 
 
 def local_correlation(mosaic: np.ndarray, energy: np.ndarray, shared: np.ndarray) -> np.ndarray:

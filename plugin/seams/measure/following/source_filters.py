@@ -129,27 +129,21 @@ UNFILTERED = Filters({}, False)
 class Learned:
     """What came over a mosaic, as far as that is known of more ground than there is in a part of it."""
 
-    filters: Filters
+    taps: Mapping[int, np.ndarray]
+    """The filter (5, 5) of each source that anything is known of; ``UNTOUCHED`` where nothing came over it."""
     left_over: Mapping[int, float]
-    """Share of the mosaic's finest detail that is left over where it was learned, of each source it was learned of."""
-
-    def supposing(self, taps: Mapping[int, np.ndarray]) -> Learned:
-        """What is known, with ``taps`` of sources that no ground is sure to follow: what they come nearest to the
-        mosaic by, which may be made of others. All is left over of these."""
-        more = {source: kernel for source, kernel in taps.items() if source not in self.left_over}
-        if not more:
-            return self
-        filters = Filters({**self.taps, **more}, False)
-        return Learned(filters, {**self.left_over, **dict.fromkeys(more, 1.0)})
+    """Share of the mosaic's finest detail that is left over where it was learned, of the same sources; 1 of those that
+    no ground is sure to follow: what they come nearest to the mosaic by may be made of others."""
 
     @property
-    def taps(self) -> dict[int, np.ndarray]:
-        """The filter (5, 5) of each source that it was learned of."""
-        return {source: self.filters.taps.get(source, UNTOUCHED) for source in self.left_over}
+    def is_plain(self) -> bool:
+        """Whether nothing came over any."""
+        return all((kernel == UNTOUCHED).all() for kernel in self.taps.values())
 
     def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
-        """A source's plane as the mosaic shows it, by a lent filter too; as it is where nothing is known."""
-        return self.filters.applied(source, plane) if source in self.filters.taps else plane
+        """A source's plane as the mosaic shows it; as it is where nothing is known."""
+        taps = self.taps.get(source, UNTOUCHED)
+        return plane if (taps == UNTOUCHED).all() else filtered(plane, taps)
 
 
 def known_filters(taps: Mapping[int, np.ndarray], sources: Sequence[int]) -> Filters | None:
@@ -281,12 +275,15 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
     numbers = present(labels)
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}
-        fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
-        single = {i: taps_of_source for i, taps_of_source in fitted.items() if taps_of_source is not None}
-        if any(
-            _explains_more(fine, common, filtered(reference, taps_of_source), parts[i], MIN_SINGLE_GAIN)
-            for i, taps_of_source in single.items()
-        ):
+        # Of what is explained best: some of a part may be of another source, or hold a seam.
+        fitted = {
+            i: fit_filter(fine, reference, _best_explained(fine, common, part), gain=1.0) for i, part in parts.items()
+        }
+        single = {
+            i: kernel for i, kernel in fitted.items() if kernel is not None
+            and _explains_more(fine, common, filtered(reference, kernel), parts[i], MIN_SINGLE_GAIN)
+        }
+        if single:
             return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
 

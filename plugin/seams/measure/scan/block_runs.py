@@ -24,7 +24,7 @@ from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from ..blocks.mosaic_reading import ALL_READ, BlockReading
 from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from ..following.boxes import enlarged
-from ..following.source_filters import UNFILTERED, UNTOUCHED, Filters, Learned
+from ..following.source_filters import UNTOUCHED, Learned
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import UNKNOWN
 from ..workers import Workers, in_order, unforeseen
@@ -206,8 +206,8 @@ def record_of(scan: BlockScan) -> bytes:
         arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
     arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
-    learned = scan.learned or Learned(UNFILTERED, {})
-    of = sorted(learned.left_over)
+    learned = scan.learned or Learned({}, {})
+    of = sorted(learned.taps)
     taps = np.array([learned.taps[number] for number in of], np.float32)
     left_over = np.array([learned.left_over[number] for number in of])
     held = taps.reshape(-1, *UNTOUCHED.shape), np.array(of, np.uint8), left_over
@@ -234,8 +234,7 @@ def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
     if taps.shape[1:] != UNTOUCHED.shape or of.dtype != np.uint8:
         raise NotUnderstoodError("filters of another kind")
     numbers = of.tolist()
-    filters = Filters(dict(zip(numbers, taps)), False)
-    return Learned(filters, dict(zip(numbers, left_over.tolist()))) if numbers else None
+    return Learned(dict(zip(numbers, taps)), dict(zip(numbers, left_over.tolist()))) if numbers else None
 
 
 def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """The picture of where detail was lost: a GeoTIFF of cells, written block row by block row."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -70,9 +70,7 @@ class LossRaster:
     def __init__(self, dataset: gdal.Dataset, path: str, cell_px: int) -> None:
         self._dataset, self._failure = dataset, imagery_messages.RASTER_NOT_WRITTEN(path=path)
         self._side = BLOCK_PX // cell_px
-        self._tiles: set[tuple[int, int]] = set()  # of the first overview, that have something to show
-        self._sums = np.zeros((3, len(BANDS)))  # by band how many pixels are known, their values, and their squares
-        self._least, self._most = np.full(len(BANDS), np.inf), np.full(len(BANDS), -np.inf)
+        self._shown = np.zeros(len(BANDS), bool)  # bands that have something to show
 
     def write(self, row: int, column: int, cells: np.ndarray) -> None:
         """The cells of one block by its row and column."""
@@ -82,11 +80,7 @@ class LossRaster:
         known = cells != NODATA
         if not known.any():
             return
-        values = np.where(known, cells, 0).astype(np.float64)
-        self._sums += [plane.sum(axis=(1, 2)) for plane in (known, values, np.square(values))]
-        self._least = np.minimum(self._least, np.where(known, cells, np.inf).min(axis=(1, 2)))
-        self._most = np.maximum(self._most, cells.max(axis=(1, 2)))
-        self._tiles.add((top // (2 * TILE), left // (2 * TILE)))
+        self._shown |= known.any(axis=(1, 2))
         with gdal_writing(self._failure):
             self._dataset.WriteArray(cells, left, top)
 
@@ -99,12 +93,9 @@ class LossRaster:
                 dataset.SetMetadataItem(name, value, SETTINGS_DOMAIN)
             dataset.GetRasterBand(SOURCE_BAND).SetCategoryNames(["", *names])
             dataset.FlushCache()
-            _write_overviews(dataset, self._tiles)
-            for number, (count, total, squares) in enumerate(self._sums.T.tolist()):
-                if count:
-                    mean, ends = total / count, (float(self._least[number]), float(self._most[number]))
-                    deviation = max(squares / count - mean**2, 0.0) ** 0.5
-                    dataset.GetRasterBand(number + 1).SetStatistics(*ends, mean, deviation)
+            for number in (np.flatnonzero(self._shown) + 1).tolist():
+                dataset.GetRasterBand(number).ComputeStatistics(False)
+            _write_overviews(dataset)
             dataset.FlushCache()
             self._dataset = None
 
@@ -136,39 +127,17 @@ def loss_raster(
 
 
 TILE = 256
-"""Side of the parts of an overview that are made at a time; a picture that is no larger has none."""
+"""Side of the least overview; a picture that is no larger has none."""
 
 
-def _write_overviews(dataset: gdal.Dataset, tiles: Iterable[tuple[int, int]]) -> None:
-    """Halve a picture until it is no larger than a tile. ``tiles``: rows and columns of those of the first overview
-    that are not empty."""
+def _write_overviews(dataset: gdal.Dataset) -> None:
+    """Halve a picture until it is no larger than a tile: means, and the source that most pixels follow."""
     longest = max(dataset.RasterXSize, dataset.RasterYSize)
     factors = [2**level for level in range(1, 31) if longest / 2 ** (level - 1) > TILE]
     if not factors:
         return
     dataset.BuildOverviews("NONE", factors)
-    wanted = set(tiles)
-    for level in range(len(factors)):
-        for row, column in sorted(wanted):
-            for number in range(1, dataset.RasterCount + 1):
-                band = dataset.GetRasterBand(number)
-                finer = band.GetOverview(level - 1) if level else band
-                left, top = 2 * TILE * column, 2 * TILE * row
-                width, height = min(2 * TILE, finer.XSize - left), min(2 * TILE, finer.YSize - top)
-                made = _halved(finer.ReadAsArray(left, top, width, height), number == SOURCE_BAND)
-                band.GetOverview(level).WriteArray(made, left // 2, top // 2)
-        wanted = {(row // 2, column // 2) for row, column in wanted}
-
-
-def _halved(pixels: np.ndarray, are_names: bool) -> np.ndarray:
-    """Each two by two pixels as one, (rows, columns) float32: the mean of those that are known, or of numbers of
-    sources the one that stands most often, of several the first. Beyond the edge nothing is known."""
-    rows, columns = pixels.shape
-    even = np.pad(pixels, ((0, rows % 2), (0, columns % 2)), constant_values=NODATA)
-    four = np.stack([even[row::2, column::2] for row in (0, 1) for column in (0, 1)])
-    known = four != NODATA
-    if are_names:
-        votes = np.where(known, (four[:, np.newaxis] == four).sum(axis=1), 0)
-        return np.take_along_axis(four, votes.argmax(axis=0)[np.newaxis], axis=0)[0]
-    count, total = known.sum(axis=0), np.where(known, four, 0).sum(axis=0, dtype=np.float64)
-    return np.where(count, total / np.maximum(count, 1), NODATA).astype(np.float32)
+    for number in range(1, dataset.RasterCount + 1):
+        band = dataset.GetRasterBand(number)
+        overviews = [band.GetOverview(level) for level in range(len(factors))]
+        gdal.RegenerateOverviews(band, overviews, "MODE" if number == SOURCE_BAND else "AVERAGE")

@@ -19,7 +19,8 @@ from ....imagery.rasters import Raster
 from ....imagery.records import GEOMETRY, Column, Row, TableRows, kinds_of, rows_of
 from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
 from .. import messages
-from ..following.likely_source import MIN_FIT, MIN_TEXTURE
+from ..following.likely_source import MIN_FIT
+from ..following.unexplained import MIN_TEXTURE
 from ..judgement.verdicts import MAX_KEPT_LOW, Verdict, judge_profile
 from ..planning.window_placing import PlacedWindow, WindowIndex
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
