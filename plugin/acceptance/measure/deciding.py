@@ -212,8 +212,6 @@ def _unseen(delivery: Delivery, sheets: Sequence[MetreFigures], rules: Acceptanc
         yield messages.SHEETS_LEFT_OUT(count=len(names), names=_first_names(names)), advice
     if names := of_state[SheetState.DAMAGED]:
         yield messages.SHEETS_DAMAGED(count=len(names), names=_first_names(names)), advice
-    if names := of_state[SheetState.OVERLAPS]:
-        yield messages.SHEETS_OVERLAP(count=len(names), names=_first_names(names)), advice
 
 
 def _sheet_outcomes(
