@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import sentence, tr
 from . import stated_rules as stated
-from .measure import messages
 from .measure.acceptance_rules import ready_files
 from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper, check_head
 from .sheet_index import add_sheets, with_sheets
@@ -29,8 +27,7 @@ if TYPE_CHECKING:
     from .measure.decision import Decision
     from .paper.defect_files import Prover
 
-SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
-TOOL, OBSERVER = "tool", "observer"
+SEAMS, WINDOWS = "SEAMS", "WINDOWS"
 REASONS = "REASONS"
 DECISION, ACCEPTED, TOTAL_METRES, MEASURED_METRES = "DECISION", "ACCEPTED", "TOTAL_METRES", "MEASURED_METRES"
 FAILED_METRES, FAILED_SHARE, LONGEST_FAILURE = "FAILED_METRES", "FAILED_SHARE", "LONGEST_FAILURE"
@@ -72,13 +69,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             "their defaults. The documentation has an example."
         ))
         self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.POLYGON, optional=True), tr(
-            "Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says "
-            "how well operators and tool agree."
+            "Inspected windows: their causes and remarks go to the failures in them."
         ))
-        self.addDescribed(common.choice(JUDGE, tr("Who judges"), (TOOL, OBSERVER)), tr(
-            "tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; pieces "
-            "that nobody judged count as not measured."
-        ), advanced=True)
         add_paper(self)
         self.addDescribed(*common.chart(tr("Metres of seam by the share kept.")))
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))
@@ -95,16 +87,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     def check(self, run: Run) -> None:
         stated.stated_rules(run)
         check_head(run)
-        self._by_observer(run)
         run.check_chart()
-
-    @staticmethod
-    def _by_observer(run: Run) -> bool:
-        """Raises SettingsError where there are no windows that an observer could have judged."""
-        by_observer = run.word(JUDGE) == OBSERVER
-        if by_observer and not run.parameters.get(WINDOWS):
-            raise SettingsError(messages.NO_JUDGED_WINDOWS())
-        return by_observer
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_words(super().for_check(parameters))
@@ -113,8 +96,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         from ..toolkit.layers import layer_address
         from .delivery_layers import seam_layers
 
-        needed = "" if self._by_observer(run) else "kept_1"
-        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context, needed)
+        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
         self._windows = "" if windows is None else layer_address(windows)
         rasters = [run.raster_refs(name) for name in (common.MOSAIC, LOSS, common.SOURCES)]
@@ -152,7 +134,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         }
 
     def _decision(self, run: Run) -> Decision:
-        from .delivery_layers import judged_windows, read_delivery
+        from .delivery_layers import inspected_windows, read_delivery
         from .measure.deciding import decide
         from .measure.delivered_rows import with_settings
         from .measure.scanned_files import file_doubts
@@ -170,8 +152,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         ))  # fmt: skip
         if run.parameters.get(WINDOWS):
             crs = reference_system(delivery.wkt)
-            delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))
-        return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED), self._by_observer(run))
+            delivery = replace(delivery, windows=inspected_windows(run.source(WINDOWS), crs, run))
+        return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED))
 
     def _add_limits(self) -> None:
         for name, title, words in (

@@ -1,4 +1,4 @@
-"""Layers of seams, as scans and ``planinspection`` write them, and of judged windows -> a delivery.
+"""Layers of seams, as scans and ``planinspection`` write them, and of inspected windows -> a delivery.
 
 Layers are looked up in their own thread (``seam_layers``) and read in another (``read_delivery``).
 """
@@ -40,7 +40,7 @@ from .measure.delivered_rows import LayerDoubts, united_delivery
 from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, SeenWindow
 
 
-def judged_windows(
+def inspected_windows(
     source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run
 ) -> tuple[SeenWindow, ...]:
     """The windows that have an outline, in a reference system; what is wrong with others is told.
@@ -58,15 +58,9 @@ def judged_windows(
             run.tell(error.message.as_warning())
             continue
         if extent is not None:
-            windows.append(
-                SeenWindow(
-                    text(row["window_id"]) or text(row.feature.id()), extent,
-                    *(text(row[name]) for name in ("cause", "verdict", "observer", "observer_2", "remark", "remark_2")),
-                )
-            )
-    if not any(
-        window.cause or window.verdict or window.observer or window.observer_2 or window.remark for window in windows
-    ):
+            remarks = filter(None, (text(row["remark"]), text(row["remark_2"])))
+            windows.append(SeenWindow(extent, text(row["cause"]), tuple(remarks)))
+    if not any(window.cause or window.remarks for window in windows):
         run.tell(messages.WINDOWS_SAY_NOTHING(name=source.sourceName()))
     return tuple(windows)
 
@@ -92,11 +86,11 @@ class SeamLayer:
 
 
 def seam_layers(
-    values: Sequence[object], context: QgsProcessingContext, needed: str = ""
+    values: Sequence[object], context: QgsProcessingContext
 ) -> tuple[list[SeamLayer], list[Message]]:
     """The layers behind a parameter's values, each once, and what is to be told of them.
 
-    ``needed``: a field that each must have. Raises SettingsError where one is no layer of lines, or is filtered.
+    Raises SettingsError where one is no layer of lines with what is kept, or is filtered.
     """
     given: list[QgsVectorLayer] = []
     notices: list[Message] = []
@@ -107,7 +101,7 @@ def seam_layers(
             continue
         if layer.subsetString():
             raise SettingsError(messages.LAYER_FILTERED(name=layer.name(), filter=layer.subsetString()))
-        if needed and needed not in layer.fields().names():
+        if "kept_1" not in layer.fields().names():
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=layer.name()))
         given.append(layer)
     if not given:
@@ -127,27 +121,25 @@ def seam_layers(
 
 
 def read_delivery(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext, sheet_field: str = "",
-    crs: QgsCoordinateReferenceSystem | None = None,
+    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
 ) -> tuple[Delivery, list[Message]]:
-    """All pieces, in a reference system (None: see ``common_system``), and what is to be told.
+    """All pieces, in one reference system, and what is to be told.
 
-    ``sheet_field``: whose values are the sheets, instead of the layers. Raises SettingsError where there are none, or a
-    layer has no place in that system.
+    Raises SettingsError where there are none, or a layer has no place in that system.
     """
-    crs = crs or common_system(seams, transforms)
+    crs = _common_system(seams, transforms)
     pieces: list[DeliveredPiece] = []
     notices: list[Message] = []
     lots: set[int] = set()
     read: list[DeliveredLayer] = []
     for layer in seams:
         doubts = LayerDoubts(layer.sheet)
-        for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS, doubts):
+        for row, piece in _pieces(layer, crs, transforms, doubts):
             drawn = whole_number(row["sample"])
             pieces.append(piece if drawn is None else replace(piece, sample_number=drawn))
             lots.add(whole_number(row["lot_size"]) or 0)
         notices += doubts.told(layer.scan)
-        read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs), "kept_1" in layer.fields))
+        read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs)))
     size = max(lots, default=0) or None if any(piece.sample_number for piece in pieces) else None
     delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), size, read)
     notices += doubled
@@ -208,7 +200,7 @@ def _names(seams: Sequence[QgsVectorLayer]) -> list[str]:
     return unique
 
 
-def common_system(
+def _common_system(
     seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
 ) -> QgsCoordinateReferenceSystem:
     """The first one that is not in degrees; the UTM zone of the first layer where all are."""
@@ -229,8 +221,7 @@ def common_system(
 
 
 def _pieces(
-    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext,
-    sheet_fields: Sequence[str], doubts: LayerDoubts,
+    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext, doubts: LayerDoubts
 ) -> Iterator[tuple[Attributes, DeliveredPiece]]:
     """Each row that has a line and a length, with its piece."""
     try:
@@ -253,7 +244,7 @@ def _pieces(
             except QgsCsException:
                 raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
             placed = _vertices(line)
-        sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
+        sheet = next((name for name in (text(row[field]) for field in _SHEET_FIELDS) if name), layer.sheet)
         values = {name: row[name] for name in layer.fields}
         known = {name: value if isinstance(value, (int, float)) else text(value) for name, value in values.items()}
         piece = doubts.piece(sheet, known, placed, drawn, scanned)

@@ -1,88 +1,29 @@
-"""Layers of seams, scanned or plain -> the pieces that a sample is drawn of; a sample -> its table and windows."""
+"""Layers of seams -> the pieces that a sample is drawn of; a sample -> its table and windows."""
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
-    QgsFeatureRequest,
-    QgsGeometry,
-    QgsLineString,
-    QgsWkbTypes,
-)
+from qgis.core import QgsGeometry, QgsLineString, QgsWkbTypes
 
 from ..imagery import limits
-from ..imagery.errors import Message, RasterError, SeamlineError, SettingsError, WindowError
+from ..imagery.errors import RasterError, SettingsError
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
-from ..imagery.lines import find_seams, read_geometry
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
 from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, profile_text, sealed_notes
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import reference_system, transformation
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
-from .delivery_layers import SeamLayer, common_system, read_delivery
+from .delivery_layers import SeamLayer, read_delivery
 from .measure import messages
 from .measure.delivered_rows import united_settings
-from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order, metres_in_unit
-from .measure.inspection_plan import cut_pieces
+from .measure.delivery import DeliveredPiece, Delivery, Seal
 from .sheet_index import with_sheets
-
-_STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
-_OF_SCAN = "kept_1"
-
-
-def with_cut_seamlines(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext, sheet_field: str, piece_m: float,
-    step_m: float | None,
-) -> tuple[Delivery, list[Message]]:
-    """All pieces, and what is to be told; ``step_m``: pixel of the mosaic, where it is known.
-
-    Raises SettingsError where there are none.
-    """
-    crs = common_system(seams, transforms)
-    scanned = [layer for layer in seams if _OF_SCAN in layer.fields]
-    pieces: list[DeliveredPiece] = []
-    notices: list[Message] = []
-    lot_size = None
-    held: tuple[DeliveredLayer, ...] = ()
-    if scanned:
-        read, notices = read_delivery(scanned, transforms, sheet_field, crs)
-        pieces, lot_size, held = list(read.pieces), read.lot_size, read.layers
-    for layer in seams:
-        if layer not in scanned:
-            cut = _cut(layer, crs, transforms, piece_m, step_m or _STEP * piece_m)
-            if not cut:
-                notices.append(messages.LAYER_EMPTY(name=layer.sheet))
-            pieces += cut
-    if not pieces:
-        raise SettingsError(messages.LAYERS_EMPTY())
-    return Delivery(in_order(pieces), layers.system_wkt(crs), lot_size=lot_size, layers=held), notices
-
-
-def _cut(
-    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext, piece_m: float,
-    step_m: float,
-) -> list[DeliveredPiece]:
-    try:
-        transform = transformation(layer.crs, crs, transforms)
-        lines = [layers.line_wkb(row, transform) for row in layer.source.getFeatures(QgsFeatureRequest())]
-    except WindowError:
-        raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
-    if not any(lines):
-        return []
-    try:
-        box = read_geometry(next(filter(None, lines)), 1).GetEnvelope()
-        unit = metres_in_unit([np.reshape(box, (2, 2)).T], layers.system_wkt(crs))
-        return cut_pieces(find_seams(lines, step_m / unit), layer.sheet, piece_m, unit)
-    except SeamlineError as error:
-        raise SettingsError(error.message) from None
 
 
 def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, float] | None:
@@ -96,12 +37,10 @@ def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, f
 
 
 def delivered_lot(
-    run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None, sheet_field: str, piece_m: float
+    run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None
 ) -> tuple[Delivery, Sequence[DeliveredPiece]]:
-    """The pieces of the scans, and those that plain seamlines are cut into; of these the lot: all, or those that
-    windows can be placed on."""
-    step = None if mosaic is None else mosaic.grid.ground_sample_distance
-    delivery, notices = with_cut_seamlines(seams, run.context.transformContext(), sheet_field, piece_m, step)
+    """The pieces of the scans, and of these the lot: all, or those that windows can be placed on."""
+    delivery, notices = read_delivery(seams, run.context.transformContext())
     run.tell(*notices)
     delivery = with_sheets(delivery, run)
     if mosaic is None:

@@ -20,7 +20,6 @@ STANDARD_LONGEST_M = 50.0  # what 'not contiguous' is taken to mean: half a stan
 STANDARD_MEASURED_SHARE = 0.9  # of the metres: with less the rest could turn any share of 2 % round five times over
 STANDARD_AQL = "1.0"
 STANDARD_SEED = 2859  # the same delivery gives the same sample
-STANDARD_PIECE_M = 25.0  # as the scan cuts seams
 
 
 KEPT, FAILED_SHARE, LONGEST_FAILURE = "kept", "failed_share", "longest_failure"

@@ -21,10 +21,9 @@ from typing import Optional
 
 import numpy as np
 
-from ...imagery.errors import Message, SettingsError, Stated
+from ...imagery.errors import Message, Stated
 from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES, PieceState
-from ...imagery.statistics import DECIDED
 from . import messages
 from .acceptance_rules import (
     FAILED_SHARE,
@@ -39,51 +38,37 @@ from .delivery import Delivery, Seal, SheetState
 from .failure_runs import failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
+    MEASURED,
     ends_within,
     is_unclear,
     known_within,
     measured_with,
     metre_figures,
-    seen_state,
     sheet_figures,
     state_of,
     surely_failed_m,
-    windows_over,
 )
 from .seen_ground import SeenGround, ground_sentences, unseen_seams
 
-_WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
 _NAMED = 3  # layers that a sentence names
 _SPARE = 0.05  # of the metres, by which forecasts of what will be measured may be too large
 
 
-def decide(
-    delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0, by_observer: bool = False
-) -> Decision:
+def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0) -> Decision:
     """Accept a delivery, reject it, or say what would decide it.
 
     ``lot_size``: pieces of the whole lot where a plan decides; None: those that are given. ``seed``: of the sample that
-    is drawn then. ``by_observer``: pieces fail by what operators saw in their windows, not by what they kept. Raises
-    SettingsError for a lot size that can't be.
+    is drawn then. Raises SettingsError for a lot size that can't be.
     """
-    words = (word for window in delivery.windows for word in (window.observer, window.observer_2))
-    if by_observer and not any(word in DECIDED for word in words):
-        raise SettingsError(messages.NO_WINDOW_JUDGED(count=len(delivery.windows)))
-    windows = list(windows_over(delivery))
-    states = [
-        seen_state(over) if by_observer else state_of(piece, rules.least_kept)
-        for piece, over in zip(delivery.pieces, windows)
-    ]
+    states = [state_of(piece, rules.least_kept) for piece in delivery.pieces]
     lot = None if rules.sampling is None else sampled_lot(delivery, states, rules.sampling, lot_size, seed)
     runs = failure_runs(delivery.pieces, states, delivery.unit_m)
     of_run = {number: run.number for run in runs for number in run.pieces}
     pieces = tuple(
         DecidedPiece(
-            piece, state,
-            not by_observer and state in (PieceState.PASSED, PieceState.FAILED) and is_unclear(piece, rules.least_kept),
-            of_run.get(piece.number), over,
+            piece, state, state in MEASURED and is_unclear(piece, rules.least_kept), of_run.get(piece.number)
         )
-        for piece, state, over in zip(delivery.pieces, states, windows)
+        for piece, state in zip(delivery.pieces, states)
     )  # fmt: skip
     unknown = unknown_runs(delivery.pieces, states, delivery.unit_m)
     whole, sheets = metre_figures("", pieces, runs, unknown), sheet_figures(delivery, pieces, runs, unknown)
@@ -105,32 +90,28 @@ def decide(
     if sure or ((lacking or unsealed) and outcome is AcceptanceOutcome.ACCEPTED):
         outcome = AcceptanceOutcome.UNDECIDED
     doubts = [*sure, *(() if outcome is AcceptanceOutcome.REJECTED else lacking)]
-    by_rules = messages.BY_RULES(rules=rules.name)
     why = _why(rules, outcomes, outcome, doubts, unsealed)
     advice = [advice for _, advice in doubts]
     advice += [*_advice_by_rules(whole, pieces, outcomes, delivery, rules), *(advice for _, advice in unsealed)]
     sentences = (
-        _headline(outcome, messages.BY_EYE(rules=by_rules) if by_observer else by_rules, why),
+        _HEADLINES[outcome](rules=rules.name, why=why),
         *(advice[:1] if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *_layers(delivery),
         *_figures(whole, runs, rules),
         *_unknown_rows(unknown),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot[2]),
-        *(_by_observer(delivery) if by_observer else ()),
     )
     return Decision(
         outcome, why, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), pieces,
-        runs, unknown, None if lot is None else lot[0], by_observer,
+        runs, unknown, None if lot is None else lot[0],
     )  # fmt: skip
 
 
-def _headline(outcome: AcceptanceOutcome, rules: Message, why: Message) -> Message:
-    return {
-        AcceptanceOutcome.ACCEPTED: messages.ACCEPTED(rules=rules, why=why),
-        AcceptanceOutcome.REJECTED: messages.REJECTED(rules=rules, why=why),
-        AcceptanceOutcome.UNDECIDED: messages.UNDECIDED(rules=rules, why=why),
-    }[outcome]
+_HEADLINES = {
+    AcceptanceOutcome.ACCEPTED: messages.ACCEPTED, AcceptanceOutcome.REJECTED: messages.REJECTED,
+    AcceptanceOutcome.UNDECIDED: messages.UNDECIDED,
+}  # fmt: skip
 
 
 Doubt = tuple[Message, Message]  # why a delivery can't be accepted as it is given, and what would decide it
@@ -391,7 +372,7 @@ def _longer_pieces(
     piece = min(enough, default=lengths[-1])
     lacking, share = whole.not_measured_m, shares[piece]
     return messages.WOULD_MEASURE(wanted=wanted, lacking=lacking, piece=piece, share=share) if enough else (
-        messages.WOULD_JUDGE(wanted=wanted, lacking=lacking, piece=piece, share=share)
+        messages.WOULD_LOOK_THERE(wanted=wanted, lacking=lacking, piece=piece, share=share)
     )
 
 
@@ -478,12 +459,3 @@ def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
         yield messages.ROW_NOT_MEASURED(metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets))
     if len(rows) > _NAMED:
         yield messages.MORE_ROWS_NOT_MEASURED(count=len(rows) - _NAMED)
-
-
-def _by_observer(delivery: Delivery) -> Iterator[Message]:
-    yield messages.BY_OBSERVER()
-    left, bottom, right, top = np.array([window.extent for window in delivery.windows]).T * delivery.unit_m
-    side = float(np.minimum(right - left, top - bottom).max())
-    piece = float(np.median([piece.length_m for piece in delivery.pieces]))
-    if side > _WIDE * piece:
-        yield messages.WINDOWS_WIDER_THAN_PIECES(side=side, piece=piece)

@@ -72,7 +72,7 @@ def checked_sheets(
     opened = [_opened(sheet) for sheet in sheets]
     ordered = [raster for (raster, _), sheet in zip(opened, sheets) if raster is not None and sheet.is_ordered]
     form = _as_most(ordered or [raster for raster, _ in opened if raster is not None], form)
-    checked = []
+    checked: list[CheckedSheet] = []
 
     def tell(share: float) -> None:
         if not goes_on((len(checked) + share) / len(sheets)):

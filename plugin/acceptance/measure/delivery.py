@@ -1,4 +1,4 @@
-"""What is delivered: the pieces of seam of all sheets, and the windows that somebody looked at."""
+"""What is delivered: the pieces of seam of all sheets, and the windows that were inspected."""
 from __future__ import annotations
 
 import math
@@ -95,16 +95,11 @@ def in_words(name: str) -> tuple[tuple[int, int, str], ...]:
 
 @dataclass(frozen=True)
 class SeenWindow:
-    """A window that was inspected, and judged perhaps."""
+    """A window that was inspected."""
 
-    window_id: str
     extent: Extent  # in the delivery's reference system
     cause: str = ""  # the strongest one
-    verdict: str = ""  # the tool's
-    observer: str = ""  # what the first operator saw: visible, invisible, unsure or nothing
-    observer_2: str = ""
-    remark: str = ""
-    remark_2: str = ""
+    remarks: tuple[str, ...] = ()  # what the operators wrote
 
 
 def numbers_in(text: str) -> list[float]:
@@ -192,7 +187,7 @@ class FileDoubts:
 class Delivery:
     pieces: tuple[DeliveredPiece, ...]  # pieces of all sheets, in order
     wkt: str  # the reference system of all coordinates
-    windows: tuple[SeenWindow, ...] = ()  # that were inspected, and judged perhaps
+    windows: tuple[SeenWindow, ...] = ()  # that were inspected
     lot_size: int | None = None  # pieces of the lot that the pieces are a sample of; None where they are no sample
     outlines: tuple[SheetOutline, ...] = ()  # outlines of the sheets where they were given
     is_checked: bool = False  # whether the outlines come from a check of the files: those without findings are complete

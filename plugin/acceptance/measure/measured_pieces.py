@@ -2,15 +2,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import repeat
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
 from ...imagery.seam_totals import PieceState, failing_chance, holds, piece_state
-from ...imagery.statistics import DECIDED, INVISIBLE, NORMAL_95, VISIBLE
+from ...imagery.statistics import NORMAL_95
 from .decision import DecidedPiece, FailureRun, MetreFigures
-from .delivery import DeliveredPiece, Delivery, SeenWindow
+from .delivery import DeliveredPiece, Delivery
 
 NO_VERDICT = "not_comparable"  # the scan's word
 _SURE = 0.975  # probability: the lower end of a 95 % interval
@@ -22,16 +21,6 @@ def state_of(piece: DeliveredPiece, least_kept: float) -> PieceState:
     if not piece.has_detail:
         return PieceState.NO_DETAIL
     return piece_state(piece.kept_1, piece.kept_low, piece.kept_high, least_kept, piece.verdict != NO_VERDICT)
-
-
-def seen_state(windows: Sequence[SeenWindow]) -> PieceState:
-    """State of a piece by what an operator saw in the windows over it, the nearest that was judged.
-
-    The first operator's word comes first. A visible loss fails.
-    """
-    words = (word for window in windows for word in (window.observer, window.observer_2) if word in DECIDED)
-    word = next(words, "")
-    return {VISIBLE: PieceState.FAILED, INVISIBLE: PieceState.PASSED}.get(word, PieceState.NOT_MEASURED)
 
 
 def is_unclear(piece: DeliveredPiece, least_kept: float) -> bool:
@@ -147,16 +136,3 @@ def sheet_figures(
         for sheet in run.sheets:
             rows[sheet][kind].append(run)
     return [metre_figures(sheet, sheet_pieces, *rows[sheet]) for sheet, sheet_pieces in of_sheet.items()]
-
-
-def windows_over(delivery: Delivery) -> Iterator[tuple[SeenWindow, ...]]:
-    """For each piece those that hold its middle, the one whose own middle is nearest first."""
-    if not delivery.windows:
-        yield from repeat((), len(delivery.pieces))
-        return
-    left, bottom, right, top = np.array([window.extent for window in delivery.windows]).T
-    for piece in delivery.pieces:
-        x, y = piece.middle
-        held = np.flatnonzero((left <= x) & (x <= right) & (bottom <= y) & (y <= top))
-        apart = np.hypot((left + right)[held] / 2 - x, (bottom + top)[held] / 2 - y)
-        yield tuple(delivery.windows[int(place)] for place in held[np.argsort(apart, kind="stable")])

@@ -38,7 +38,6 @@ MOSAIC_SMALLER_THAN_WINDOW = Message(
     "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.")
 WINDOW_SIDE_TOO_SHORT = Message(
     "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
-SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose the field that names the sheet.")
 PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are not part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
 PLANNED_BY_STANDARD = Message(
@@ -47,11 +46,9 @@ SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING)
 PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
 # the decision: {why} and {also} are reasons from below
-ACCEPTED = Message("Accepted by {rules}: {why}.", INFO)
-REJECTED = Message("Rejected by {rules}: {why}.", INFO)
-UNDECIDED = Message("Undecided by {rules}: {why}.", INFO)
-BY_EYE = Message("the observers' verdicts and {rules}", INFO)
-BY_RULES = Message("'{rules}'", INFO)
+ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
+REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
+UNDECIDED = Message("Undecided by '{rules}': {why}.", INFO)
 AND = Message("{why}; {also}", INFO)
 LIMITS_ARE = Message("the limits are {limits}", INFO)
 WITH = Message("{first}, {also}", INFO)
@@ -142,20 +139,19 @@ MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
-    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured, or judge windows there by eye (JUDGE "
-    "observer).", WARNING)
-WOULD_JUDGE = Message(
-    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
-    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure, so judge windows there by eye "
-    "(JUDGE observer); the field 'reason' of the seams says why.", WARNING)
+    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured.", WARNING)
+WOULD_LOOK_THERE = Message(
+    "What would decide it: an operator's look at {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
+    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure; the field 'reason' of the seams "
+    "says why.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
-    "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING)
+    "orthoimages beside them to the scan.", WARNING)
 WOULD_LOOK = Message(
     "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING)
 WOULD_TELL_APART = Message(
-    "What would decide it: a verdict on the pieces whose intervals include the limit ({metres:.0f} m, pieces: "
-    "{count}). Judge windows on them by eye (JUDGE observer).", WARNING)
+    "What would decide it: an operator's look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: "
+    "{count}).", WARNING)
 WOULD_SHORTEN = Message(
     "What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the "
     "failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.", WARNING)
@@ -176,8 +172,8 @@ WOULD_GIVE_MOSAICS = Message(
     "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
     "layers of others out.", WARNING)
 WOULD_MEASURE_ROWS = Message(
-    "What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
-    "windows there by eye (JUDGE observer); the field 'reason' of the seams says why each was not measured.", WARNING)
+    "What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured, or an "
+    "operator's look at them; the field 'reason' of the seams says why each was not measured.", WARNING)
 WOULD_CUT = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a "
     "longer piece may pass although a part of it failed.", WARNING)
@@ -213,19 +209,11 @@ SAMPLE_ONLY = Message(
     "The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn "
     "for, or give the layers of the scan.", WARNING)
 RUN_NOT_IN_SAMPLE = Message("the longest failure can't be determined from a sample", INFO)
-# observers
-BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
-NO_JUDGED_WINDOWS = Message("The operators' verdicts are in the windows; give WINDOWS, or judge by the tool.")
-NO_WINDOW_JUDGED = Message(
-    "None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the "
-    "tool.")
+# inspected windows
 WINDOWS_NO_POLYGONS = Message("{name} holds no windows; choose polygons that were inspected or judged.")
 WINDOWS_SAY_NOTHING = Message(
     "The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.",
     WARNING)
-WINDOWS_WIDER_THAN_PIECES = Message(
-    "The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so a piece may fail by what was seen "
-    "beside it; plan windows with a SIDE as long as a piece.", WARNING)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
 LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")

@@ -59,8 +59,7 @@ _RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> None:
     """Write the page; ``pictures`` by the failures' numbers. Raises SettingsError where no file can be."""
     decision, defects = record.decision, record.defects
-    kept = () if decision.by_observer else (decision.rules.kept_source,)
-    sources = list(dict.fromkeys([*kept, *(outcome.source for outcome in decision.outcomes)]))
+    sources = list(dict.fromkeys([decision.rules.kept_source, *(outcome.source for outcome in decision.outcomes)]))
     sheet_words = [sheet_word(outcome, figures) for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)]
     parts = [*_parts(record)]
     texts = [_defect_text(defect, decision.rules.least_kept) for defect in defects[:MOST_ROWS]]
@@ -81,15 +80,14 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
-        sheets=[_sheet_row(*row, decision.by_observer) for row in zip(decision.sheets, sheet_words)],
+        sheets=[_sheet_row(*row) for row in zip(decision.sheets, sheet_words)],
         sheets_sentence=_sheets_sentence(sheet_words),
-        whole=_sheet_row(decision.whole, "", decision.by_observer) if len(decision.sheets) > 1 else None,
+        whole=_sheet_row(decision.whole, "") if len(decision.sheets) > 1 else None,
         findings=record.faults,
         map=decision_map(decision, defects[:MOST_ROWS], record.mosaics),
         map_px=MAP_PX,
         map_legend=_legend(decision),
         is_sample=decision.delivery.sampled_numbers is not None,
-        by_observer=decision.by_observer,
         defects=texts,
         defect_count=len(defects),
         unknown=[*_unknown_rows(decision)],
@@ -160,7 +158,7 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
         (share(whole.measured_share, 1), tr("of it measured") if not whole.no_detail_m else (
             filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
-        *([] if decision.by_observer or whole.failed_unclear_share is None else [
+        *([] if whole.failed_unclear_share is None else [
             (share(whole.failed_unclear_share, 1), tr("of these may keep enough (95 %)"))
         ]),
         (share(whole.failed_share), tr("of what was measured failed")),
@@ -200,7 +198,7 @@ def _unmeasured(decision: Decision) -> str:
     """Why pieces were not measured, in the scan's words, with the metres of each; those of most metres first."""
     metres_of: dict[str, tuple[str, float]] = {}
     for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
-        reason = tr("no reason is given") if decision.by_observer or not piece.reason else piece.reason
+        reason = piece.reason or tr("no reason is given")
         first, length = metres_of.get(alike := _NUMBER.sub("", reason), (reason, 0.0))
         metres_of[alike] = first, length + piece.length_m
     most = sorted(metres_of.values(), key=lambda pair: -pair[1])[:_MOST_REASONS]
@@ -271,17 +269,13 @@ def _bytes(size: int | None) -> str:
 
 def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str, object]]:
     """The limit of a piece first, then the rules that decide: what is bold is a reason to reject the delivery, and
-    ``source`` says which of the notes tells where the limit comes from, 0 for none."""
-    which = tr("says which pieces fail")
-    if decision.by_observer:
-        words = tr("what the operator saw"), "", tr("no loss in the window of a piece")
-        source = 0
-    else:
-        limit = decision.rules.least_kept
-        least = filled(tr("at least {least} in each piece"), least=share_beside(limit, limit))
-        words = CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit), least
-        source = 1 + sources.index(decision.rules.kept_source)
-    yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
+    ``source`` says which of the notes tells where the limit comes from."""
+    limit = decision.rules.least_kept
+    yield dict(zip(_RULE_KEYS, (
+        CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit),
+        filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)), tr("says which pieces fail"),
+        False, 1 + sources.index(decision.rules.kept_source),
+    )))  # fmt: skip
     for outcome in decision.outcomes:
         yield dict(zip(_RULE_KEYS, (
             CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
@@ -289,13 +283,13 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
         )))  # fmt: skip
 
 
-def _sheet_row(figures: MetreFigures, word: str, by_observer: bool) -> list[str]:
+def _sheet_row(figures: MetreFigures, word: str) -> list[str]:
     if not figures.piece_count:
-        return [figures.name, word, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
+        return [figures.name, word, metres(0.0), *[NOTHING] * 6]
     return [
         figures.name or tr("all"), word, metres(figures.total_m), share(figures.measured_share, 1),
         metres(figures.failed_m), share(figures.failed_share), metres(figures.longest_failure_m),
-        f"{figures.failed_count} / {figures.piece_count}", "" if by_observer else metres(figures.unclear_m),
+        f"{figures.failed_count} / {figures.piece_count}", metres(figures.unclear_m),
     ]  # fmt: skip
 
 

@@ -128,9 +128,6 @@ def _found_by(code: str, decision: Decision) -> tuple[str, Evaluation]:
         "Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it "
         "(wavelet decomposition)."
     )
-    if decision.by_observer and code != rules.KEPT:
-        eye = tr("Each piece of seam: what the operator saw in its window.")
-        return ACCURACY, Evaluation(FULL, f"{eye} {failing_sentence(decision)}")
     return ACCURACY, Evaluation(FULL, f"{kept} {failing_sentence(decision)}", _PROCEDURE)
 
 

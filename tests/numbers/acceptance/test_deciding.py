@@ -15,7 +15,6 @@ from seam_inspector.plugin.acceptance.measure.delivery import (
     DeliveredPiece,
     Delivery,
     Seal,
-    SeenWindow,
     SheetOutline,
     SheetState,
 )
@@ -145,7 +144,7 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     rest = seam([0.95] * 97, start=(30, 0), number=3)
     found = decide(delivery(unclear, rest), rules(run=None))
     assert (found.outcome, found.whole.failed_m) == (UNDECIDED, 30)  # by value, as anybody adds it up
-    assert "a verdict on the pieces whose intervals include the limit (30 m, pieces: 3)" in told(found)
+    assert "an operator's look at the pieces whose intervals include the limit (30 m, pieces: 3)" in told(found)
     assert found.outcomes[0].low < 0.02 < found.whole.failed_share < found.outcomes[0].high
     assert decide(delivery(sure(unclear), rest), rules(run=None)).outcome is REJECTED
     row = [replace(item, kept_low=0.6, kept_high=0.79) for item in seam([0.69] * 8)]  # one that passed would break it
@@ -284,21 +283,6 @@ def test_too_small_a_sample_is_undecided() -> None:
 def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
     with pytest.raises(SettingsError, match="The lot size is 10 and the layers hold 40 pieces"):
         decide(delivery(seam([0.9] * 40)), rules(None, None, sampling=SAMPLING), lot_size=10)
-
-
-def test_an_observer_decides_where_he_is_asked_to() -> None:
-    words = [("visible", ""), ("unsure", "visible"), ("invisible", "visible"), ("unsure", "")]
-    windows = tuple(
-        SeenWindow(str(place), (10.0 * place, -1, 10.0 * place + 10, 1), observer=one, observer_2=two)
-        for place, (one, two) in enumerate(words)
-    )
-    made = replace(delivery(seam([None, 0.9, 0.1, 0.9, 0.9])), windows=windows)
-    found = decide(made, rules(), by_observer=True)
-    failed, passed, lacking = PieceState.FAILED, PieceState.PASSED, PieceState.NOT_MEASURED
-    assert [piece.state for piece in found.pieces] == [failed, failed, passed, lacking, lacking]
-    assert found.longest_failure_m == 20
-    assert "the operator saw a loss" in told(found)
-    assert str(found.sentences[0]).startswith("Rejected by the observers' verdicts and 'contract'")
 
 
 @pytest.mark.parametrize(

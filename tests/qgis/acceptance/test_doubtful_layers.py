@@ -54,21 +54,6 @@ def test_a_sheet_under_two_names_counts_once(tmp_path: Path) -> None:
     assert (outcome.results["TOTAL_METRES"], outcome.results["LONGEST_FAILURE"]) == pytest.approx((250, 50), rel=1e-3)
 
 
-def boxes(side: float = 25, **fields: tuple[str, list[Any]]) -> QgsVectorLayer:
-    count = len(next(iter(fields.values()))[1])
-    made = layer("Polygon", [straight(25 * place, 25).buffer(side / 2, 1).orientedMinimumBoundingBox()[0]
-                             for place in range(count)], UTM33, **fields)
-    made.setName("w")
-    return made
-
-
-def test_windows_that_nobody_judged_decide_nothing() -> None:
-    given = {"SEAMS": [seams([P] * 4)], "JUDGE": "observer"}
-    outcome = run("acceptmosaic", WINDOWS=boxes(window_id=("integer", [1, 2, 3, 4])), REPORT=None, **given)
-    assert outcome.complaint is not None
-    assert "None of the 4 windows was judged; judge them in the desk and save the edits" in outcome.complaint
-
-
 def test_metres_of_web_mercator_are_those_on_the_ground() -> None:
     mercator = seams([P, F, F], epsg=3857, with_length=False)
     assert decide(mercator).results["TOTAL_METRES"] == pytest.approx(75, rel=1e-3)

@@ -140,7 +140,7 @@ def test_what_was_not_measured_has_no_number() -> None:
 @pytest.mark.parametrize("name", [EVIL, "]]>", "Łódź 東京", "\ud800", "a" * 300])
 def test_any_name_is_text(name: str, tmp_path: Path) -> None:
     decision = decided([name, "other"], failed=FAILED, images=(name, name))
-    seen = with_windows(decision, window_on(decision, 3, name, cause=name, remark=name))
+    seen = with_windows(decision, window_on(decision, 3, name, name))
     record = record_of(seen, windows=name, rules=name, report=name, scan={name: name})
     save_quality_document(tmp_path / "quality.xml", record)
     document = (tmp_path / "quality.xml").read_text(encoding="utf-8")
