@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from itertools import chain
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingOutputString
@@ -72,7 +72,6 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             "Inspected windows: their causes and remarks go to the failures in them."
         ))
         add_paper(self)
-        self.addDescribed(*common.chart(tr("Metres of seam by the share kept.")))
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))
         self.addOutput(QgsProcessingOutputString(REASONS, tr("Its reasons, in words")))
         self.addNumbers({
@@ -87,7 +86,6 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     def check(self, run: Run) -> None:
         stated.stated_rules(run)
         check_head(run)
-        run.check_chart()
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_words(super().for_check(parameters))
@@ -103,26 +101,25 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         (self._mosaics, self._losses, self._images), notices = zip(*rasters)
         run.tell(*chain(*notices))
 
-    def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
-        from ..imagery.rasters import RasterRef
-
-        return tuple(self._images) or tuple(map(RasterRef, scanned))
-
-    def prover(self) -> Prover | None:
-        return None
+    def proof(
+        self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]
+    ) -> tuple[Sequence[str], Prover | None]:
+        """Paths of the orthoimages, as given, else as they were scanned; and who proves failures by them."""
+        return [ref.path for ref in self._images] or scanned, None
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .paper.outputs import ReadFiles, write
+        from ..toolkit.pages.templates import whole_path
+        from .paper.inspection_record import InspectionRecord
+        from .paper.outputs import write
 
         decision = self._decision(run)
         run.tell(*decision.sentences)
         whole = decision.whole
-        seams = tuple((layer.sheet, layer.address) for layer in self._seams)
+        seams = tuple((layer.scanned.sheet, whole_path(layer.address)) for layer in self._seams)
         rules = run.text(stated.RULES) if run.parameters.get(stated.RULES) else ""
-        read = ReadFiles(tuple(self._mosaics), tuple(self._scans), seams, self._windows, rules)
+        record = InspectionRecord(decision, seams, whole_path(self._windows), whole_path(rules))
         return {
-            **write(run, decision, read, self),
-            **run.save(common.CHART, lambda path: _save_chart(path, decision)),
+            **write(run, record, self._mosaics, self._losses, partial(self.proof, run)),
             DECISION: decision.outcome.value,
             REASONS: sentence(decision.why),
             ACCEPTED: None if decision.accepted is None else int(decision.accepted),
@@ -134,22 +131,17 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         }
 
     def _decision(self, run: Run) -> Decision:
-        from .delivery_layers import inspected_windows, read_delivery
+        from .delivery_layers import inspected_windows
         from .measure.deciding import decide
-        from .measure.delivered_rows import with_settings
+        from .measure.delivered_rows import read_layers
         from .measure.scanned_files import file_doubts
-        from .paper.outputs import scanned_losses
 
         rules = stated.stated_rules(run)
-        run.check_chart()
         run.tell(*self._notices)
-        delivery, notices = read_delivery(self._seams, run.context.transformContext())
+        delivery, notices = read_layers([layer.scanned for layer in self._seams])
         run.tell(*notices)
-        self._scans = scanned_losses(run, self._losses)
-        delivery = with_sheets(with_settings(delivery, [scan.settings for scan in self._scans]), run)
-        delivery = replace(delivery, files=file_doubts(
-            delivery.layers, _paths(self._mosaics), _paths(self._images), [layer.folder for layer in self._seams]
-        ))  # fmt: skip
+        doubts = file_doubts(delivery.layers, _paths(self._mosaics), _paths(self._images))
+        delivery = replace(with_sheets(delivery, run), files=doubts)
         if run.parameters.get(WINDOWS):
             crs = reference_system(delivery.wkt)
             delivery = replace(delivery, windows=inspected_windows(run.source(WINDOWS), crs, run))
@@ -171,10 +163,3 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
 def _paths(refs: Sequence[RasterRef]) -> list[str]:
     return [path for ref in refs for path in ref.paths]
-
-
-def _save_chart(path: Path, decision: Decision) -> None:
-    from ..toolkit.charts.figure_files import save_figure
-    from .paper.charts import kept_figure
-
-    save_figure(kept_figure(decision), path)

@@ -1,43 +1,38 @@
-"""Layers of seams, as scans and ``planinspection`` write them, and of inspected windows -> a delivery.
+"""Layers of seams, as scans and ``planinspection`` write them, and of inspected windows -> plain data.
 
-Layers are looked up in their own thread (``seam_layers``) and read in another (``read_delivery``).
+Layers are looked up in their own thread, and their rows read in another.
 """
 from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
-    QgsCsException,
-    QgsDistanceArea,
     QgsFeatureRequest,
     QgsGeometry,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingUtils,
-    QgsUnitTypes,
     QgsVectorLayer,
     QgsVectorLayerFeatureSource,
     QgsWkbTypes,
 )
 
 from ..imagery.errors import Message, SettingsError, WindowError
-from ..imagery.reference_systems import utm_wkt
 from ..imagery.seam_totals import TOTALS_DOMAIN
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import known_system, reference_system, transformation
-from ..toolkit.table_fields import Attributes, attributes, text, whole_number
+from ..toolkit.reference_systems import known_system
+from ..toolkit.table_fields import attributes, text
 from ..toolkit.translation import tr
 from .measure import messages
-from .measure.delivered_rows import LayerDoubts, united_delivery
-from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, SeenWindow
+from .measure.delivered_rows import ScannedLayer, SeamRow
+from .measure.delivery import SeenWindow
 
 
 def inspected_windows(
@@ -66,8 +61,6 @@ def inspected_windows(
 
 
 _OF_SCAN_FILE = "seams"  # the table of a scan's file with several
-_SHEET_FIELDS = ("sheet", "layer")  # planinspection's; that of QGIS's own Merge vector layers
-_METRES = QgsUnitTypes.DistanceUnit.DistanceMeters
 _LINE = QgsWkbTypes.GeometryType.LineGeometry
 
 
@@ -75,14 +68,8 @@ _LINE = QgsWkbTypes.GeometryType.LineGeometry
 class SeamLayer:
     """A layer of seams that may be read in any thread."""
 
-    sheet: str  # its name; each layer has one of its own
+    scanned: ScannedLayer
     address: str  # what it was read from, in words for people
-    source: QgsVectorLayerFeatureSource
-    crs: QgsCoordinateReferenceSystem
-    fields: tuple[str, ...]
-    scan: Mapping[str, str]  # what its scan wrote beside its rows: totals, settings, files and their seal
-
-    folder: str = ""  # that its file lies in; empty for one in memory
 
 
 def seam_layers(
@@ -110,42 +97,19 @@ def seam_layers(
     are_known = [crs.isValid() for crs in systems]
     if any(are_known) and not all(are_known):
         raise SettingsError(messages.LAYER_WITHOUT_CRS(name=given[are_known.index(False)].name()))
-    made = [
-        SeamLayer(
-            name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), crs,
-            tuple(layer.fields().names()), layers.layer_notes(layer, TOTALS_DOMAIN), _folder(layer),
-        )
-        for name, layer, crs in zip(_names(given), given, systems)
-    ]
+    made = []
+    for name, layer, crs in zip(_names(given), given, systems):
+        rows = _rows(QgsVectorLayerFeatureSource(layer), layer.fields().names())
+        scanned = ScannedLayer(name, rows, layers.system_wkt(crs), layers.layer_notes(layer, TOTALS_DOMAIN))
+        made.append(SeamLayer(scanned, layers.layer_address(layer)))
     return made, notices
 
 
-def read_delivery(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
-) -> tuple[Delivery, list[Message]]:
-    """All pieces, in one reference system, and what is to be told.
-
-    Raises SettingsError where there are none, or a layer has no place in that system.
-    """
-    crs = _common_system(seams, transforms)
-    pieces: list[DeliveredPiece] = []
-    notices: list[Message] = []
-    lots: set[int] = set()
-    read: list[DeliveredLayer] = []
-    for layer in seams:
-        doubts = LayerDoubts(layer.sheet)
-        for row, piece in _pieces(layer, crs, transforms, doubts):
-            drawn = whole_number(row["sample"])
-            pieces.append(piece if drawn is None else replace(piece, sample_number=drawn))
-            lots.add(whole_number(row["lot_size"]) or 0)
-        notices += doubts.told(layer.scan)
-        read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs)))
-    size = max(lots, default=0) or None if any(piece.sample_number for piece in pieces) else None
-    delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), size, read)
-    notices += doubled
-    if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():
-        notices.append(messages.PLACES_IN(system=crs.description()))
-    return delivery, notices
+def _rows(source: QgsVectorLayerFeatureSource, names: Sequence[str]) -> Iterator[tuple[SeamRow, np.ndarray]]:
+    for feature in source.getFeatures(QgsFeatureRequest()):
+        values = zip(names, feature.attributes())
+        row = {name: value if isinstance(value, (int, float)) else text(value) for name, value in values}
+        yield row, _vertices(feature.geometry())
 
 
 def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
@@ -181,11 +145,6 @@ def _name(layer: QgsVectorLayer) -> str:
     return file.stem if file.stem and name in (file.name.split(".")[0], tr("Seams")) else name
 
 
-def _folder(layer: QgsVectorLayer) -> str:
-    path = layers.layer_path(layer)
-    return os.path.dirname(os.path.abspath(path)) if path else ""
-
-
 def _names(seams: Sequence[QgsVectorLayer]) -> list[str]:
     """Names of layers; those of one name are told apart by their folder, else by a number."""
     names = [_name(layer) for layer in seams]
@@ -198,58 +157,6 @@ def _names(seams: Sequence[QgsVectorLayer]) -> list[str]:
         seen[name] += 1
         unique.append(name if seen[name] == 1 else f"{name} ({seen[name]})")
     return unique
-
-
-def _common_system(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
-) -> QgsCoordinateReferenceSystem:
-    """The first one that is not in degrees; the UTM zone of the first layer where all are."""
-    for layer in seams:
-        if not layer.crs.isGeographic():
-            return layer.crs
-    first = seams[0]
-    lines = (feature.geometry() for feature in first.source.getFeatures(QgsFeatureRequest()))
-    middle = next((line.boundingBox().center() for line in lines if not line.isEmpty()), None)
-    if middle is None:
-        return first.crs
-    wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
-    try:
-        place = transformation(first.crs, wgs84, transforms).transform(middle)
-    except (QgsCsException, WindowError):
-        raise SettingsError(messages.NOT_TRANSFORMED(name=first.sheet)) from None
-    return reference_system(utm_wkt(place.x(), place.y()))
-
-
-def _pieces(
-    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext, doubts: LayerDoubts
-) -> Iterator[tuple[Attributes, DeliveredPiece]]:
-    """Each row that has a line and a length, with its piece."""
-    try:
-        transform = transformation(layer.crs, crs, transforms)
-    except WindowError:
-        raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
-    ruler = QgsDistanceArea()
-    ruler.setSourceCrs(layer.crs, transforms)
-    if layer.crs.isValid():  # Web Mercator's metres are none
-        ruler.setEllipsoid(layer.crs.ellipsoidAcronym() or "EPSG:7030")
-    for row in attributes(layer.source.getFeatures(QgsFeatureRequest()), layer.fields):
-        line = QgsGeometry(row.feature.geometry())
-        drawn = 0.0 if line.isEmpty() else line.length()
-        if layer.crs.isValid() and not line.isEmpty():
-            drawn = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
-        placed = scanned = _vertices(line)
-        if not transform.isShortCircuited():
-            try:
-                line.transform(transform)
-            except QgsCsException:
-                raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
-            placed = _vertices(line)
-        sheet = next((name for name in (text(row[field]) for field in _SHEET_FIELDS) if name), layer.sheet)
-        values = {name: row[name] for name in layer.fields}
-        known = {name: value if isinstance(value, (int, float)) else text(value) for name, value in values.items()}
-        piece = doubts.piece(sheet, known, placed, drawn, scanned)
-        if piece is not None:
-            yield row, piece
 
 
 def _vertices(line: QgsGeometry) -> np.ndarray:

@@ -19,9 +19,9 @@ from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
-from .delivery_layers import SeamLayer, read_delivery
+from .delivery_layers import SeamLayer
 from .measure import messages
-from .measure.delivered_rows import united_settings
+from .measure.delivered_rows import read_layers, united_settings
 from .measure.delivery import DeliveredPiece, Delivery, Seal
 from .sheet_index import with_sheets
 
@@ -40,7 +40,7 @@ def delivered_lot(
     run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None
 ) -> tuple[Delivery, Sequence[DeliveredPiece]]:
     """The pieces of the scans, and of these the lot: all, or those that windows can be placed on."""
-    delivery, notices = read_delivery(seams, run.context.transformContext())
+    delivery, notices = read_layers([layer.scanned for layer in seams])
     run.tell(*notices)
     delivery = with_sheets(delivery, run)
     if mosaic is None:

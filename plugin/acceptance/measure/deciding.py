@@ -136,8 +136,9 @@ def _against_any(delivery: Delivery) -> Iterator[Doubt]:
     if others := files.layers_of_others:
         reason = messages.LAYERS_OF_OTHERS(count=len(others), names=_first_names(others))
         yield reason, messages.WOULD_GIVE_MOSAICS()
-    if delivery.doubled_m > MOST_DOUBLED * sum(piece.length_m for piece in delivery.pieces):
-        yield messages.SEAMS_DOUBLED(metres=delivery.doubled_m), messages.WOULD_LEAVE_OUT()
+    if files.twice and not delivery.is_part:
+        count, names = len(files.twice), _first_names(files.twice)
+        yield messages.SCANNED_TWICE(count=count, names=names), messages.WOULD_LEAVE_OUT()
 
 
 def _unsealed(delivery: Delivery) -> Iterator[Doubt]:
@@ -145,8 +146,6 @@ def _unsealed(delivery: Delivery) -> Iterator[Doubt]:
     advice = messages.WOULD_GIVE_LAYER()
     if changed := names[Seal.BROKEN]:
         yield messages.LAYERS_WERE_CHANGED(count=len(changed), names=_first_names(changed)), advice
-    if moved := names[Seal.OTHER_SYSTEM]:
-        yield messages.LAYERS_WERE_MOVED(count=len(moved), names=_first_names(moved)), advice
     if missing := names[Seal.MISSING]:
         yield messages.LAYERS_WITHOUT_SEAL(count=len(missing), names=_first_names(missing)), advice
 
@@ -158,8 +157,6 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
     if delivery.lacking_m:
         yield messages.SEAMS_LACK(metres=delivery.lacking_m), messages.WOULD_GIVE_LAYER()
     for layer in delivery.layers:
-        if layer.hidden_m:
-            yield messages.SEAMS_HIDDEN(name=layer.name, metres=layer.hidden_m), messages.WOULD_GIVE_LAYER()
         if names := layer.settings.get("may_be_copies"):
             yield messages.SOURCES_ARE_MOSAIC(names=names), messages.WOULD_GIVE_ORIGINALS()
     least, unseen = rules.limit(MEASURED_SHARE), sum(layer.unseen_m for layer in delivery.layers)
@@ -417,7 +414,6 @@ are too coarse, as nothing above 1.25 times the allowed share is to be accepted 
 MOST_OF_RUN = 1.5
 """Times the longest failure that is allowed: how long a piece of a scan with such a PIECE may be. A longer one averages
 a failure with what is sound beside it. Where no piece may fail its length does not matter."""
-MOST_DOUBLED = 0.1  # share of all metres that lie on others: with more a mosaic was scanned twice
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
 """What makes figures of one layer differ from those of another."""
 

@@ -138,20 +138,18 @@ class Seal(Enum):
     """Whether a layer is as its scan, or ``planinspection``, left it."""
 
     WHOLE = "whole"
-    BROKEN = "broken"  # rows, lines, or what stands beside them were changed
-    OTHER_SYSTEM = "other_system"  # it was given another reference system
+    BROKEN = "broken"  # rows, lines, their reference system, or what stands beside them were changed
     MISSING = "missing"  # it has none, as exports and layers of other makers
-    NOT_ASKED = "not_asked"  # nobody needs it: rows in memory, and plain seamlines, of which nothing was measured
+    NOT_ASKED = "not_asked"  # nobody needs it: rows in memory
 
 
 @dataclass(frozen=True)
 class DeliveredLayer:
     name: str
     seal: Seal  # anything but a whole one, where it is asked for, and nothing is accepted
-    lacking_m: float  # metres that the scan had, or that lie between stations, and the layer does not have
+    lacking_m: float  # metres that the scan had and the layer does not
     settings: Mapping[str, str] = field(hash=False)  # how its seams were measured, as far as the layer says
     digest: str = ""  # SHA-256 of its rows, as RowTotals has it
-    hidden_m: float = 0.0  # metres that the scan failed, and that its rows don't fail any more
     is_blank: bool = False  # whether it has no piece of seam, and not as a scan that found none left it
 
     @property
@@ -180,6 +178,7 @@ class FileDoubts:
     gone_sources: tuple[str, ...] = ()  # orthoimages that are not found any more
     same: int = 0  # how many are as they were
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
+    twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
 
 
@@ -192,7 +191,6 @@ class Delivery:
     outlines: tuple[SheetOutline, ...] = ()  # outlines of the sheets where they were given
     is_checked: bool = False  # whether the outlines come from a check of the files: those without findings are complete
     layers: tuple[DeliveredLayer, ...] = ()  # that the pieces were read from, in the order in which they were given
-    doubled_m: float = 0.0  # metres of pieces that lie on others, which are not the same
     files: FileDoubts = FileDoubts()  # whether what was scanned is what is given, or there, now
 
     @cached_property

@@ -82,15 +82,13 @@ SHEETS_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({n
 SHEETS_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
 SHEETS_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
 LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
-LAYERS_WERE_MOVED = Message(
-    "layers of seams have another reference system than their scan gave them: {count} ({names})", INFO)
+SCANNED_TWICE = Message("different scans of one mosaic are given: {count} ({names})", INFO)
 LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
 FILES_NOT_SCANNED = Message("the files given are not the ones that were scanned: {names}", INFO)
 FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
 LAYERS_OF_OTHERS = Message("layers of seams whose mosaics are not given: {count} ({names})", INFO)
 FILES_GONE = Message("files of the scanned mosaic can no longer be found: {count} ({names})", INFO)
 SEAMS_LACK = Message("{metres:.0f} m of seam are missing", INFO)
-SEAMS_HIDDEN = Message("rows of {name} were changed: {metres:.0f} m that failed in its scan now pass", INFO)
 SOURCES_ARE_MOSAIC = Message(
     "some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: "
     "{names}", INFO)
@@ -180,7 +178,7 @@ WOULD_CUT = Message(
 WOULD_SEE_SHEETS = Message(
     "What would decide it: a scan of all sheets, complete and readable; leave out the layer of a sheet without "
     "seams.", WARNING)
-WOULD_LEAVE_OUT = Message("What would decide it: layers without what was scanned twice.", WARNING)
+WOULD_LEAVE_OUT = Message("What would decide it: one scan of each mosaic.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
     "What would decide it: a scan with the complete orthoimages as rectified, and no others.", WARNING)
 # the layers that are decided on
@@ -198,9 +196,6 @@ SETTINGS_DIFFER = Message(
 LAYER_FILTERED = Message(
     "{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of "
     "them.")
-LAYER_LACKS_SEAMS = Message(
-    "{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows "
-    "have no line.", WARNING)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest "
@@ -228,17 +223,9 @@ LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it i
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
     "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING)
-SEAMS_DOUBLED = Message("{metres:.0f} m of the seams lie on others and count twice", INFO)
-SEAMS_OVERLAP = Message(
-    "{metres:.0f} m of seam in {sheets} lie on other seams and count twice; leave out what was scanned twice.", WARNING)
-KEPT_NO_SHARES = Message(
-    "The median of kept_1 in {name} is {value:g}, but it is a share, 1 if all is kept; write 86 % as 0.86.")
 KEPT_IMPOSSIBLE = Message(
-    "kept_1 of {count} pieces of {name} is no share that a seam can keep (such as '{value}'; write 86 % as 0.86); they "
-    "count as not measured.", WARNING)
-LENGTHS_DIFFER = Message(
-    "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, but {line:.1f} m "
-    "along the line); the field is used, so check that it holds metres.", WARNING)
+    "kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not "
+    "measured.", WARNING)
 PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both.")

@@ -1,4 +1,4 @@
-"""Charts of a decision: how many metres kept how much, and where seams failed."""
+"""The chart of a failure: what its worst piece kept by distance from the seam."""
 from __future__ import annotations
 
 import numpy as np
@@ -6,40 +6,10 @@ from matplotlib.figure import Figure
 
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
-from ...toolkit.translation import filled, formatted, tr
-from ..measure.decision import Decision
+from ...toolkit.translation import formatted, tr
 from ..measure.delivery import DeliveredPiece
 
-_SIZE = (6.2, 3.4)  # inches
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
-
-
-def kept_figure(decision: Decision) -> Figure:
-    """The share of the metres that kept less than each value, with the limit."""
-    figure = new_figure(*_SIZE)
-    axes = figure.add_subplot()
-    pieces = [decided.piece for decided in decision.pieces]
-    known = [(piece.kept_1, piece.length_m) for piece in pieces if piece.kept_1 is not None]
-    if known:
-        kept, lengths = np.array(sorted(known)).T
-        shares = 100 * np.cumsum(lengths) / lengths.sum()
-        axes.step(np.minimum(kept, _MOST_KEPT), shares, where="post", color=PAPER.sources[0], linewidth=2)
-    least = decision.rules.least_kept
-    axes.axvline(least, color=PAPER.limit, linewidth=1.5, label=filled(tr("least: {least:g}"), least=least))
-    share = decision.whole.failed_share
-    if share is not None:
-        words = filled(tr("failed: {share:.2f} %"), share=100 * share)
-        axes.axhline(100 * share, color=PAPER.text, linewidth=1, linestyle=":", label=words)
-    axes.set_xlabel(tr("share of detail kept (kept_1)"))
-    axes.set_ylabel(tr("metres that kept less (%)"))
-    axes.set_xlim(0, _MOST_KEPT)
-    axes.set_ylim(0, 102)
-    axes.grid(True, color=PAPER.grid, linewidth=0.8)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(frameon=False, fontsize=8)
-    return figure
-
-
 _PROFILE_SIZE = (2.2, 1.75)  # inches: beside the pictures of a failure
 
 

@@ -3,9 +3,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Callable, Optional
 
 from qgis.core import (
     QgsFeatureSink,
@@ -26,55 +26,48 @@ from ...toolkit.table_fields import column_fields
 from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.decision import Decision, Defect
-from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, defect_features, save_pictures
+from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, Prover, defect_features, save_pictures
 from .inspection_record import (
     Digest,
     InspectionRecord,
-    ScannedLoss,
+    LossPicture,
     file_digests,
     listed_images,
+    loss_picture,
     rated_images,
-    scanned_loss,
+    scanned_images,
     text_digest,
 )
 from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
 from .sheet_layer import SHEET_COLUMNS, sheet_features
 
-if TYPE_CHECKING:
-    from .defect_files import Proving
-
-@dataclass(frozen=True)
-class ReadFiles:
-    """What a decision was made of, as far as it lies in files."""
-
-    mosaics: tuple[RasterRef, ...]
-    losses: tuple[ScannedLoss, ...]  # the pictures of losses
-    seams: tuple[tuple[str, str], ...]  # sheets and where their layers were read from, in words for people
-    windows: str  # where the windows were read from, in words for people; empty without
-    rules: str  # the file of rules; empty without
+Proof = Callable[[Sequence[str], Sequence[Raster]], tuple[Sequence[str], Optional[Prover]]]
+"""From the paths of the orthoimages that were scanned, and the mosaics, to those that are listed, and who proves
+failures by them; None for nobody."""
 
 
-def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> dict[str, Any]:
-    """Write what is wanted; what can't be written is told, and does not cost the decision."""
-    loss = read.losses[0] if len(read.losses) == 1 else None
-    settings = next((scan.settings for scan in read.losses), {})
-    scanned = [path for scan in read.losses for path in scan.sources]
-    report = run.file_path(REPORT)
-    mosaics = _mosaics(run, read.mosaics) if run.parameters.get(DEFECTS) or report else ()
-    images = proving.orthoimages(run, scanned, mosaics)
-    record = InspectionRecord(
-        decision, tuple((sheet, whole_path(address)) for sheet, address in read.seams), whole_path(read.windows),
-        whole_path(read.rules), mosaics, loss.raster if loss else None, settings, loss.bands if loss else (),
-        stated_head(run),
-        listed_images(decision, (whole_path(image.path) for image in images)), radiometry=rated_images(run),
+def write(
+    run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef], losses: Sequence[RasterRef], proof: Proof
+) -> dict[str, Any]:
+    """Write what is wanted; what can't be written is told, and does not cost the decision.
+
+    ``record``: the decision with what it was read from; ``losses``: the pictures of losses.
+    """
+    decision, report = record.decision, run.file_path(REPORT)
+    shown = _mosaics(run, mosaics) if run.parameters.get(DEFECTS) or report else ()
+    images, prover = proof(scanned_images(decision), shown)
+    pictures_of_losses = _loss_pictures(run, losses)
+    record = replace(
+        record, mosaics=shown, loss=pictures_of_losses[0] if len(pictures_of_losses) == 1 else None,
+        head=stated_head(run), images=listed_images(decision, map(whole_path, images)), radiometry=rated_images(run),
         report=str(report or ""),
     )
-    maker = DefectPictures(mosaics, decision, proving.prover()) if mosaics else None
+    maker = DefectPictures(shown, decision, prover) if shown else None
     pictures: dict[int, DefectPicture] = {}
     results = _write_defects(run, decision, record.defects, maker, pictures)
     results.update(_write_sheets(run, decision))
     if (report or run.parameters.get(QUALITY)) and run.flag(DIGESTS):
-        record = replace(record, digests=_digests(run, record, read))
+        record = replace(record, digests=_digests(run, record, mosaics))
 
     from .acceptance_report import save_acceptance_report
     from .quality_document import save_quality_document
@@ -85,10 +78,10 @@ def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> di
     }
 
 
-def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Digest, ...]:
+def _digests(run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef]) -> tuple[Digest, ...]:
     """Raises CancelledError where the paper is not wanted any more."""
     run.doing(tr("Digests of the files"))
-    paths = local_states(path for mosaic in read.mosaics for path in mosaic.paths)
+    paths = local_states(path for mosaic in mosaics for path in mosaic.paths)
     files = file_digests([*paths, *filter(None, [record.rules])], run.goes_on)
     if files is None:
         raise CancelledError(messages.PAPER_STOPPED())
@@ -123,12 +116,12 @@ def _sink(
         return None, None
 
 
-def scanned_losses(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
+def _loss_pictures(run: Run, refs: Sequence[RasterRef]) -> list[LossPicture]:
     """The pictures of losses that a scan wrote; others are told."""
-    losses: list[ScannedLoss] = []
+    losses: list[LossPicture] = []
     for ref in refs:
         try:
-            if loss := scanned_loss(ref):
+            if loss := loss_picture(ref):
                 losses.append(loss)
             else:
                 run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
@@ -142,7 +135,7 @@ def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
     mosaics = []
     for ref in refs:
         try:
-            if scanned_loss(ref):
+            if loss_picture(ref):
                 run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
                 continue
             mosaics.append(describe_mosaic(ref))

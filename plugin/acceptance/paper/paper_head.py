@@ -92,13 +92,11 @@ def add_paper(algorithm: SeamInspectorAlgorithm) -> None:
     ))
     algorithm.addDescribed(common.layers(common.SOURCES, tr("Sources"), optional=True), tr(
         "The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those "
-        "that the scan wrote into its picture of losses."
+        "that were scanned."
     ))
     algorithm.addDescribed(*common.source_index())
     algorithm.addDescribed(common.layers(LOSS, tr("Picture of losses"), optional=True), tr(
-        "As the scan wrote it; one for each sheet if they were scanned separately, in the order of SEAMS. The XML "
-        "refers to it. It also says with which orthoimages and settings the seams were measured, if their layer does "
-        "not."
+        "As the scan of the whole mosaic wrote it: the XML refers to it."
     ), advanced=True)
     algorithm.addDescribed(common.features(RADIOMETRY, tr("Radiometry"), common.TABLE, optional=True), tr(
         "The table that 'Check radiometry' made of the sheets: its result is shown on the cover beside the decision, "

@@ -18,9 +18,10 @@ from seam_inspector.plugin.acceptance.measure.delivery import (
     SheetOutline,
     SheetState,
 )
+from seam_inspector.plugin.acceptance.measure.scanned_files import file_doubts
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.file_identity import FileState, states_text
-from seam_inspector.plugin.imagery.seam_totals import SOURCE_FILES, PieceState
+from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES, PieceState
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 
@@ -328,13 +329,15 @@ def test_a_layer_without_the_seal_of_its_scan_is_not_accepted() -> None:
 
 @pytest.mark.parametrize("kept", [0.95, 0.3])
 def test_two_scans_of_one_mosaic_decide_nothing(kept: float) -> None:
-    """Each metre counts twice; some lie on others where sheets meet."""
-    given = delivery(sure(seam([kept] * 20)))
-    metres = sum(piece.length_m for piece in given.pieces)
-    assert decide(replace(given, doubled_m=0.05 * metres), rules()).outcome is not UNDECIDED
-    found = decide(replace(given, doubled_m=0.5 * metres), rules())
-    assert found.outcome is UNDECIDED
-    assert "lie on others" in str(found.sentences[0])
+    """Each metre would count twice; a layer that is given under two names counts once."""
+    files = {MOSAIC_FILES: states_text([("/m.tif", FileState(1, 0, "d"))])}
+    first, second = (DeliveredLayer(name, Seal.WHOLE, 0.0, files, digest=name) for name in "ab")
+    pieces = delivery(sure(seam([kept] * 20)))
+    for layers, count in ((first, second), 2), ((first, replace(first, name="b")), 0):
+        doubts = replace(file_doubts(layers, (), ()), gone=())
+        found = decide(replace(pieces, layers=layers, files=doubts), rules())
+        assert (found.outcome is UNDECIDED) is bool(count)
+        assert ("different scans of one mosaic are given: 2 (a, b)" in str(found.sentences[0])) is bool(count)
 
 
 def test_what_nobody_has_looked_at_is_not_passed_over() -> None:

@@ -51,7 +51,7 @@ def test_the_sample_is_decided_on() -> None:
     made = seams([0.5] * 200 + [P] * 800)
     planned = plan(made, PLAN="iso2859", AQL="1.0")  # its layer lives as long
     sample = planned.layer()
-    parameters = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None}
+    parameters = {"DEFECTS": None, "REPORT": None, "QUALITY": None}
     outcome = run("acceptmosaic", SEAMS=[sample], PLAN="iso2859", AQL="1.0", **parameters)
     failed = sum(feature["kept_1"] < 0.7 for feature in sample.getFeatures())
     assert outcome.results["ACCEPTED"] == 0
