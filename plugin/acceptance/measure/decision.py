@@ -14,7 +14,7 @@ from ...imagery.records import GEOMETRY, TableRows
 from ...imagery.seam_totals import PieceState
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
-from .sampling_plans import OperatingCharacteristic, SamplingPlan
+from .sampling_plans import SamplingPlan
 
 
 class AcceptanceOutcome(Enum):
@@ -105,7 +105,6 @@ class RuleOutcome:
 @dataclass(frozen=True)
 class PlanOutcome:
     plan: SamplingPlan
-    characteristic: OperatingCharacteristic
     seed: int | None  # seed of the drawing; None where the sample came with the layer, or is the whole lot
     inspected: int  # items of the sample that were measured
     nonconforming: int  # inspected items that failed

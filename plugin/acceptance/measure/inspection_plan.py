@@ -76,7 +76,7 @@ def sampled_lot(
     inspected = [number for number in sample if states[number] is not PieceState.NOT_MEASURED]
     failed = sum(states[number] is PieceState.FAILED for number in inspected)
     needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
-    outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
+    outcome = PlanOutcome(plan, used_seed, len(inspected), failed)
     ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
     notice = messages.DRAWN(size=plan.sample_size, given=len(measured), seed=seed)
     return outcome, ruled, (plan_sentence(plan), *(() if used_seed is None else (notice,)))

@@ -25,9 +25,8 @@ RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is
 RULES_QUALITY_UNKNOWN = Message(
     "{place} in {name}: the {key} '{value}' is not in the standard; known are {known}.")
 RULES_AND_PARAMETER = Message(
-    "{parameter} is {value}, but the rules in {name} say {ruled}; change it in the file, or leave the file out.")
+    "{parameter} is {value}, and the rules in {name} are given, too; leave it at its default, or leave the rules out.")
 TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
-RULES_SAY_NOTHING = Message("nothing of it", INFO)
 # plans of sampling
 LOT_TOO_SMALL = Message("The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.")
 LOT_SMALLER_THAN_GIVEN = Message(
@@ -54,9 +53,7 @@ LIMITS_ARE = Message("the limits are {limits}", INFO)
 WITH = Message("{first}, {also}", INFO)
 LIMIT_OF_KEPT = Message("at least {limit:.0%} kept", INFO)
 LIMIT_OF_SHARE = Message("at most {limit:.2%} failed", INFO)
-NO_LIMIT_OF_SHARE = Message("no limit for the share that failed", INFO)
 LIMIT_OF_RUN = Message("at most {limit:.1f} m without a break", INFO)
-NO_LIMIT_OF_RUN = Message("no limit for a failure without a break", INFO)
 LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
 SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql:g}", INFO)
 SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq:g} %", INFO)
