@@ -16,7 +16,7 @@ from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import sentence, tr
 from . import stated_rules as stated
 from .measure.acceptance_rules import ready_files
-from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper, check_head
+from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper
 from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
@@ -85,7 +85,6 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
     def check(self, run: Run) -> None:
         stated.stated_rules(run)
-        check_head(run)
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_words(super().for_check(parameters))

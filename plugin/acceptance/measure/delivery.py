@@ -102,14 +102,6 @@ class SeenWindow:
     remarks: tuple[str, ...] = ()  # what the operators wrote
 
 
-def numbers_in(text: str) -> list[float]:
-    """The numbers of a text, between blanks, or commas where several scans say one each; none where a word is none."""
-    try:
-        return [float(word) for word in text.replace(",", " ").split()]
-    except ValueError:
-        return []
-
-
 class SheetState(Enum):
     """What a sheet is to the mosaic of all sheets. The values are words of the checked layer."""
 
@@ -151,21 +143,6 @@ class DeliveredLayer:
     settings: Mapping[str, str] = field(hash=False)  # how its seams were measured, as far as the layer says
     digest: str = ""  # SHA-256 of its rows, as RowTotals has it
     is_blank: bool = False  # whether it has no piece of seam, and not as a scan that found none left it
-
-    @property
-    def unexplained(self) -> float:
-        """Share of its mosaic that follows none of the orthoimages, in which no seam is found; 0 where nothing says."""
-        return max(numbers_in(self.settings.get("unexplained", "")), default=0.0)
-
-    @property
-    def unseen_m(self) -> float:
-        """Metres of border around that: as much seam may be in no figure; 0 where nothing says."""
-        return sum(numbers_in(self.settings.get("unexplained_border", "")))
-
-    @property
-    def unread(self) -> float:
-        """Share of its mosaic that its scan could not read; 0 where nothing says."""
-        return max(numbers_in(self.settings.get("unread", "")), default=0.0)
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ SHEETS_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names
 LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
 SCANNED_TWICE = Message("different scans of one mosaic are given: {count} ({names})", INFO)
 LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
-FILES_NOT_SCANNED = Message("the files given are not the ones that were scanned: {names}", INFO)
+FILES_NOT_SCANNED = Message("the files given are not the ones that were scanned: {count} ({names})", INFO)
 FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
 LAYERS_OF_OTHERS = Message("layers of seams whose mosaics are not given: {count} ({names})", INFO)
 FILES_GONE = Message("files of the scanned mosaic can no longer be found: {count} ({names})", INFO)
@@ -248,11 +248,6 @@ SCAN_UNEXPLAINED = Message(
 SCAN_UNSEEN = Message(
     "The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
     "measured, the longest around {place}.", WARNING)
-SCAN_UNCHANGED = Message(
-    "Along {metres:.0f} m of the seamlines given for {name} the mosaic shows the same orthoimage on both sides; they "
-    "are not seams.", WARNING)
-SCAN_NODATA = Message(
-    "Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.", INFO)
 SCAN_PARTLY = Message(
     "Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.", INFO)
 SOURCES_NOT_GIVEN = Message(
@@ -276,7 +271,6 @@ RADIOMETRY_NO_TABLE = Message(
 MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, not a mosaic; no pictures are cut from it.", WARNING)
 PAPER_STOPPED = Message(
     "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
-DATE_IS_NONE = Message("{parameter} is '{value}', which is not a date; write it as 2026-11-23 or 23.11.2026.")
 # the files of a delivery; what is found at a sheet goes into tables
 NO_DELIVERY = Message("Neither a folder nor sheets are given; choose the folder of the delivery, or its index.")
 NO_SHEETS = Message("{folder} holds no rasters and no sheets are given; choose the folder of the delivery.")

@@ -8,16 +8,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from matplotlib.figure import Figure
+
 from ...imagery.rasters import Raster
 from ...imagery.seam_totals import PieceState
-from ...toolkit.charts.figure_files import svg_text
+from ...toolkit.charts.chart_style import PAPER
+from ...toolkit.charts.figure_files import new_figure, svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
+from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
-from .charts import profile_figure
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
@@ -53,6 +57,8 @@ OUTCOME_STATES = {
 """How the decision looks on the page."""
 _WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, AcceptanceOutcome.ACCEPTED
 _PALE = "59"  # opacity of a sheet's colour
+_PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
+_MOST_KEPT = 1.3  # beyond it nothing is of interest
 _RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
@@ -361,7 +367,7 @@ def _pictures(
             dates, across = dict(text["images"]), metres(picture.side_m)
             yield {
                 "text": text,
-                "profile": svg_text(profile_figure(piece, least_kept)) if piece.profile else "",
+                "profile": svg_text(_profile_figure(piece, least_kept)) if piece.profile else "",
                 "around": encoded(picture.around, "JPEG"),
                 "columns": picture.around.shape[1],
                 "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),
@@ -377,3 +383,26 @@ def _pictures(
 def _image_title(name: str, dates: Mapping[str, str]) -> str:
     day = dates.get(name) or dates.get(name.rpartition(".")[0], "")
     return filled(tr("Orthoimage {name}"), name=f"{name} ({day})" if day else name)
+
+
+def _profile_figure(piece: DeliveredPiece, least_kept: float) -> Figure:
+    """What a piece kept by distance from its seam, as its scan wrote it: the judged strip, the curve, the limit."""
+    strip, *steps = piece.profile
+    figure = new_figure(*_PROFILE_INCHES)
+    axes = figure.add_subplot()
+    axes.axvspan(0, strip.far_m, color=PAPER.grid, linewidth=0)
+    axes.axhline(least_kept, color=PAPER.limit, linewidth=1)
+    axes.plot(*np.array([(x, step.kept) for step in steps for x in (step.near_m, step.far_m)]).reshape(-1, 2).T,
+              color=PAPER.sources[0], linewidth=1.2)
+    axes.plot([0, strip.far_m], [strip.kept] * 2, color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
+    farthest = max((step.far_m for step in steps), default=strip.far_m)
+    axes.set_xscale("function", functions=(lambda x: np.sqrt(np.maximum(x, 0)), np.square))  # narrow steps matter most
+    axes.set_xlim(0, farthest)
+    axes.set_xticks([strip.far_m, farthest / 4, farthest])
+    axes.xaxis.set_major_formatter(lambda x, _: formatted(x, ".2g"))
+    axes.minorticks_off()
+    axes.set_ylim(0, max(_MOST_KEPT, *(step.kept for step in piece.profile)))
+    axes.set_xlabel(tr("distance from the seam (m)"), fontsize=6.5)
+    axes.tick_params(labelsize=6.5)
+    axes.spines[["top", "right"]].set_visible(False)
+    return figure

@@ -115,7 +115,6 @@ class DefectPictures:
     """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
 
     def __init__(self, mosaics: Sequence[Raster], decision: Decision, prover: Prover | None = None) -> None:
-        self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]  # what the pictures are cut from
         self._mosaics, self._wkt, self._prover = mosaics, decision.delivery.wkt, prover
         self._seams = [decided.piece.vertices for decided in decision.pieces]
         self._boxes = np.array([[*line.min(axis=0), *line.max(axis=0)] for line in self._seams]).reshape(-1, 4)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Callable, Optional
@@ -62,10 +62,12 @@ def write(
         head=stated_head(run), images=listed_images(decision, map(whole_path, images)), radiometry=rated_images(run),
         report=str(report or ""),
     )
-    maker = DefectPictures(shown, decision, prover) if shown else None
     pictures: dict[int, DefectPicture] = {}
-    results = _write_defects(run, decision, record.defects, maker, pictures)
-    results.update(_write_sheets(run, decision))
+    try:
+        if shown:
+            _cut_pictures(run, record.defects, DefectPictures(shown, decision, prover), pictures)
+    finally:  # without its failures a layer would say that there are none, also where the run was stopped
+        results = {**_write_defects(run, record, pictures), **_write_sheets(run, decision)}
     if (report or run.parameters.get(QUALITY)) and run.flag(DIGESTS):
         record = replace(record, digests=_digests(run, record, mosaics))
 
@@ -144,15 +146,11 @@ def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
     return tuple(mosaics)
 
 
-def _write_defects(
-    run: Run, decision: Decision, defects: Sequence[Defect], maker: DefectPictures | None,
-    pictures: dict[int, DefectPicture],
-) -> dict[str, Any]:
-    """The layer; fills in the pictures by the failures' numbers, for the report too."""
+def _write_defects(run: Run, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> dict[str, Any]:
+    """The layer of failures, with the pictures by their numbers."""
     layout = column_fields(DEFECT_COLUMNS), QgsWkbTypes.Type.MultiLineString
-    sink, destination = _sink(run, DEFECTS, tr("Failures"), decision, *layout)
+    sink, destination = _sink(run, DEFECTS, tr("Failures"), record.decision, *layout)
     if sink is None:
-        _cut_pictures(run, defects, maker, pictures)
         return {}
     file = _file_of(str(destination))
     folder = Path(QgsProcessingUtils.generateTempFilename("pictures")) if file is None else (
@@ -160,14 +158,12 @@ def _write_defects(
     )
     paths: dict[int, str] = {}
     try:
-        _cut_pictures(run, defects, maker, pictures)
-        save_pictures(folder, pictures, paths, () if maker is None else maker.paths)
+        save_pictures(folder, pictures, paths, [path for mosaic in record.mosaics for path in mosaic.ref.paths])
     except SettingsError as error:
         run.tell(error.message.as_warning())
-    finally:  # a layer without a failure would say that there are none, also where the run was stopped
-        if file is not None:
-            paths = {number: f"{folder.name}/{Path(path).name}" for number, path in paths.items()}
-        run.write(sink, defect_features(defects, paths))
+    if file is not None:
+        paths = {number: f"{folder.name}/{Path(path).name}" for number, path in paths.items()}
+    run.write(sink, defect_features(record.defects, paths))
     run.style(destination, "defects")
     return {DEFECTS: destination}
 
@@ -179,12 +175,10 @@ def _file_of(destination: str) -> Path | None:
 
 
 def _cut_pictures(
-    run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: dict[int, DefectPicture]
+    run: Run, defects: Sequence[Defect], maker: DefectPictures, pictures: dict[int, DefectPicture]
 ) -> None:
     """Cut the pictures of the longest failures. Raises CancelledError when they are not wanted any more."""
     shown = defects[:MOST_PICTURES]
-    if maker is None or not shown:
-        return
     for done, defect in enumerate(shown):
         if not run.goes_on(done / len(shown)):
             raise CancelledError(messages.PAPER_STOPPED())

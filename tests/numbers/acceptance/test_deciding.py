@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.acceptance.measure.acceptance_rules import LONGEST_FAILURE, SamplingRule
-from seam_inspector.plugin.acceptance.measure.deciding import MOST_OF_RUN, decide
+from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.measure.delivery import (
     DeliveredLayer,
@@ -18,6 +18,7 @@ from seam_inspector.plugin.acceptance.measure.delivery import (
     SheetOutline,
     SheetState,
 )
+from seam_inspector.plugin.acceptance.measure.ruling import MOST_OF_RUN
 from seam_inspector.plugin.acceptance.measure.scanned_files import file_doubts
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.file_identity import FileState, states_text

@@ -88,9 +88,9 @@ def test_another_mosaic_decides_nothing_whatever_the_scan_found(project: Path, t
         made = decide(project, MOSAIC=[str(other)], **limits)
         assert made.results["DECISION"] == "undecided"
         assert made.results.get("ACCEPTED") is None
-        assert "the files given are not the ones that were scanned: bad.tif" in decision(made)
+        assert "the files given are not the ones that were scanned: 1 (bad.tif)" in decision(made)
     renamed = shutil.move(other, tmp_path / "mosaic.tif")
-    assert "not the ones that were scanned: mosaic.tif" in decision(decide(project, MOSAIC=[str(renamed)]))
+    assert "not the ones that were scanned: 1 (mosaic.tif)" in decision(decide(project, MOSAIC=[str(renamed)]))
 
 
 def test_what_is_gone_is_told(project: Path) -> None:
