@@ -3,8 +3,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -47,7 +46,6 @@ from .words import (
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
 MOST_LAYERS = 40  # most layers of seams that are listed with where they were read from
 MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
-_LONG = 12  # rows of a list above which it is folded up
 _MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
@@ -100,36 +98,16 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         unknown_count=len(decision.unknown_runs),
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
-        layers=_Listing.of(record.seams, 1, MOST_LAYERS),
-        images=_Listing.of(
-            (image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images
-        ),
-        digests=_Listing.of((digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests),
-        standards=[*_standards(decision, record)],
+        layers=record.seams,
+        most_layers=MOST_LAYERS,
+        images=[(image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images],
+        digests=[(digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests],
+        most_files=MOST_FILES,
+        standards=[
+            *([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS,
+            *([DIGEST_STANDARD] if record.digests else []),
+        ],
     )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class _Listing:
-    """Rows of which a cell names a file, or something else."""
-
-    folder: str  # that all files of a long list lie in, said once; empty where they lie in several
-    rows: list[list[str]]  # files without that folder
-    columns: int  # how many of it stand beside each other
-    left_out: int  # rows that are too many
-
-    @classmethod
-    def of(cls, rows: Iterable[Sequence[str]], at: int = 0, most: int = MOST_FILES) -> _Listing:
-        """``at``: the place of the cell that names a file."""
-        every = [[*row] for row in rows]
-        listed = every[:most]
-        names = [row[at] for row in listed]
-        folders = {name[: -len(file_name(name))] for name in names if file_name(name) != name}
-        is_long = len(listed) > _LONG
-        folder = folders.pop() if is_long and len(folders) == 1 else ""
-        for row, name in zip(listed, names):
-            row[at] = name[len(folder) :] if name.startswith(folder) else name
-        return cls(folder, listed, 3 if is_long and not folders else 1, len(every) - len(listed))
 
 
 def _verdict(decision: Decision, parts: Sequence[tuple[str, str, str, bool]]) -> tuple[str, str, str, str]:
@@ -257,15 +235,6 @@ def _sheets_sentence(verdicts: Sequence[str]) -> str:
     counts = Counter(verdicts)
     words = [*map(outcome_title, AcceptanceOutcome), tr("No seams")]
     return ", ".join(f"{word}: {counts[word]}" for word in words if counts[word]) if all(verdicts) else ""
-
-
-def _standards(decision: Decision, record: InspectionRecord) -> Iterator[str]:
-    """The standards that the decision rests on, each with its edition."""
-    if decision.plan is not None:
-        yield decision.plan.plan.standard
-    yield from QUALITY_STANDARDS
-    if record.digests:
-        yield DIGEST_STANDARD
 
 
 def _bytes(size: int | None) -> str:
