@@ -118,7 +118,7 @@ class SheetState(Enum):
 
 @dataclass(frozen=True)
 class SheetOutline:
-    """The outline of a sheet, of which there may be no seam."""
+    """The outline of a sheet, of which there may be no seam; a sheet may have several."""
 
     name: str
     rings: tuple[np.ndarray, ...] = field(compare=False)  # (n, 2) x and y each, in the delivery's reference system
@@ -200,12 +200,14 @@ class Delivery:
 
     def sheet_rings(self) -> dict[str, list[np.ndarray]]:
         """The closed rings of each sheet, (n, 2) x and y each: as given, or the box around its seams."""
-        rings = {outline.name: [*outline.rings] for outline in self.outlines if outline.rings}
+        rings: dict[str, list[np.ndarray]] = {}
+        for outline in self.outlines:
+            rings.setdefault(outline.name, []).extend(outline.rings)
         boxed: dict[str, list[np.ndarray]] = {}
         for piece in self.pieces:
             boxed.setdefault(piece.sheet, []).append(piece.vertices)
         for name in self.sheets:
-            if name not in rings and name in boxed:
+            if not rings.get(name) and name in boxed:
                 left, bottom, right, top = extent_of(boxed[name])
                 corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
                 rings[name] = [np.array(corners)]
