@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import starmap
 
 import numpy as np
 from qgis.core import QgsGeometry, QgsLineString, QgsWkbTypes
@@ -13,7 +14,7 @@ from ..imagery.grids import PixelWindow, standard_side_px, standard_window
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
-from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, profile_text, sealed_notes
+from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, PieceState, profile_text, sealed_notes
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
@@ -22,7 +23,7 @@ from ..toolkit.translation import tr
 from .delivery_layers import SeamLayer
 from .measure import messages
 from .measure.delivered_rows import read_layers, united_settings
-from .measure.delivery import DeliveredPiece, Delivery, Seal
+from .measure.delivery import NUMBERS, TEXTS, DeliveredPiece, Delivery, Seal
 from .sheet_index import with_sheets
 
 
@@ -82,24 +83,21 @@ _DRAWN: tuple[Column[SampledItem], ...] = (
 )
 _SEAM: Column[SampledItem] = Column("seam_id", "integer", lambda item: whole_number(item.piece.seam_id, LARGEST_WHOLE))
 
+
+def _number(name: str, attribute: str) -> Column[SampledItem]:
+    return Column(name, "real", lambda item: getattr(item.piece, attribute))
+
+
+def _text(name: str) -> Column[SampledItem]:
+    return Column(name, "text", lambda item: getattr(item.piece, name) or None)
+
+
 PIECE_COLUMNS: tuple[Column[SampledItem], ...] = (
     Column("sheet", "text", lambda item: item.piece.sheet),
     Column("seam_id", "text", lambda item: item.piece.seam_id),
-    Column("station", "real", lambda item: item.piece.station_m),
-    *_DRAWN,
-    Column("left_source", "text", lambda item: item.piece.left_source or None),
-    Column("right_source", "text", lambda item: item.piece.right_source or None),
-    Column("left_date", "text", lambda item: item.piece.left_date or None),
-    Column("right_date", "text", lambda item: item.piece.right_date or None),
-    Column("length", "real", lambda item: item.piece.length_m),
-    Column("kept_1", "real", lambda item: item.piece.kept_1),
-    Column("kept_low", "real", lambda item: item.piece.kept_low),
-    Column("kept_high", "real", lambda item: item.piece.kept_high),
-    Column("band_width", "real", lambda item: item.piece.band_width_m),
-    Column("visibility", "real", lambda item: item.piece.visibility),
+    *_DRAWN, *starmap(_number, NUMBERS.items()), *map(_text, TEXTS),
     Column("profile", "text", lambda item: profile_text(item.piece.profile) or None),
-    Column("verdict", "text", lambda item: item.piece.verdict or None),
-    Column("reason", "text", lambda item: item.piece.reason or None),
+    Column("state", "text", lambda item: None if item.piece.has_detail else PieceState.NO_DETAIL.value),
 )
 """Columns of a sample, like those of the scan's SEAMS, so that acceptmosaic takes it."""
 

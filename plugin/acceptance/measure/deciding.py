@@ -19,8 +19,6 @@ from .inspection_plan import sampled_lot
 from .measured_pieces import MEASURED, is_unclear, metre_figures, sheet_figures, state_of
 from .ruling import Ruling
 
-_MOST_ROWS = 3  # of pieces that were not measured, that are told one by one
-
 
 def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0) -> Decision:
     """Accept a delivery, reject it, or say what would decide it.
@@ -163,9 +161,9 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
 
 
 def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
-    """The first rows with the places where they lie, and how many more there are."""
-    for run in rows[:_MOST_ROWS]:
+    """The longest row with the place where it lies, and how many there are."""
+    for run in rows[:1]:
         x, y = run.place
-        yield messages.ROW_NOT_MEASURED(metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets))
-    if len(rows) > _MOST_ROWS:
-        yield messages.MORE_ROWS_NOT_MEASURED(count=len(rows) - _MOST_ROWS)
+        yield messages.ROWS_NOT_MEASURED(
+            count=len(rows), metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets)
+        )

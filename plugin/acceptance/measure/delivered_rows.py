@@ -5,6 +5,7 @@ import math
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from osgeo import ogr
@@ -34,7 +35,17 @@ from ...imagery.seam_totals import (
     profile_of,
 )
 from . import messages
-from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order, metres_in_unit
+from .delivery import (
+    NUMBERS,
+    TEXTS,
+    DeliveredLayer,
+    DeliveredPiece,
+    Delivery,
+    Seal,
+    extent_of,
+    in_order,
+    metres_in_unit,
+)
 from .measured_pieces import NO_VERDICT
 
 _SAME_PLACE = 1e-9  # of coordinates, millimetres: a system that a file holds in other words
@@ -154,21 +165,15 @@ class _LayerReader:
 
 def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
     """A row's piece, numbered 0; of no length where the row says none."""
-    numbers = {name: _number(row.get(name)) for name in (
-        "station", "length", "kept_1", "kept_low", "kept_high", "band_width", "visibility", "sample"
-    )}  # fmt: skip
-    left, right, left_date, right_date = (
-        _text(row.get(name)) for name in ("left_source", "right_source", "left_date", "right_date")
-    )
-    return DeliveredPiece(
-        0, _text(row.get("sheet")) or sheet, _text(row.get("seam_id")), numbers["station"],
-        max(numbers["length"] or 0.0, 0.0), possible_kept(numbers["kept_1"]), numbers["kept_low"],
-        numbers["kept_high"], numbers["band_width"], _text(row.get("verdict")), _text(row.get("reason")), line,
-        left, right, left_date, right_date,
-        None if numbers["sample"] is None else int(numbers["sample"]),
-        visibility=numbers["visibility"], profile=profile_of(_text(row.get("profile"))),
-        has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
-    )  # fmt: skip
+    values: dict[str, Any] = {attribute: _number(row.get(name)) for name, attribute in NUMBERS.items()}
+    values.update({name: _text(row.get(name)) for name in TEXTS})
+    sample = _number(row.get("sample"))
+    return DeliveredPiece(**{
+        **values, "number": 0, "sheet": _text(row.get("sheet")) or sheet, "seam_id": _text(row.get("seam_id")),
+        "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible_kept(values["kept_1"]), "vertices": line,
+        "sample_number": None if sample is None else int(sample), "profile": profile_of(_text(row.get("profile"))),
+        "has_detail": _text(row.get("state")) != PieceState.NO_DETAIL.value,
+    })  # fmt: skip
 
 
 def _common_system(scanned: Sequence[ScannedLayer], pieces: Sequence[Sequence[DeliveredPiece]]) -> str:

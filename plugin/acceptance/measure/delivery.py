@@ -17,6 +17,13 @@ from ...imagery.reference_systems import metres_per_unit
 from ...imagery.seam_totals import KeptBeside
 from . import messages
 
+NUMBERS = {
+    "station": "station_m", "length": "length_m", "kept_1": "kept_1", "kept_low": "kept_low", "kept_high": "kept_high",
+    "band_width": "band_width_m", "visibility": "visibility",
+}  # fmt: skip
+TEXTS = ("left_source", "right_source", "left_date", "right_date", "verdict", "reason")
+"""Fields of a scan's layer, the attributes of a piece that hold them; texts are called alike."""
+
 
 @dataclass(frozen=True)
 class DeliveredPiece:

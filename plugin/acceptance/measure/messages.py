@@ -127,10 +127,9 @@ LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at 
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)
-ROW_NOT_MEASURED = Message(
-    "A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: "
-    "{metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING)
-MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
+ROWS_NOT_MEASURED = Message(
+    "Rows of pieces that were not measured, with those that failed among them, are longer than a failure may be: "
+    "{count}, the longest {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "

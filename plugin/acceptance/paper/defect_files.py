@@ -236,6 +236,10 @@ def _coordinate(value: float) -> float:
     return float(f"{value:.10g}")
 
 
+def _of_worst(name: str) -> Column[Defect]:
+    return Column(name, "text", lambda defect: getattr(defect.worst.piece, name) or None)
+
+
 DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("defect", "integer", lambda defect: defect.run.number),
     Column("sheet", "text", lambda defect: ", ".join(defect.run.sheets)),
@@ -246,10 +250,7 @@ DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("band_width", "real", lambda defect: rounded(defect.band_width_m)),
     Column("visibility", "real", lambda defect: rounded(defect.worst.piece.visibility)),
     Column("cause", "text", lambda defect: defect.cause or None),
-    Column("left_source", "text", lambda defect: defect.worst.piece.left_source or None),
-    Column("right_source", "text", lambda defect: defect.worst.piece.right_source or None),
-    Column("left_date", "text", lambda defect: defect.worst.piece.left_date or None),
-    Column("right_date", "text", lambda defect: defect.worst.piece.right_date or None),
+    *(_of_worst(name) for name in ("left_source", "right_source", "left_date", "right_date")),
     Column("x", "real", lambda defect: _coordinate(defect.run.place[0])),
     Column("y", "real", lambda defect: _coordinate(defect.run.place[1])),
     Column("remark", "text", lambda defect: "; ".join(defect.remarks) or None),
