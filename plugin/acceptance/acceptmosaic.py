@@ -93,7 +93,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         from ..toolkit.layers import layer_address
         from .delivery_layers import seam_layers
 
-        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context)
+        self._seams = seam_layers(run.raster_values(SEAMS), run.context)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
         self._windows = "" if windows is None else layer_address(windows)
         rasters = [run.raster_refs(name) for name in (common.MOSAIC, LOSS, common.SOURCES)]
@@ -114,7 +114,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         decision = self._decision(run)
         run.tell(*decision.sentences)
         whole = decision.whole
-        seams = tuple((layer.scanned.sheet, whole_path(layer.address)) for layer in self._seams)
+        seams = tuple((layer.sheet, whole_path(layer.address)) for layer in self._seams)
         rules = run.text(stated.RULES) if run.parameters.get(stated.RULES) else ""
         record = InspectionRecord(decision, seams, whole_path(self._windows), whole_path(rules))
         return {
@@ -136,8 +136,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         from .measure.scanned_files import file_doubts
 
         rules = stated.stated_rules(run)
-        run.tell(*self._notices)
-        delivery, notices = read_layers([layer.scanned for layer in self._seams])
+        delivery, notices = read_layers(self._seams)
         run.tell(*notices)
         doubts = file_doubts(delivery.layers, _paths(self._mosaics), _paths(self._images))
         delivery = replace(with_sheets(delivery, run), files=doubts)

@@ -7,7 +7,6 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -23,11 +22,10 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..imagery.errors import Message, SettingsError, WindowError
+from ..imagery.errors import SettingsError, WindowError
 from ..imagery.seam_totals import TOTALS_DOMAIN
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import known_system
 from ..toolkit.table_fields import attributes, text
 from ..toolkit.translation import tr
 from .measure import messages
@@ -38,12 +36,7 @@ from .measure.delivery import SeenWindow
 def inspected_windows(
     source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run
 ) -> tuple[SeenWindow, ...]:
-    """The windows that have an outline, in a reference system; what is wrong with others is told.
-
-    Raises SettingsError for a layer without polygons.
-    """
-    if QgsWkbTypes.geometryType(source.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
-        raise SettingsError(messages.WINDOWS_NO_POLYGONS(name=source.sourceName()))
+    """The windows that have an outline, in a reference system; what is wrong with others is told."""
     transform = run.transform(source, crs) if crs.isValid() else None
     windows = []
     for row in attributes(layers.features(source), source.fields().names()):
@@ -64,45 +57,26 @@ _OF_SCAN_FILE = "seams"  # the table of a scan's file with several
 _LINE = QgsWkbTypes.GeometryType.LineGeometry
 
 
-@dataclass(frozen=True)
-class SeamLayer:
-    """A layer of seams that may be read in any thread."""
-
-    scanned: ScannedLayer
-    address: str  # what it was read from, in words for people
-
-
-def seam_layers(
-    values: Sequence[object], context: QgsProcessingContext
-) -> tuple[list[SeamLayer], list[Message]]:
-    """The layers behind a parameter's values, each once, and what is to be told of them.
+def seam_layers(values: Sequence[object], context: QgsProcessingContext) -> list[ScannedLayer]:
+    """The layers behind a parameter's values, to be read in any thread.
 
     Raises SettingsError where one is no layer of lines with what is kept, or is filtered.
     """
-    given: list[QgsVectorLayer] = []
-    notices: list[Message] = []
-    for value in values:
-        layer = _line_layer(value, context)
-        if any(_is_same(layer, other) for other in given):
-            notices.append(messages.LAYER_TWICE(name=layer.name()))
-            continue
+    given = [_line_layer(value, context) for value in values]
+    for layer in given:
         if layer.subsetString():
             raise SettingsError(messages.LAYER_FILTERED(name=layer.name(), filter=layer.subsetString()))
         if "kept_1" not in layer.fields().names():
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=layer.name()))
-        given.append(layer)
     if not given:
         raise SettingsError(messages.NO_LAYERS())
-    systems = [known_system(layer.crs()) for layer in given]
-    are_known = [crs.isValid() for crs in systems]
-    if any(are_known) and not all(are_known):
-        raise SettingsError(messages.LAYER_WITHOUT_CRS(name=given[are_known.index(False)].name()))
-    made = []
-    for name, layer, crs in zip(_names(given), given, systems):
-        rows = _rows(QgsVectorLayerFeatureSource(layer), layer.fields().names())
-        scanned = ScannedLayer(name, rows, layers.system_wkt(crs), layers.layer_notes(layer, TOTALS_DOMAIN))
-        made.append(SeamLayer(scanned, layers.layer_address(layer)))
-    return made, notices
+    return [
+        ScannedLayer(
+            name, _rows(QgsVectorLayerFeatureSource(layer), layer.fields().names()), layers.system_wkt(layer.crs()),
+            layers.layer_notes(layer, TOTALS_DOMAIN), address=layers.layer_address(layer),
+        )
+        for name, layer in zip(_names(given), given)
+    ]
 
 
 def _rows(source: QgsVectorLayerFeatureSource, names: Sequence[str]) -> Iterator[tuple[SeamRow, np.ndarray]]:
@@ -129,13 +103,6 @@ def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
 
 def _has_lines(layer: object) -> bool:
     return isinstance(layer, QgsVectorLayer) and layer.isValid() and layer.geometryType() == _LINE
-
-
-def _is_same(layer: QgsVectorLayer, other: QgsVectorLayer) -> bool:
-    if layer is other or layer.id() == other.id():
-        return True
-    in_memory = layer.providerType() == "memory"
-    return not in_memory and (layer.source(), layer.subsetString()) == (other.source(), other.subsetString())
 
 
 def _name(layer: QgsVectorLayer) -> str:

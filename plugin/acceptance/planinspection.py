@@ -78,21 +78,22 @@ class PlanInspection(SeamInspectorAlgorithm):
         from .delivery_layers import seam_layers
 
         self.check(run)
-        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context)
+        self._seams = seam_layers(run.raster_values(SEAMS), run.context)
         self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .measure.inspection_plan import drawn_sample, plan_sentence, rule_plan
+        from .measure.inspection_plan import plan_sentence, rule_plan, stratified_sample
         from .planned_sample import delivered_lot, write_sample
 
-        run.tell(*self._notices)
         delivery, lot = delivered_lot(run, self._seams, self._mosaic)
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
         rule = stated.sampling_rule(run)
         plan = None if rule is None else rule_plan(size, rule)
-        sample = drawn_sample(lot, min(run.whole(COUNT), size) if plan is None else plan.sample_size, run.whole(SEED))
+        count = min(run.whole(COUNT), size) if plan is None else plan.sample_size
+        drawn = stratified_sample([piece.sheet for piece in lot], count, run.whole(SEED))
+        sample = [lot[place] for place in drawn]
         run.tell(plan_sentence(plan) if plan else messages.PLANNED_BY_COUNT(size=len(sample), lot=size))
         if plan is not None and len(sample) < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))

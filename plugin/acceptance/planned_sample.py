@@ -20,9 +20,8 @@ from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
-from .delivery_layers import SeamLayer
 from .measure import messages
-from .measure.delivered_rows import read_layers, united_settings
+from .measure.delivered_rows import ScannedLayer, read_layers, united_settings
 from .measure.delivery import NUMBERS, TEXTS, DeliveredPiece, Delivery, Seal
 from .sheet_index import with_sheets
 
@@ -38,10 +37,10 @@ def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, f
 
 
 def delivered_lot(
-    run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None
+    run: Run, seams: Sequence[ScannedLayer], mosaic: Raster | None
 ) -> tuple[Delivery, Sequence[DeliveredPiece]]:
     """The pieces of the scans, and of these the lot: all, or those that windows can be placed on."""
-    delivery, notices = read_layers([layer.scanned for layer in seams])
+    delivery, notices = read_layers(seams)
     run.tell(*notices)
     delivery = with_sheets(delivery, run)
     if mosaic is None:

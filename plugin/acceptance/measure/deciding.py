@@ -2,7 +2,7 @@
 what was scanned, or that nobody has looked at, is accepted (``doubts``)."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 
@@ -16,7 +16,7 @@ from .delivery import Delivery, Seal
 from .doubts import Doubt, against_any, lacking, layer_sentences, unsealed
 from .failure_runs import failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
-from .measured_pieces import MEASURED, is_unclear, metre_figures, sheet_figures, state_of
+from .measured_pieces import MEASURED, is_unclear, metre_figures, pieces_of_sheets, state_of
 from .ruling import Ruling
 
 
@@ -37,13 +37,16 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         for piece, state in zip(delivery.pieces, states)
     )  # fmt: skip
     unknown = unknown_runs(delivery.pieces, states, delivery.unit_m)
-    whole, sheets = metre_figures("", pieces, runs, unknown), sheet_figures(delivery, pieces, runs, unknown)
+    of_sheets = pieces_of_sheets(delivery, pieces)
+    whole, *sheets = (
+        metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()]
+    )
     longest = [pieces[number] for number in runs[0].pieces] if runs else []
     ruling = Ruling(whole, pieces, longest, rules)
     outcomes = ruling.outcomes()
     sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
     if lot is None and not delivery.is_part:
-        sheet_outcomes = [*_sheet_outcomes(sheets, pieces, rules, delivery)]
+        sheet_outcomes = [*_sheet_outcomes(sheets, of_sheets, rules, delivery)]
     if delivery.is_part:
         outcomes = [_of_sample(outcome) for outcome in outcomes]
         whole, *sheets = (replace(figures, longest_failure_m=None) for figures in (whole, *sheets))
@@ -92,7 +95,8 @@ def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
 
 
 def _sheet_outcomes(
-    sheets: Sequence[MetreFigures], pieces: Sequence[DecidedPiece], rules: AcceptanceRules, delivery: Delivery
+    sheets: Sequence[MetreFigures], of_sheets: Mapping[str, Sequence[DecidedPiece]], rules: AcceptanceRules,
+    delivery: Delivery,
 ) -> Iterator[AcceptanceOutcome | None]:
     """Outcome of each sheet by its own metres; pieces over a border are looked at in the sheet of their middle.
 
@@ -100,11 +104,8 @@ def _sheet_outcomes(
     """
     trusted = {layer.name for layer in delivery.layers if layer.seal in (Seal.WHOLE, Seal.NOT_ASKED)}
     all_trusted, strange = len(trusted) == len(delivery.layers), any(against_any(delivery))
-    of_sheet: dict[str, list[DecidedPiece]] = {}
-    for decided in pieces:
-        of_sheet.setdefault(decided.piece.sheet, []).append(decided)
     for sheet in sheets:
-        sheet_pieces = of_sheet.get(sheet.name, [])
+        sheet_pieces = of_sheets[sheet.name]
         outcome = outcome_of(Ruling(sheet, sheet_pieces, sheet_pieces, rules).outcomes()) if sheet_pieces else None
         layers = {decided.piece.seam[0] for decided in sheet_pieces}
         is_doubtful = bool(delivery.files.gone) or not (all_trusted or layers <= trusted)

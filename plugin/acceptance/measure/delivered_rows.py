@@ -65,6 +65,7 @@ class ScannedLayer:
     wkt: str  # the reference system of the lines
     notes: Mapping[str, str]  # what its scan wrote beside its rows: totals, settings, files and their seal
     is_sealed: bool = True  # whether it has to be as its scan sealed it
+    address: str = ""  # what it is read from, in words for people
 
 
 def read_layers(scanned: Sequence[ScannedLayer]) -> tuple[Delivery, list[Message]]:

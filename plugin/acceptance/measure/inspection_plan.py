@@ -12,13 +12,8 @@ from ...imagery.seam_totals import PieceState
 from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PlanOutcome, RuleOutcome
-from .delivery import DeliveredPiece, Delivery
+from .delivery import Delivery
 from .sampling_plans import OperatingCharacteristic, SamplingPlan, isolated_lot_plan, single_sampling_plan
-
-
-def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> list[DeliveredPiece]:
-    """In the order of drawing; in proportion from every sheet."""
-    return [pieces[place] for place in stratified_sample([piece.sheet for piece in pieces], count, seed)]
 
 
 def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:

@@ -29,13 +29,19 @@ def is_unclear(piece: DeliveredPiece, least_kept: float) -> bool:
     return low is not None and high is not None and holds(low, high, least_kept)
 
 
+def _failing_chance(decided: DecidedPiece, least_kept: float) -> float:
+    """How likely a piece whose interval holds the limit keeps less than that."""
+    piece = decided.piece
+    return failing_chance(piece.kept_1, piece.kept_low, piece.kept_high, least_kept)
+
+
 def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
     """Half the 95 % interval of the metres of some pieces that failed, as their intervals let pieces lie on the other
     side of the limit; m. Each is as likely to keep less than the least as its own interval says."""
-    unclear = (decided.piece for decided in pieces if decided.is_unclear)
+    unclear = [decided for decided in pieces if decided.is_unclear]
+    chances = [_failing_chance(decided, least_kept) for decided in unclear]
     squares = (
-        piece.length_m**2 * chance * (1 - chance) for piece in unclear
-        for chance in [failing_chance(piece.kept_1, piece.kept_low, piece.kept_high, least_kept)]
+        decided.piece.length_m**2 * chance * (1 - chance) for decided, chance in zip(unclear, chances)
     )
     return NORMAL_95 * math.fsum(squares) ** 0.5
 
@@ -43,10 +49,7 @@ def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
 def surely_failed_m(pieces: Sequence[DecidedPiece], least_kept: float) -> float:
     """Metres of the longest row among pieces of a failure, in their order, that failed all, as sure as their intervals
     say; one that passed among them would break it."""
-    chances = [
-        failing_chance(decided.piece.kept_1, decided.piece.kept_low, decided.piece.kept_high, least_kept)
-        if decided.is_unclear else 1.0 for decided in pieces
-    ]  # fmt: skip
+    chances = [_failing_chance(decided, least_kept) if decided.is_unclear else 1.0 for decided in pieces]
     logs = np.concatenate([[0.0], np.cumsum(np.log(np.maximum(chances, 1e-9)))])
     metres = np.concatenate([[0.0], np.cumsum([decided.piece.length_m for decided in pieces])])
     first = np.searchsorted(-logs, -logs + math.log(_SURE))
@@ -124,15 +127,9 @@ def _longest_m(runs: Iterable[FailureRun], lengths: Mapping[int, float]) -> floa
     return longest
 
 
-def sheet_figures(
-    delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], unknown: Sequence[FailureRun]
-) -> list[MetreFigures]:
-    """Figures of each sheet by itself, of one without seams too. A piece counts in the sheet of its middle."""
+def pieces_of_sheets(delivery: Delivery, pieces: Sequence[DecidedPiece]) -> dict[str, list[DecidedPiece]]:
+    """Pieces by the sheet of their middle, none for a sheet without seams."""
     of_sheet: dict[str, list[DecidedPiece]] = {sheet: [] for sheet in delivery.sheets}
     for decided in pieces:
         of_sheet[decided.piece.sheet].append(decided)
-    rows: dict[str, tuple[list[FailureRun], list[FailureRun]]] = {sheet: ([], []) for sheet in of_sheet}
-    for kind, run in [*((0, run) for run in runs), *((1, run) for run in unknown)]:
-        for sheet in run.sheets:
-            rows[sheet][kind].append(run)
-    return [metre_figures(sheet, sheet_pieces, *rows[sheet]) for sheet, sheet_pieces in of_sheet.items()]
+    return of_sheet

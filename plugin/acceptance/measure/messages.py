@@ -201,7 +201,6 @@ SAMPLE_ONLY = Message(
     "for, or give the layers of the scan.", WARNING)
 RUN_NOT_IN_SAMPLE = Message("the longest failure can't be determined from a sample", INFO)
 # inspected windows
-WINDOWS_NO_POLYGONS = Message("{name} holds no windows; choose polygons that were inspected or judged.")
 WINDOWS_SAY_NOTHING = Message(
     "The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.",
     WARNING)
@@ -211,11 +210,9 @@ LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the p
 LAYER_NOT_LINES = Message("{name} holds no lines; choose the layer 'Seams' of a scan.")
 LAYER_WITHOUT_KEPT = Message("{name} has no field 'kept_1'; choose the layer 'Seams' of a scan, not the seamlines.")
 LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
-LAYER_TWICE = Message("{name} is given twice and counts once.", WARNING)
 LAYERS_EMPTY = Message(
     "The layers of seams are empty, or none of their rows is a piece of seam (field 'level'); choose the layers as the "
     "scans wrote them.")
-LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
     "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING)

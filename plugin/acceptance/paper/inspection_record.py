@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from statistics import median
 from typing import Callable
 
-from ...imagery.errors import SettingsError
+from ...imagery.errors import CancelledError, SettingsError
 from ...imagery.file_identity import states_in
 from ...imagery.open_raster import OpenRaster, placed
 from ...imagery.rasters import Raster, RasterRef
@@ -167,31 +167,31 @@ class Digest:
     sha256: str  # hexadecimal, 64 digits
 
 
-def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list[Digest] | None:
-    """SHA-256 of each file as ``sha256sum`` prints it; None when it is not wanted any more.
+def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> Iterator[Digest]:
+    """SHA-256 of each file as ``sha256sum`` prints it; a file that can't be read has none.
 
-    ``goes_on``: told the share of the bytes that is done, 0 to 1. A file that can't be read has no digest.
+    ``goes_on``: told the share of the bytes that is done, 0 to 1; where it says no a CancelledError is raised.
     """
     sizes = {path: os.path.getsize(path) for path in paths if os.path.isfile(path)}
     total, done = max(sum(sizes.values()), 1), 0
-    digests = []
     for path, size in sizes.items():
         digest = hashlib.sha256()
         with suppress(OSError):
             with open(path, "rb") as file:
                 while block := file.read(_AT_ONCE):
                     if not goes_on(min(done / total, 1.0)):
-                        return None
+                        raise CancelledError(messages.PAPER_STOPPED())
                     digest.update(block)
                     done += len(block)
-            digests.append(Digest(path, size, digest.hexdigest()))
-    return digests
+            yield Digest(path, size, digest.hexdigest())
 
 
-def text_digest(name: str, lines: Iterable[str]) -> Digest:
-    """Digest of lines of text, each ended by a line feed, in UTF-8."""
+def list_digest(images: Iterable[ListedImage]) -> Digest:
+    """Digest of the list of orthoimages: a line for each, its cells between tabs, in UTF-8."""
+    cells = ((image.name, image.path, image.date, image.size) for image in images)
+    lines = ("\t".join("" if cell is None else str(cell) for cell in row) for row in cells)
     content = "".join(f"{line}\n" for line in lines).encode()
-    return Digest(name, len(content), hashlib.sha256(content).hexdigest())
+    return Digest(tr("list of orthoimages"), len(content), hashlib.sha256(content).hexdigest())
 
 
 @dataclass(frozen=True)

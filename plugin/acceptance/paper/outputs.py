@@ -2,10 +2,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Optional, TypeVar
 
 from qgis.core import (
     QgsFeatureSink,
@@ -32,15 +32,16 @@ from .inspection_record import (
     InspectionRecord,
     LossPicture,
     file_digests,
+    list_digest,
     listed_images,
     loss_picture,
     rated_images,
     scanned_images,
-    text_digest,
 )
 from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
 from .sheet_layer import SHEET_COLUMNS, sheet_features
 
+Value = TypeVar("Value")
 Proof = Callable[[Sequence[str], Sequence[Raster]], tuple[Sequence[str], Optional[Prover]]]
 """From the paths of the orthoimages that were scanned, and the mosaics, to those that are listed, and who proves
 failures by them; None for nobody."""
@@ -84,17 +85,12 @@ def _digests(run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef]) -
     """Raises CancelledError where the paper is not wanted any more."""
     run.doing(tr("Digests of the files"))
     paths = local_states(path for mosaic in mosaics for path in mosaic.paths)
-    files = file_digests([*paths, *filter(None, [record.rules])], run.goes_on)
-    if files is None:
-        raise CancelledError(messages.PAPER_STOPPED())
-    layers = record.decision.delivery.layers
-    digested = [layer for layer in layers if layer.digest]
-    lists = [Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested]
-    if record.images:
-        cells = ((image.name, image.path, image.date, image.size) for image in record.images)
-        rows = ("\t".join("" if cell is None else str(cell) for cell in row) for row in cells)
-        lists.append(text_digest(tr("list of orthoimages"), rows))
-    return (*lists, *files)
+    digested = [layer for layer in record.decision.delivery.layers if layer.digest]
+    return (
+        *(Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested),
+        *([list_digest(record.images)] if record.images else []),
+        *file_digests([*paths, *filter(None, [record.rules])], run.goes_on),
+    )
 
 
 def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
@@ -120,30 +116,35 @@ def _sink(
 
 def _loss_pictures(run: Run, refs: Sequence[RasterRef]) -> list[LossPicture]:
     """The pictures of losses that a scan wrote; others are told."""
-    losses: list[LossPicture] = []
-    for ref in refs:
-        try:
-            if loss := loss_picture(ref):
-                losses.append(loss)
-            else:
-                run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
-        except RasterError as error:
-            run.tell(error.message.as_warning())
-    return losses
+    pictures = []
+    for ref, picture in _readable(run, refs, loss_picture):
+        if picture is None:
+            run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
+        else:
+            pictures.append(picture)
+    return pictures
 
 
 def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
     """The mosaics that pictures can be cut from."""
-    mosaics = []
+    shown = []
+    for ref, picture in _readable(run, refs, loss_picture):
+        if picture is None:
+            shown.append(ref)
+        else:
+            run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
+    return tuple(mosaic for _, mosaic in _readable(run, shown, describe_mosaic))
+
+
+def _readable(
+    run: Run, refs: Sequence[RasterRef], read: Callable[[RasterRef], Value]
+) -> Iterator[tuple[RasterRef, Value]]:
+    """What is read of rasters; those that can't be read are told."""
     for ref in refs:
         try:
-            if loss_picture(ref):
-                run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
-                continue
-            mosaics.append(describe_mosaic(ref))
+            yield ref, read(ref)
         except RasterError as error:
             run.tell(error.message.as_warning())
-    return tuple(mosaics)
 
 
 def _write_defects(run: Run, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> dict[str, Any]:

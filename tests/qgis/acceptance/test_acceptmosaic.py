@@ -135,7 +135,7 @@ def test_a_layer_given_twice_counts_once(tmp_path: Path) -> None:
     made = seams([P] * 4)
     outcome = decide(made, made)
     assert outcome.results["TOTAL_METRES"] == 100
-    assert_sentence(outcome.log.warnings[0], "given twice and counts once")
+    assert_sentence(outcome.log.warnings[0], "4 pieces of seam are given twice")
     path = file(made, tmp_path / "seams.gpkg")
     assert decide(path, path).results["TOTAL_METRES"] == 100
 
@@ -151,7 +151,7 @@ def test_bad_layers_are_refused() -> None:
         (["/nowhere/seams.gpkg"], "/nowhere/seams.gpkg can't be read as a layer of lines"),
         ([point], "made holds no lines"),
         ([layer("LineString", [straight(0, 5)])], "has no field 'kept_1'"),
-        ([seams([P]), layer("LineString", [straight(0, 5)], None, kept_1=("double", [P]))], "no coordinate reference"),
+        ([seams([P]), layer("LineString", [straight(0, 5)], None, kept_1=("double", [P]))], "check the systems of both"),
     ):
         assert_refused("acceptmosaic", words, SEAMS=given)
     outcome = decide(empty(kept_1=("double", [])))
