@@ -5,7 +5,7 @@ import fnmatch
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Callable, TypeVar
+from typing import Callable
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -27,7 +27,7 @@ _LEAST_MISSING = 1e-9  # of an outline: less is rounding
 _MOSTLY = 0.5  # of an outline
 _EDGE_PX = 1.0  # a sheet that ends so near to its outline covers it: outlines are drawn on the ground, not on pixels
 
-Value = TypeVar("Value", str, float, int)
+_OPEN = ("pixel_m", "wkt", "bands", "data_type")  # of a form: as most files have it where nothing is asked for
 
 
 @dataclass(frozen=True)
@@ -89,16 +89,14 @@ def checked_sheets(
 
 def fitting(sheets: Sequence[CheckedSheet]) -> list[CheckedSheet]:
     """The sheets that one mosaic can be made of: the ordered ones of most sheets' system, pixels, bands and type."""
-    groups: list[list[CheckedSheet]] = []
+    groups: list[list[tuple[Raster, CheckedSheet]]] = []
     for sheet in sheets:
-        if sheet.raster is None or not sheet.raster.is_north_up or not sheet.sheet.is_ordered:
-            continue
-        alike = next((group for group in groups if _is_like(sheet.raster, group[0].raster)), None)
-        if alike is None:
-            groups.append([sheet])
-        else:
-            alike.append(sheet)
-    return max(groups, key=len, default=[])
+        if (raster := sheet.raster) is not None and raster.is_north_up and sheet.sheet.is_ordered:
+            alike = next((group for group in groups if _is_like(raster, group[0][0])), None)
+            if alike is None:
+                groups.append(alike := [])
+            alike.append((raster, sheet))
+    return [sheet for _, sheet in max(groups, key=len, default=[])]
 
 
 def with_states(sheets: Sequence[CheckedSheet]) -> Iterator[CheckedSheet]:
@@ -130,22 +128,19 @@ def _opened(sheet: OrderedSheet) -> tuple[Raster | None, tuple[Message, ...]]:
     return (raster, ()) if raster.has_place else (None, (messages.FILE_WITHOUT_PLACE(),))
 
 
+def _form_of(raster: Raster) -> OrderedForm:
+    """What a file is."""
+    pixel_m = round(raster.ground_sample_distance, 6)
+    return OrderedForm(pixel_m, raster.wkt, len(raster.band_names), raster.data_type)
+
+
 def _as_most(rasters: Sequence[Raster], form: OrderedForm) -> OrderedForm:
     """The form with what it leaves open filled in by what most files have."""
     if not rasters:
         return form
-    most_wkt = _most([raster.wkt for raster in rasters])
-    return OrderedForm(
-        form.pixel_m or _most([round(raster.ground_sample_distance, 6) for raster in rasters]),
-        form.wkt or most_wkt,
-        form.bands or _most([len(raster.band_names) for raster in rasters]),
-        form.data_type or _most([raster.data_type for raster in rasters]),
-        form.pattern, form.most_missing,
-    )  # fmt: skip
-
-
-def _most(values: Sequence[Value]) -> Value:
-    return Counter(values).most_common(1)[0][0]
+    forms = [_form_of(raster) for raster in rasters]
+    most = {name: Counter(getattr(each, name) for each in forms).most_common(1)[0][0] for name in _OPEN}
+    return replace(form, **{name: getattr(form, name) or value for name, value in most.items()})
 
 
 def _findings(
@@ -272,9 +267,9 @@ def _absent(opened: OpenRaster, window: PixelWindow) -> np.ndarray | None:
     return absent
 
 
-def _is_like(raster: Raster, other: Raster | None) -> bool:
-    return other is not None and (
+def _is_like(raster: Raster, other: Raster) -> bool:
+    pixel, other_pixel = raster.ground_sample_distance, other.ground_sample_distance
+    return (
         same_system(raster.wkt, other.wkt) and raster.band_names == other.band_names
-        and raster.data_type == other.data_type
-        and abs(raster.ground_sample_distance / other.ground_sample_distance - 1) <= MAX_PIXEL_SIZE_DIFFERENCE
-    )  # fmt: skip
+        and raster.data_type == other.data_type and abs(pixel / other_pixel - 1) <= MAX_PIXEL_SIZE_DIFFERENCE
+    )

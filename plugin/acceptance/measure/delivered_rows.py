@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -73,16 +73,14 @@ def read_layers(scanned: Sequence[ScannedLayer]) -> tuple[Delivery, list[Message
 
     Raises SettingsError where there is none, or a layer has no place in the system of the first one.
     """
-    pieces: list[list[DeliveredPiece]] = []
+    pieces: list[Sequence[DeliveredPiece]] = []
     layers: list[DeliveredLayer] = []
     notices: list[Message] = []
-    lot_size = 0
     for layer in scanned:
-        reader = _LayerReader(layer)
-        pieces.append([*reader.pieces()])
-        layers.append(reader.layer(is_blank=not pieces[-1]))
-        notices += reader.notices()
-        lot_size = max(lot_size, reader.lot_size)
+        of_layer, read, doubtful = _read(layer)
+        pieces.append(of_layer)
+        layers.append(read)
+        notices += doubtful
     if not any(pieces):
         raise SettingsError(messages.LAYERS_EMPTY())
     wkt = _common_system(scanned, pieces)
@@ -97,71 +95,57 @@ def read_layers(scanned: Sequence[ScannedLayer]) -> tuple[Delivery, list[Message
     once = _without_copies(in_order(measured))
     if copies := len(placed) - len(once):
         notices.append(messages.PIECES_TWICE(count=copies))
-    is_sample = any(piece.sample_number for piece in once)
-    return Delivery(in_order(once), wkt, (), lot_size or None if is_sample else None, layers=tuple(layers)), notices
+    lot_size = max(layer.lot_size for layer in layers) if any(piece.sample_number for piece in once) else 0
+    return Delivery(in_order(once), wkt, (), lot_size or None, layers=tuple(layers)), notices
 
 
-class _LayerReader:
-    """Reads a layer's pieces, and tells then whether it is as its scan left it, and what is doubtful."""
+def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer, list[Message]]:
+    """A layer's pieces, with lines as it has them, whether it is as its scan left it, and what is doubtful."""
+    totals, pieces, notices = RowTotals(), list[DeliveredPiece](), list[Message]()
+    count = without_line = impossible = lot_size = 0
+    for row, line in layer.rows:
+        count += 1
+        totals.add(row, line)
+        lot_size = max(lot_size, int(_number(row.get("lot_size")) or 0))
+        if _text(row.get("level")) == STRETCH:
+            continue
+        if not is_line(line):
+            without_line += 1
+            continue
+        piece = _piece(row, line, layer.sheet)
+        pieces.append(piece)
+        impossible += _is_no_share(row, piece)
+    total = _number(layer.notes.get(METRES))
+    if impossible:
+        notices.append(messages.KEPT_IMPOSSIBLE(count=impossible, name=layer.sheet))
+    if without_line:
+        notices.append(messages.PIECES_WITHOUT_LENGTH(name=layer.sheet, count=without_line))
+    if not count and total != 0:
+        notices.append(messages.LAYER_EMPTY(name=layer.sheet))
+    lacking = 0.0 if total is None else total - sum(piece.length_m for piece in pieces)
+    seal = _seal(layer, totals, pieces)
+    is_blank = not pieces and (seal not in (Seal.WHOLE, Seal.NOT_ASKED) or total != 0)
+    return pieces, DeliveredLayer(
+        layer.sheet, seal, lacking if lacking > _LACKING_M else 0.0, layer.notes, totals.digest, lot_size, is_blank
+    ), notices
 
-    def __init__(self, layer: ScannedLayer) -> None:
-        self._layer, self._totals = layer, RowTotals()
-        self._count = self._without_line = self._impossible = self.lot_size = 0
-        self._metres = 0.0  # of the pieces that the rows say the length of
-        self._first: np.ndarray | None = None  # a line, as the layer has it
 
-    def pieces(self) -> Iterator[DeliveredPiece]:
-        """A piece for each row that has a line; none for a stretch of pieces. Lines are as the layer has them."""
-        for row, line in self._layer.rows:
-            self._count += 1
-            self._totals.add(row, line)
-            self.lot_size = max(self.lot_size, int(_number(row.get("lot_size")) or 0))
-            if _text(row.get("level")) == STRETCH:
-                continue
-            if not is_line(line):
-                self._without_line += 1
-                continue
-            if self._first is None:
-                self._first = line
-            piece = _piece(row, line, self._layer.sheet)
-            self._metres += piece.length_m
-            kept = _number(row.get("kept_1"))
-            self._impossible += kept is not None and piece.kept_1 is None and piece.verdict != NO_VERDICT
-            yield piece
+def _seal(layer: ScannedLayer, totals: RowTotals, pieces: Sequence[DeliveredPiece]) -> Seal:
+    if not layer.is_sealed:
+        return Seal.NOT_ASKED
+    if not has_seal(layer.notes):
+        return Seal.MISSING
+    system = layer.notes.get(SYSTEM, "")
+    is_same = layer.wkt == system
+    if layer.wkt and system and pieces:
+        extent = extent_of([pieces[0].vertices])
+        is_same = same_coordinates(layer.wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
+    return Seal.WHOLE if is_same and totals.is_sealed_by(layer.notes) else Seal.BROKEN
 
-    def layer(self, is_blank: bool) -> DeliveredLayer:
-        """The layer, once its pieces were read; ``is_blank``: whether there was none."""
-        notes = self._layer.notes
-        seal = self._seal()
-        total = _number(notes.get(METRES))
-        lacking = 0.0 if total is None else total - self._metres
-        return DeliveredLayer(
-            self._layer.sheet, seal, lacking if lacking > _LACKING_M else 0.0, notes, self._totals.digest,
-            is_blank and (seal not in (Seal.WHOLE, Seal.NOT_ASKED) or total != 0),
-        )
 
-    def notices(self) -> Iterator[Message]:
-        name = self._layer.sheet
-        if self._impossible:
-            yield messages.KEPT_IMPOSSIBLE(count=self._impossible, name=name)
-        if self._without_line:
-            yield messages.PIECES_WITHOUT_LENGTH(name=name, count=self._without_line)
-        if not self._count and _number(self._layer.notes.get(METRES)) != 0:
-            yield messages.LAYER_EMPTY(name=name)
-
-    def _seal(self) -> Seal:
-        notes, wkt = self._layer.notes, self._layer.wkt
-        if not self._layer.is_sealed:
-            return Seal.NOT_ASKED
-        if not has_seal(notes):
-            return Seal.MISSING
-        system, is_same = notes.get(SYSTEM, ""), True
-        if wkt and system and self._first is not None:
-            extent = extent_of([self._first])
-            is_same = same_coordinates(wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
-        elif wkt != system:
-            is_same = False
-        return Seal.WHOLE if is_same and self._totals.is_sealed_by(notes) else Seal.BROKEN
+def _is_no_share(row: SeamRow, piece: DeliveredPiece) -> bool:
+    """Whether its ``kept_1`` can't be; where the scan has no verdict its interval is wide, and any number may stand."""
+    return _number(row.get("kept_1")) is not None and piece.kept_1 is None and piece.verdict != NO_VERDICT
 
 
 def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:

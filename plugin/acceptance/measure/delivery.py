@@ -149,6 +149,7 @@ class DeliveredLayer:
     lacking_m: float  # metres that the scan had and the layer does not
     settings: Mapping[str, str] = field(hash=False)  # how its seams were measured, as far as the layer says
     digest: str = ""  # SHA-256 of its rows, as RowTotals has it
+    lot_size: int = 0  # pieces of the lot that it is a sample of; 0 where it is none
     is_blank: bool = False  # whether it has no piece of seam, and not as a scan that found none left it
 
 

@@ -93,12 +93,9 @@ SEAMS_UNSEEN = Message(
     "parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not "
     "counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 SEAMS_DIFFER = Message(
-    "{judged:.0f} m of seam are judged, but the scan saw the orthoimage change along {seen:.0f} m: {unseen:.0f} m of "
-    "these are not counted (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may "
-    "differ", INFO)
-SEAMS_UNCHANGED = Message(
-    "{judged:.0f} m of seam are judged, but along {unchanged:.0f} m of them both sides show the same orthoimage; "
-    "{limit:.0%} may differ", INFO)
+    "{judged:.0f} m of seam are judged; along {unchanged:.0f} m of them both sides show the same orthoimage, and along "
+    "{unseen:.0f} m that are not judged the scan saw it change (the longest around {place}); {limit:.0%} may differ",
+    INFO)
 BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
     "{limit:.1f} m may fail without a break", INFO)

@@ -103,13 +103,10 @@ def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules
     ground = SeenGround.of_delivery(delivery)
     apart, every = ground.unseen_m + ground.unchanged_m, whole.total_m + ground.unseen_m
     if apart > MOST_APART * every:
-        if ground.unseen_m:
-            yield messages.SEAMS_DIFFER(
-                judged=whole.total_m, seen=ground.seen_m(whole.total_m), unseen=ground.unseen_m,
-                unchanged=ground.unchanged_m, limit=MOST_APART, place=_first(ground.unseen_at),
-            )
-        else:
-            yield messages.SEAMS_UNCHANGED(judged=whole.total_m, unchanged=ground.unchanged_m, limit=MOST_APART)
+        yield messages.SEAMS_DIFFER(
+            judged=whole.total_m, unseen=ground.unseen_m, unchanged=ground.unchanged_m, limit=MOST_APART,
+            place=_first(ground.unseen_at),
+        )
     run = rules.rule(LONGEST_FAILURE)
     if run is not None and not run.passes(ground.longest_unseen_m):
         yield messages.BORDER_WITHOUT_SEAM(

@@ -276,15 +276,10 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
     present = {decided.state for decided in decision.pieces}
     entries = [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
     if len(decision.sheets) > 1:
-        outcomes = decision.sheet_outcomes
-        shown: dict[AcceptanceOutcome | None, str] = {
-            outcome: outcome_title(outcome) for outcome in AcceptanceOutcome if outcome in outcomes
-        }
-        if not all(sheet.piece_count for sheet in decision.sheets):
-            shown[None] = tr("No seams")
+        sheets = zip(decision.sheets, decision.sheet_outcomes)
+        colours = {sheet_word(outcome, figures): SHEET_COLOURS[outcome] for figures, outcome in sheets}
         entries += [
-            (SHEET_COLOURS[outcome] + _PALE, filled(tr("sheet: {verdict}"), verdict=word))
-            for outcome, word in shown.items()
+            (colour + _PALE, filled(tr("sheet: {verdict}"), verdict=word)) for word, colour in colours.items() if word
         ]
     return entries
 

@@ -151,7 +151,7 @@ def test_bad_layers_are_refused() -> None:
         (["/nowhere/seams.gpkg"], "/nowhere/seams.gpkg can't be read as a layer of lines"),
         ([point], "made holds no lines"),
         ([layer("LineString", [straight(0, 5)])], "has no field 'kept_1'"),
-        ([seams([P]), layer("LineString", [straight(0, 5)], None, kept_1=("double", [P]))], "check the systems of both"),
+        ([seams([P]), layer("LineString", [straight(0, 5)], None, kept_1=("double", [P]))], "check the systems"),
     ):
         assert_refused("acceptmosaic", words, SEAMS=given)
     outcome = decide(empty(kept_1=("double", [])))
