@@ -12237,7 +12237,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not measured.</source>
-        <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
+        <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/paper_head.py" line="73"/>

@@ -29,10 +29,10 @@ def against_any(delivery: Delivery) -> Iterator[Doubt]:
     """Why nothing is decided: what was measured is not, or not only, what is given."""
     files = delivery.files
     yield from _doubts(
-        (files.not_scanned, messages.FILES_NOT_SCANNED, messages.WOULD_SCAN_AGAIN),
-        (files.changed, messages.FILES_CHANGED, messages.WOULD_SCAN_AGAIN),
-        (files.layers_of_others, messages.LAYERS_OF_OTHERS, messages.WOULD_GIVE_MOSAICS),
-        (() if delivery.is_part else files.twice, messages.SCANNED_TWICE, messages.WOULD_LEAVE_OUT),
+        (files.not_scanned, messages.DOUBT_NOT_SCANNED, messages.WOULD_SCAN_AGAIN),
+        (files.changed, messages.DOUBT_FILES_CHANGED, messages.WOULD_SCAN_AGAIN),
+        (files.layers_of_others, messages.DOUBT_OF_OTHERS, messages.WOULD_GIVE_MOSAICS),
+        (() if delivery.is_part else files.twice, messages.DOUBT_SCANNED_TWICE, messages.WOULD_LEAVE_OUT),
     )
 
 
@@ -42,8 +42,8 @@ def unsealed(delivery: Delivery) -> Iterator[Doubt]:
         [layer.name for layer in delivery.layers if layer.seal is seal] for seal in (Seal.BROKEN, Seal.MISSING)
     )
     yield from _doubts(
-        (changed, messages.LAYERS_WERE_CHANGED, messages.WOULD_GIVE_LAYER),
-        (missing, messages.LAYERS_WITHOUT_SEAL, messages.WOULD_GIVE_LAYER),
+        (changed, messages.DOUBT_LAYERS_CHANGED, messages.WOULD_GIVE_LAYER),
+        (missing, messages.DOUBT_WITHOUT_SEAL, messages.WOULD_GIVE_LAYER),
     )
 
 
@@ -52,7 +52,7 @@ def lacking(
 ) -> Iterator[Doubt]:
     """What is missing of the delivery, or nobody has looked at, so that it can't be accepted; ``sheets``: that were to
     be measured."""
-    yield from _doubts((delivery.files.gone, messages.FILES_GONE, messages.WOULD_SCAN_AGAIN))
+    yield from _doubts((delivery.files.gone, messages.DOUBT_FILES_GONE, messages.WOULD_SCAN_AGAIN))
     if delivery.lacking_m:
         yield messages.SEAMS_LACK(metres=delivery.lacking_m), messages.WOULD_GIVE_LAYER
     for layer in delivery.layers:
@@ -89,9 +89,9 @@ def _not_looked_at(
         for state in (SheetState.LEFT_OUT, SheetState.DAMAGED)
     )
     yield from _doubts(
-        (blank, messages.SHEETS_NOT_MEASURED, messages.WOULD_SEE_SHEETS),
-        (left_out, messages.SHEETS_LEFT_OUT, messages.WOULD_SEE_SHEETS),
-        (damaged, messages.SHEETS_DAMAGED, messages.WOULD_SEE_SHEETS),
+        (blank, messages.DOUBT_NOT_MEASURED, messages.WOULD_SEE_SHEETS),
+        (left_out, messages.DOUBT_LEFT_OUT, messages.WOULD_SEE_SHEETS),
+        (damaged, messages.DOUBT_DAMAGED, messages.WOULD_SEE_SHEETS),
     )
 
 

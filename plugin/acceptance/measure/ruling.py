@@ -106,14 +106,16 @@ class Ruling:
         if rule.check == MEASURED_SHARE:
             return messages.MEASURED(value=value, limit=limit)
         if passed is not None:
-            closed = messages.SHARE_FAILED if rule.check == FAILED_SHARE else messages.RUN_FAILED
-            return closed(value=shown, limit=limit)
+            return messages.SHARE_FAILED(value=shown, limit=limit) if rule.check == FAILED_SHARE else (
+                messages.RUN_FAILED(value=shown, limit=limit)
+            )
         if rule.check == FAILED_SHARE:
             return messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high)
         if not rule.passes(value):
             return messages.RUN_OPEN(value=value, limit=limit, low=low, high=high)
-        hides = messages.RUN_IN_PIECE if high == self._hiding_m() else messages.RUN_UNKNOWN
-        return hides(value=value, limit=limit, metres=high)
+        return messages.RUN_IN_PIECE(value=value, limit=limit, metres=high) if high == self._hiding_m() else (
+            messages.RUN_UNKNOWN(value=value, limit=limit, metres=high)
+        )
 
     def advice(self, outcomes: Sequence[RuleOutcome], is_part: bool, has_sources: bool) -> Message | None:
         """What would decide most of what is open; None for nothing. ``is_part``: whether the pieces are a sample;
@@ -152,5 +154,7 @@ class Ruling:
         shares = {length: measured_with(self.pieces, self.rules.least_kept, length) for length in lengths}
         enough = [length for length, share in shares.items() if share >= min(least + _SPARE, 1.0)]
         piece = min(enough, default=lengths[-1])
-        would = messages.WOULD_MEASURE if enough else messages.WOULD_LOOK_THERE
-        return would(wanted=wanted, lacking=lacking, piece=piece, share=shares[piece])
+        share = shares[piece]
+        return messages.WOULD_MEASURE(wanted=wanted, lacking=lacking, piece=piece, share=share) if enough else (
+            messages.WOULD_LOOK_THERE(wanted=wanted, lacking=lacking, piece=piece, share=share)
+        )
