@@ -88,7 +88,7 @@ class InspectionRecord:
     windows: str = ""  # what the layer of inspected windows was read from; empty without
     rules: str = ""  # the file of rules; empty for ready ones
     mosaics: tuple[Raster, ...] = ()  # what the pictures of failures are cut from
-    loss: LossRaster | None = None  # the picture of losses, where there is one for all
+    loss: ScannedLoss | None = None  # the picture of losses, where there is one for all
     head: Mapping[str, str] = field(default_factory=dict)  # which delivery it is of, under which contract: stated_head
     images: tuple[ListedImage, ...] = ()  # the orthoimages, by name
     digests: tuple[Digest, ...] = ()  # digests of what was decided on; none where they were not wanted
@@ -138,21 +138,21 @@ def how_measured(record: InspectionRecord) -> HowMeasured:
 
 
 @dataclass(frozen=True, eq=False)
-class LossRaster:
+class ScannedLoss:
     """A scan's picture of losses."""
 
     raster: Raster
     bands: tuple[str, ...]  # their names
 
 
-def loss_picture(ref: RasterRef) -> LossRaster | None:
+def loss_picture(ref: RasterRef) -> ScannedLoss | None:
     """None for another raster. Raises RasterError when it can't be opened."""
     opened = OpenRaster(ref)
     if not opened.dataset.GetMetadata(TOTALS_DOMAIN):
         return None
     bands = (opened.dataset.GetRasterBand(number + 1) for number in range(opened.dataset.RasterCount))
     names = tuple(band.GetDescription() or str(number) for number, band in enumerate(bands, 1))
-    return LossRaster(placed(opened.raster), names)
+    return ScannedLoss(placed(opened.raster), names)
 
 
 _AT_ONCE = 1 << 22  # bytes

@@ -30,7 +30,7 @@ from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, Prover,
 from .inspection_record import (
     Digest,
     InspectionRecord,
-    LossRaster,
+    ScannedLoss,
     file_digests,
     list_digest,
     listed_images,
@@ -114,7 +114,7 @@ def _sink(
         return None, None
 
 
-def _loss_pictures(run: Run, refs: Sequence[RasterRef]) -> list[LossRaster]:
+def _loss_pictures(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
     """The pictures of losses that a scan wrote; others are told."""
     pictures = []
     for ref, picture in _readable(run, refs, loss_picture):

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
-from seam_inspector.plugin.acceptance.paper.inspection_record import LossRaster
+from seam_inspector.plugin.acceptance.paper.inspection_record import ScannedLoss
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
@@ -103,7 +103,7 @@ def test_scope_time_and_lineage() -> None:
 
 def test_the_picture_of_losses_is_a_coverage_result(tmp_path: Path) -> None:
     loss = ground(tmp_path / "loss & Łódź.tif")
-    document = quality_document(record_of(decided(failed=FAILED[:2]), loss=LossRaster(loss, ("kept_1",))))
+    document = quality_document(record_of(decided(failed=FAILED[:2]), loss=ScannedLoss(loss, ("kept_1",))))
     kept = elements(document)["kept"]
     coverage = kept.find("mdq:result/mdq:QE_CoverageResult", NAMESPACES)
     assert coverage is not None
