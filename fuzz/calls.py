@@ -86,7 +86,7 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
         "MOSAIC": _file("mosaic.tif"), "SOURCE_INDEX": _file("index.gpkg"), "SEAMS": _file("windows.gpkg"),
         "SCHEDULER": ""}),
     ("planinspection", "iso", {
-        "SEAMS": _files("scan_seams.gpkg"), "PLAN": "iso2859", "LOT_SIZE": 0, "AQL": "1.0", "PIECE": 5.0, "SEED": 1}),
+        "SEAMS": _files("scan_seams.gpkg"), "PLAN": "iso2859", "LOT_SIZE": 0, "AQL": "1.0", "SEED": 1}),
     ("planinspection", "count", {
         "SEAMS": _files("scan_seams.gpkg"), "PLAN": "count", "COUNT": 3, "UNIT": "windows", "SIDE": 12.8,
         "MOSAIC": _file("scan/mosaic.tif"), "SHEETS": _file("sheets.gpkg")}),
@@ -97,8 +97,8 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
     ("acceptmosaic", "rules", {
         "SEAMS": _files("scan_seams.gpkg"), "RULES": _file("acceptance.json"), "SHEETS": _file("sheets.gpkg"),
         "MOSAIC": _files("scan/mosaic.tif"), "SOURCE_INDEX": _file("scan/index.gpkg")}),
-    ("acceptmosaic", "observer", {
-        "SEAMS": _files("scan_seams.gpkg"), "PLAN": "iso2859", "JUDGE": "observer", "WINDOWS": _file("windows.gpkg"),
+    ("acceptmosaic", "plan", {
+        "SEAMS": _files("scan_seams.gpkg"), "PLAN": "iso2859", "WINDOWS": _file("windows.gpkg"),
         "LOT_SIZE": 100, "SEED": 3}),
     ("checkdelivery", "sheets", {
         "SHEETS": _file("sheets.gpkg"), "PATTERN": "*.tif", "PIXEL": 0.1, "BANDS": 3, "MAX_NODATA": 1.0}),

@@ -44,7 +44,7 @@
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="74"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -89,7 +89,7 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="90"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="69"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
@@ -99,7 +99,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="93"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="72"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -159,7 +159,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="57"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
@@ -474,7 +474,7 @@
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="129"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="135"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -734,7 +734,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="296"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -1429,7 +1429,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
@@ -2229,7 +2229,7 @@
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="67"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
@@ -2239,7 +2239,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="103"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="80"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
@@ -3682,7 +3682,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="305"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -3766,12 +3766,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="138"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="138"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -3780,7 +3780,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="218"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -3825,12 +3825,12 @@
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="115"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="115"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -3910,7 +3910,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -4688,7 +4688,7 @@
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="98"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="77"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
@@ -4698,7 +4698,7 @@
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="54"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="51"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
@@ -5093,7 +5093,7 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="88"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
@@ -5388,7 +5388,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="63"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="369"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -5835,12 +5835,12 @@
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="122"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="122"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -6285,7 +6285,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="156"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="140"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -6740,7 +6740,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="121"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="127"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -6815,7 +6815,7 @@
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="67"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="64"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
@@ -6990,82 +6990,62 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="28"/>
-        <source>least: {least:g}</source>
-        <translation>najmniej: {least:g}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="31"/>
-        <source>failed: {share:.2f} %</source>
-        <translation>niezgodne: {share:.2f} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="33"/>
-        <source>share of detail kept (kept_1)</source>
-        <translation>zachowana część detali (kept_1)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="34"/>
-        <source>metres that kept less (%)</source>
-        <translation>metry, które zachowały mniej (%)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="111"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="107"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>{name} is not the picture of losses of a scan and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="91"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="70"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="153"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="112"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="89"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="97"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="101"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="125"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="102"/>
         <source>The figures and the decision for a metadata catalogue: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
@@ -7096,138 +7076,118 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="101"/>
-        <source>A piece of seam fails where the operator saw a loss in its window, whatever it kept.</source>
-        <translation>Odcinek jest niezgodny tam, gdzie operator widział stratę w jego oknie, niezależnie od tego, ile zachował.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="103"/>
         <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="137"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="116"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="122"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="123"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="123"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="128"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="129"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="132"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="127"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="133"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="130"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="136"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="275"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="277"/>
-        <source>what the operator saw</source>
-        <translation>co widział operator</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="277"/>
-        <source>no loss in the window of a piece</source>
-        <translation>bez straty w oknie odcinka</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="281"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="273"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="304"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="273"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="95"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="92"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="95"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="92"/>
         <source>Whether the delivery meets the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="96"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="93"/>
         <source>All rules together: the delivery is accepted if none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="120"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
-        <source>Each piece of seam: what the operator saw in its window.</source>
-        <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="33"/>
@@ -7245,12 +7205,12 @@
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="113"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="125"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="118"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
@@ -7260,17 +7220,7 @@
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="160"/>
-        <source>risks of the plan of sampling</source>
-        <translation>ryzyka planu kontroli wyrywkowej</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="162"/>
-        <source>producer&apos;s risk; limiting quality</source>
-        <translation>ryzyko dostawcy; jakość graniczna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="110"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -7320,422 +7270,322 @@
         <translation>{place} w pliku {name}: „{key}” wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
-        <source>{parameter} is {value}, but the rules in {name} say {ruled}; change it in the file, or leave the file out.</source>
-        <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="29"/>
         <source>Both the ready rules &apos;{ready}&apos; and the rules in {name} are given; choose one of them.</source>
         <translation>Podano gotowe reguły „{ready}” i reguły z pliku {name}; zostaw jedne z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
-        <source>nothing of it</source>
-        <translation>nic o tym</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="32"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="31"/>
         <source>The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.</source>
         <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="34"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
         <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
         <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
         <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
         <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="38"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="37"/>
         <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
         <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="39"/>
         <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
         <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="41"/>
-        <source>No layer of seams has the field {field}; choose the field that names the sheet.</source>
-        <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="42"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
         <source>{count} pieces do not lie on the mosaic and are not part of the lot.</source>
         <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="41"/>
         <source>None of the seams lies on the mosaic; check the reference systems of both.</source>
         <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="45"/>
         <source>The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.</source>
         <translation>Plan wymaga odcinków w liczbie {size}, a warstwy zawierają {drawn}; wylosuj pozostałe z reszty partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
         <source>{why}; {also}</source>
         <translation>{why}; {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest failure of the delivery can&apos;t be determined from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>the longest failure can&apos;t be determined from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
-        <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
-        <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
-        <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
-        <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
-        <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
-        <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
-        <source>The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so a piece may fail by what was seen beside it; plan windows with a SIDE as long as a piece.</source>
-        <translation>Okna mają bok do {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="209"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
-        <source>{name} is given twice and counts once.</source>
-        <translation>{name} podano dwa razy; liczy się raz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
-        <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
-        <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
-        <source>{metres:.0f} m of seam in {sheets} lie on other seams and count twice; leave out what was scanned twice.</source>
-        <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
-        <source>The median of kept_1 in {name} is {value:g}, but it is a share, 1 if all is kept; write 86 % as 0.86.</source>
-        <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
-        <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, but {line:.1f} m along the line); the field is used, so check that it holds metres.</source>
-        <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="221"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="43"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="40"/>
         <source>Accept or reject a delivery</source>
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="55"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="52"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="60"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="57"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="68"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="65"/>
         <source>Rules that come with the plugin, instead of the limits above; leave those at their defaults.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="68"/>
         <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those at their defaults. The documentation has an example.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="75"/>
-        <source>Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says how well operators and tool agree.</source>
-        <translation>Okna skontrolowane, ewentualnie z opiniami: ich przyczyny i uwagi trafiają do usterek, które w nich leżą, a zgodność operatorów i narzędzia jest podawana.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="78"/>
-        <source>Who judges</source>
-        <translation>Kto ocenia</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
-        <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; pieces that nobody judged count as not measured.</source>
-        <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="89"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="90"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="81"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="91"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="82"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="92"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="178"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="150"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="179"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="151"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="180"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="180"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="152"/>
         <source>Share of the measured metres of seam.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="182"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="154"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="183"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="155"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="32"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="31"/>
         <source>Plan an inspection</source>
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="42"/>
-        <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
-        <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="49"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="50"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="52"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="51"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="54"/>
         <source>What windows are placed on; pieces that do not lie on it are not part of the lot. With it and the same seed, windows and pieces are the same sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
-        <source>Length of a piece (metres)</source>
-        <translation>Długość odcinka (metry)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="62"/>
-        <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
-        <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
-        <source>Field of the sheets</source>
-        <translation>Pole arkuszy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
-        <source>The sample is drawn proportionally from each of its values. Empty: layer by layer.</source>
-        <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="67"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="60"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; is how many there were.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="71"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="64"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="72"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="65"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="73"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="66"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="75"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="203"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="139"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="203"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="139"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="141"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="142"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="145"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="129"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="153"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="137"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="154"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="138"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="157"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="141"/>
         <source>Starts the random draw: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -8015,7 +7865,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="96"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="101"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -8053,7 +7903,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -9041,17 +8891,17 @@
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="184"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="156"/>
         <source>Share of the seams on ground with detail. If less was measured, a delivery is not accepted.</source>
         <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="84"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="75"/>
         <source>accepted, rejected or undecided</source>
         <translation>przyjęto, odrzucono lub nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="87"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="78"/>
         <source>Accepted (1), rejected (0), or empty if undecided</source>
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
@@ -9146,267 +8996,267 @@
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but with what is unknown it may be {low:.2%} to {high:.2%}</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
         <source>{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
         <source>{metres:.0f} m of seam are missing</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>The layers of seams were measured with different settings: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="305"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="385"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="349"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="220"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="317"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="282"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="90"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="86"/>
         <source>Digests of the files</source>
         <translation>Skróty kryptograficzne plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="90"/>
         <source>rows of {layer}</source>
         <translation>wiersze warstwy {layer}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="101"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="194"/>
         <source>list of orthoimages</source>
         <translation>lista ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
         <source>Title of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
         <source>Contract</source>
         <translation>Umowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
         <source>Number of the order or contract that the delivery belongs to.</source>
         <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Producer</source>
         <translation>Wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Who made the delivery.</source>
         <translation>Kto wykonał dostawę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Client</source>
         <translation>Zamawiający</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Who ordered the delivery and decides on it.</source>
         <translation>Kto zamówił dostawę i o niej decyduje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Delivery</source>
         <translation>Dostawa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>What the delivery is called.</source>
         <translation>Nazwa dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="30"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Date of the delivery</source>
         <translation>Data dostawy</translation>
     </message>
@@ -9431,22 +9281,17 @@
         <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="99"/>
-        <source>As the scan wrote it; one for each sheet if they were scanned separately, in the order of SEAMS. The XML refers to it. It also says with which orthoimages and settings the seams were measured, if their layer does not.</source>
-        <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="85"/>
         <source>SHA-256 of the mosaic&apos;s files, the seams, the rules and the list of orthoimages, for the report and the XML. It takes as long as reading the files once.</source>
         <translation>SHA-256 plików ortofotomapy, linii mozaikowania, reguł i listy ortoobrazów, do raportu i XML. Trwa tyle, ile jednokrotne odczytanie plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="94"/>
         <source>One polygon for each sheet, with its verdict by the same limits and its metres.</source>
         <translation>Jeden poligon na każdy arkusz, z oceną według tych samych granic i z metrami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="98"/>
         <source>Decided sheets</source>
         <translation>Ocenione arkusze</translation>
     </message>
@@ -9690,17 +9535,17 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="126"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="45"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="42"/>
         <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and whether rules or a plan of ISO 2859 accept it, reject it or can&apos;t decide, and then what would decide it. A piece of seam fails when it kept less than required; metres are sums of whole pieces. What could not be measured never counts as passed.</source>
         <translation>Rozstrzyga o dostawie na podstawie linii mozaikowania z jednego skanowania lub z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy, i według reguł lub planu ISO 2859, czy dostawę się przyjmuje, odrzuca, czy nie da się rozstrzygnąć, i co by wtedy rozstrzygnęło. Odcinek jest niezgodny, gdy zachował mniej, niż się wymaga; metry są sumami całych odcinków. Co nie dało się zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="61"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="58"/>
         <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single delivery, an isolated lot, by its limiting quality (ISO 2859-2).</source>
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
@@ -9710,52 +9555,42 @@
         <translation>{place} w {name}: {key} „{value}” nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="45"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
-        <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
-        <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
         <source>images rejected: {rejected}, undecided: {open} of {all}</source>
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="155"/>
-        <source>Producer&apos;s risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer&apos;s risk).</source>
-        <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy, w której udział niezgodnych odcinków wynosi {good}. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem {risk} (ryzyko odbiorcy).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="81"/>
         <source>The table that &apos;Check radiometry&apos; made of the sheets: its result is shown on the cover beside the decision, which it does not change.</source>
         <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="149"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="133"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, by ISO 2859-2: at least three times the percentage that you want.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="148"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="132"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -10186,32 +10021,27 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="172"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="142"/>
         <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
         <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="143"/>
         <source>form of the delivery</source>
         <translation>postać dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="153"/>
         <source>All pixels of each image (&apos;Check radiometry&apos;).</source>
         <translation>Wszystkie piksele każdego obrazu („Sprawdź radiometrię”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="185"/>
-        <source>images rejected; images undecided</source>
-        <translation>obrazy odrzucone; obrazy nierozstrzygnięte</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="187"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="155"/>
         <source>limits of radiometry</source>
         <translation>wymagania radiometrii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="187"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="155"/>
         <source>All images are accepted.</source>
         <translation>Wszystkie obrazy przyjęto.</translation>
     </message>
@@ -10265,72 +10095,52 @@
         <translation>Arkusz nr {number} nie ma nazwy w polu {field}; wpisz ją tam.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="48"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
         <source>{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.</source>
         <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
         <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="74"/>
         <source>{value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
-        <source>{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows have no line.</source>
-        <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
-        <source>{parameter} is &apos;{value}&apos;, which is not a date; write it as 2026-11-23 or 23.11.2026.</source>
-        <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="171"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="141"/>
         <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
         <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="183"/>
-        <source>Images beyond the limits of radiometry, and those for which it is unknown.</source>
-        <translation>Obrazy, które nie spełniają wymagań radiometrii, oraz te, których nie da się ocenić.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="137"/>
         <source>too little</source>
         <translation>za mało</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="94"/>
-        <source>The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
-        <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="59"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="58"/>
         <source>Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="146"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="130"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -10667,26 +10477,22 @@
         <translation>Zachowane to część najdrobniejszych detali przy linii względem otaczającego terenu. Skok to różnica tonu w poprzek linii, pomniejszona o to, co pokazuje sam teren. Niedopasowanie mówi, jak daleko od siebie leżą oba ortoobrazy wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <source>A failure is an unbroken row of failed pieces, along one seam or through a node where exactly two failed pieces meet. It may hold no more unmeasured seam than a typical piece. Kept and the orthoimages refer to the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
-        <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków: wzdłuż jednej linii mozaikowania i dalej przez węzeł, w którym spotykają się tylko dwa niezgodne odcinki. Niezmierzony może być w niej najwyżej jeden typowy odcinek. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/messages.py" line="21"/>
         <source>Windows without a number of their own: {count}; they were given the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="135"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="338"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="302"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="31"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
         <source>2026-11-23 or 23.11.2026; the report uses the first form.</source>
         <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
     </message>
@@ -10711,7 +10517,7 @@
         <translation>niczego nie przyjmuje się na podstawie domysłu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="112"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="108"/>
         <source>the software&apos;s default ({parameter}): {origin}</source>
         <translation>wartość domyślna programu ({parameter}): {origin}</translation>
     </message>
@@ -10765,12 +10571,7 @@
         <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
-        <source>rows of {name} were changed: {metres:.0f} m that failed in its scan now pass</source>
-        <translation>w warstwie {name} zmieniono wiersze tak, że {metres:.0f} m zakwestionowanych przez skan przechodzi pomyślnie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
         <source>parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
     </message>
@@ -11040,162 +10841,117 @@
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="37"/>
-        <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data inside their outline, can&apos;t be read, or hide each other; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with their findings, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all that were ordered, ready for the scan.</source>
-        <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił, które nie mają danych wewnątrz swojego obrysu, których nie da się odczytać albo które zasłaniają się nawzajem; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich zamówionych, gotową do skanowania.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="73"/>
         <source>A virtual mosaic over the ordered sheets that fit together; nothing is copied.</source>
         <translation>Wirtualna ortofotomapa zamówionych arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="69"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but a row of pieces that were not measured may make it {metres:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz przez ciąg odcinków, których nie zmierzono, może to być {metres:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
         <source>{share:.2%} of the mosaic of {name} could not be read, for example around {place}</source>
         <translation>nie udało się odczytać {share:.2%} ortofotomapy {name}, na przykład wokół {place}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
         <source>sheets of which nothing was measured: {count} ({names})</source>
         <translation>arkusze, z których niczego nie zmierzono: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
         <source>sheets that are missing in the mosaic that was scanned: {count} ({names})</source>
         <translation>arkusze, których brakuje w zeskanowanej ortofotomapie: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
         <source>sheets whose pixels can&apos;t all be read: {count} ({names})</source>
         <translation>arkusze, których pikseli nie da się w całości odczytać: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
-        <source>sheets that differ from others where they overlap, which nobody has checked: {count} ({names})</source>
-        <translation>arkusze, które nachodzą na inne i pokazują tam coś innego, czego nikt nie obejrzał: {count} ({names})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
-        <source>layers of seams have another reference system than their scan gave them: {count} ({names})</source>
-        <translation>warstwy linii mozaikowania w innym układzie współrzędnych, niż nadało im skanowanie: {count} ({names})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>layers of seams without the seal of a scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania bez pieczęci skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
-        <source>the files given are not the ones that were scanned: {names}</source>
-        <translation>podano pliki, które nie są tymi, które skanowano: {names}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>files were changed since they were scanned: {count} ({names})</source>
         <translation>pliki zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>files of the scanned mosaic can no longer be found: {count} ({names})</source>
         <translation>nie znaleziono plików skanowanej ortofotomapy: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
-        <source>{judged:.0f} m of seam are judged, but the scan saw the orthoimage change along {seen:.0f} m: {unseen:.0f} m of these are not counted (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may differ</source>
-        <translation>oceniono {judged:.0f} m linii mozaikowania, a według skanu ortofotomapa zmienia ortoobraz na {seen:.0f} m: {unseen:.0f} m z nich nie ma w żadnej liczbie (najdłuższe przy {place}), a na {unchanged:.0f} m nic się nie zmienia; różnica może wynosić {limit:.0%}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
         <source>along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and {limit:.1f} m may fail without a break</source>
         <translation>na {metres:.0f} m przy {place} ortofotomapa przechodzi z jednego ortoobrazu w drugi, a linii mozaikowania nie zmierzono; bez przerwy może zawieść {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
         <source>along {metres:.0f} m between two orthoimages, the longest around {place}, neither explains the mosaic; with these {value:.2%} of the metres may have failed and {limit:.2%} may</source>
         <translation>na {metres:.0f} m między dwoma ortoobrazami, najdłużej przy {place}, żaden nie wyjaśnia ortofotomapy; z nimi mogło zawieść {value:.2%} metrów, a wolno {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
-        <source>A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
-        <translation>Ciąg odcinków, których nie zmierzono, wraz z niezgodnymi wśród nich, jest dłuższy, niż może być usterka: {metres:.1f} m w miejscu {x:.1f}, {y:.1f} w {sheets}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="143"/>
-        <source>There are {count} more such rows.</source>
-        <translation>Dalszych takich ciągów: {count}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>What would decide it: the layers of seams as their scans wrote them, in the GeoPackages themselves or copies of these files; exports, merged layers and other formats lose the seal. Scan again where they are lost.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, w tych samych plikach GeoPackage albo w ich kopiach; eksport, łączenie warstw i inne formaty gubią pieczęć. Gdzie ich już nie ma, skanuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
-        <source>What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the layer of a sheet without seams.</source>
-        <translation>Co by rozstrzygnęło: skan wszystkich arkuszy, całych i jednakowych tam, gdzie na siebie nachodzą, który potrafi każdy z nich odczytać; pomiń warstwę arkusza bez linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
         <source>Files that are as they were scanned: {count}.</source>
         <translation>Pliki takie, jak je skanowano: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
         <source>Orthoimages that were scanned can no longer be found: {count} ({names}); without them the measurements behind the decision can&apos;t be repeated.</source>
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
-        <source>it does not show the same as {names} where they overlap</source>
-        <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
         <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="229"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>; looked at: {share} of the mosaic</source>
         <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="233"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
         <source>; around {places}</source>
         <translation>; przy {places}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="218"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -11282,62 +11038,52 @@
         <translation>Odcinki, które następują po sobie bez przerwy i których nie zmierzono, wraz z niezgodnymi wśród nich. Taki ciąg może być usterką i jest dłuższy, niż usterka może być.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
         <source>the limits are {limits}</source>
         <translation>granice: {limits}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="53"/>
         <source>{first}, {also}</source>
         <translation>{first}, {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
         <source>at least {limit:.0%} kept</source>
         <translation>zachowane co najmniej {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
         <source>at most {limit:.2%} failed</source>
         <translation>najwyżej {limit:.2%} niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
-        <source>no limit for the share that failed</source>
-        <translation>bez granicy udziału niezgodnych</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
-        <source>no limit for a failure without a break</source>
-        <translation>bez granicy długości nieprzerwanej usterki</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
         <source>at least {limit:.1%} measured</source>
         <translation>zmierzone co najmniej {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but pieces are up to {metres:.1f} m long, which can hide a longer one</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m, lecz odcinki mają do {metres:.1f} m, co może ukryć dłuższą</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>layers of seams whose mosaics are not given: {count} ({names})</source>
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
         <source>Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are unknown: {names}.</source>
         <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/inspection_record.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/inspection_record.py" line="130"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="293"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
@@ -11457,137 +11203,77 @@
         <translation>Linia {kept} %, teren {left} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
-        <source>Metres of seam by the share kept.</source>
-        <translation>Metry linii mozaikowania według zachowanej części detali.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
-        <source>Accepted by {rules}: {why}.</source>
-        <translation>Przyjęto według {rules}: {why}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
-        <source>Rejected by {rules}: {why}.</source>
-        <translation>Odrzucono według {rules}: {why}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
-        <source>Undecided by {rules}: {why}.</source>
-        <translation>Nie rozstrzygnięto według {rules}: {why}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="53"/>
-        <source>the observers&apos; verdicts and {rules}</source>
-        <translation>ocen obserwatorów i {rules}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
-        <source>&apos;{rules}&apos;</source>
-        <translation>reguł „{rules}”</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
         <source>What was not measured is assumed to be as good as the rest. If all of it failed, {worst:.1%} would fail, and {limit:.1%} may.</source>
         <translation>Przyjęto, że to, czego nie zmierzono, jest tak dobre jak reszta. Gdyby wszystko to było niezgodne, niezgodnych byłoby {worst:.1%}, a może być {limit:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
-        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, or judge windows there by eye (JUDGE observer).</source>
-        <translation>Co by rozstrzygnęło: wyniki dla co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy po ich bokach albo oceń tam okna wzrokowo (JUDGE observer).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
-        <source>What would decide it: a verdict on the pieces whose intervals include the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye (JUDGE observer).</source>
-        <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają granicę ({metres:.0f} m, odcinki: {count}). Oceń na nich okna wzrokowo (JUDGE observer).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
-        <source>What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured. Judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
-        <translation>Co by rozstrzygnęło: wyniki dla ciągów odcinków dłuższych niż {limit:.0f} m, których nie zmierzono. Oceń tam okna wzrokowo (JUDGE observer); pole &apos;reason&apos; linii mozaikowania mówi, dlaczego nie zmierzono każdego z nich.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
-        <source>What would decide it: layers without what was scanned twice.</source>
-        <translation>Co by rozstrzygnęło: warstwy bez tego, co zeskanowano dwukrotnie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
         <source>The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are not counted and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>Skanowanie {name} nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
         <source>The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
         <translation>Ortofotomapa {name} przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
-        <source>Along {metres:.0f} m of the seamlines given for {name} the mosaic shows the same orthoimage on both sides; they are not seams.</source>
-        <translation>Wzdłuż {metres:.0f} m linii mozaikowania podanych dla {name} ortofotomapa pokazuje po obu stronach ten sam ortoobraz; nic się tam nie łączy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
-        <source>Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.</source>
-        <translation>Wewnątrz swojego obrysu {share:.1%} ortofotomapy {name} nie ma pikseli, najwięcej w okolicy {place}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
         <source>Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.</source>
         <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
         <source>The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="115"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
         <source>Judged in the bands: {bands}</source>
         <translation>Oceniono w kanałach: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
         <source>of these may keep enough (95 %)</source>
         <translation>z nich może zachować dość (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="373"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="337"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="373"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="337"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -11597,12 +11283,12 @@
         <translation>{loss}, niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="34"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="33"/>
         <source>Draws a random sample of the seams of a delivery, proportionally from every sheet: as large as ISO 2859 requires, or as large as you choose. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the desk to be judged. The same seed draws the same sample.</source>
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859, albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="46"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="45"/>
         <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; count, as many as you choose.</source>
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; count – taka, jaką podasz.</translation>
     </message>
@@ -11762,12 +11448,12 @@
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
@@ -11787,17 +11473,17 @@
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="85"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="76"/>
         <source>Its reasons, in words</source>
         <translation>Uzasadnienie słowami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
         <source>some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: {names}</source>
         <translation>jako ortoobrazy podano obrazy, które są ortofotomapą albo powstały z innych, więc ukrywają to, co ona straciła: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="176"/>
         <source>What would decide it: a scan with the complete orthoimages as rectified, and no others.</source>
         <translation>Co by rozstrzygnęło: skanowanie z całymi ortoobrazami, tak jak powstały, i żadnymi innymi.</translation>
     </message>
@@ -12034,32 +11720,32 @@
         <translation>Wtapianie o szerokości {value:g} pikseli nie jest możliwe; podaj liczbę całkowitą od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszymi odcinkami. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all seamlines, or with none.</source>
         <translation>Co by rozstrzygnęło: obejrzenie miejsc, gdzie skan widział granicę, a linii mozaikowania nie zmierzono, oraz skan ze wszystkimi podanymi liniami albo bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
         <source>What would decide it: the files that were scanned, given as the mosaic and its orthoimages, or a new scan of the present files.</source>
         <translation>Co by rozstrzygnęło: skanowane pliki, podane jako ortofotomapa i jej ortoobrazy, albo skanowanie tych, które są teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
         <source>What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the layers of others out.</source>
         <translation>Co by rozstrzygnęło: podanie do decyzji wszystkich ortofotomap dostawy, każdego arkusza albo pliku VRT z wszystkimi; pomiń warstwy innych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a longer piece may pass although a part of it failed.</source>
         <translation>Co by rozstrzygnęło: skanowanie z odcinkami najwyżej {piece:.0f} m, połowa najdłuższej dopuszczalnej usterki: dłuższy odcinek zachowuje dość, choć jego część zawiodła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>The layers of seams are of {count} mosaics, and none is given to the decision, so it is unknown whether all belong to the delivery.</source>
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
@@ -12139,7 +11825,7 @@
         <translation>Odcinek, który ma zachować 0, jest zawsze zgodny; podaj część, którą ma zachować, np. 0,7.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="211"/>
         <source>The layers of seams are empty, or none of their rows is a piece of seam (field &apos;level&apos;); choose the layers as the scans wrote them.</source>
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
     </message>
@@ -12219,96 +11905,81 @@
         <translation>Plik {name} jest zamknięty; otwórz go ponownie, aby go odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
         <source>at most {limit:.1f} m without a break</source>
         <translation>najwyżej {limit:.1f} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
-        <source>kept_1 of {count} pieces of {name} is no share that a seam can keep (such as &apos;{value}&apos;; write 86 % as 0.86); they count as not measured.</source>
-        <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; na przykład „{value}”; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
         <source>The layer &apos;{name}&apos; can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy „{name}”; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
         <source>The seams are those of the given seamlines ({name}); a missing one is noticed only if it is longer than some 150 pixels.</source>
         <translation>Linie mozaikowania są podane ({name}); brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer&apos;s seamlines to the scan to measure all of them.</source>
         <translation>Linie mozaikowania znaleziono z pikseli ({name}), a szerokie wtapianie część z nich ukrywa. Podaj przy skanowaniu linie od wykonawcy, aby zmierzyć wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
         <source>The run was stopped: there is neither report nor XML, and the failures may have no pictures.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="222"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="222"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="225"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
         <source>sampled at level {level}, AQL {aql:g}</source>
         <translation>próba według poziomu {level}, AQL {aql:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
         <source>sampled as an isolated lot, LQ {lq:g} %</source>
         <translation>próba z partii izolowanej, LQ {lq:g} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
-        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with pieces of {piece:.0f} m, with which some {share:.0%} would be measured, or judge windows there by eye (JUDGE observer).</source>
-        <translation>Co by to rozstrzygnęło: zmierzenie co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Skanuj z odcinkami po {piece:.0f} m, co pozwoli zmierzyć około {share:.0%}, albo oceń tam okna na oko (JUDGE observer).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
-        <source>What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of {piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure, so judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why.</source>
-        <translation>Co by to rozstrzygnęło: zmierzenie co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Odcinki po {piece:.0f} m pozwoliłyby zmierzyć około {share:.0%}, a dłuższe mogą ukryć usterkę, więc oceń tam okna na oko (JUDGE observer); pole &apos;reason&apos; linii podaje przyczynę.</translation>
     </message>
     <message>
         <source>Dashes mark the failure, the frame the middle of the piece that kept least. Beside it at 2x: the mosaic, its orthoimages cut hard, and each orthoimage; marks at the edges show the seam, chequers ground without data. The curve is what the scan measured of that piece: grey is the judged strip, the thick line what is kept in it, red the limit.</source>
         <translation>Linia przerywana biegnie wzdłuż usterki, w ramce jest środek odcinka, który zachował najmniej. Obok w powiększeniu 2×: ortofotomapa, jej ortoobrazy cięte ostro i każdy ortoobraz; znaki na krawędziach wskazują linię mozaikowania, szachownica brak danych. Krzywa to pomiar tego odcinka przez skanowanie: szary jest oceniany pas, gruba linia to, co się w nim zachowało, czerwona to granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
         <source>{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}</source>
         <translation>{standard}, liczność partii {lot}, poziom {level}, AQL {aql:g}, znak literowy {letter}; {risks}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
         <source>{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}</source>
         <translation>{standard}, partia izolowana o liczności {lot}, jakość graniczna {lq:g} %; {risks}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
         <source>{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from .acceptance.paper.defect_files import ProofPanel, Prover
-    from .imagery.rasters import Raster, RasterRef
+    from .imagery.rasters import Raster
     from .seams.measure.source_images import Source
     from .seams.measure.window.inspection import Block
     from .seams.measure.window.window_request import WindowRequest
@@ -34,34 +34,26 @@ class ProvenAcceptMosaic(AcceptMosaic):
         super().prepare(run)
         self._given = given_sources(run)
 
-    def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
-        if not mosaics:
-            return super().orthoimages(run, scanned, mosaics)
+    def proof(
+        self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]
+    ) -> tuple[Sequence[str], Prover | None]:
         from .imagery.rasters import RasterRef
+        from .toolkit.layers import mosaic_crs
 
         given = self._given
         if not (given.refs or run.parameters.get(common.SOURCE_INDEX)):
             given = replace(given, refs=tuple(map(RasterRef, scanned)))
-            if not given.refs:
-                return ()
-        from .toolkit.layers import mosaic_crs
-
-        first = mosaics[0]
-        self._sources = gathered_sources(run, given, mosaic_crs(first), first.wkt)
-        self._wkt = first.wkt
-        return tuple(source.ref for source in self._sources)
-
-    def prover(self) -> Prover | None:
-        sources: Sequence[Source] = getattr(self, "_sources", ())
-        if not sources:
-            return None
+        if not (mosaics and (given.refs or run.parameters.get(common.SOURCE_INDEX))):
+            return super().proof(run, scanned, mosaics)
+        wkt = mosaics[0].wkt
+        sources = tuple(gathered_sources(run, given, mosaic_crs(mosaics[0]), wkt))
 
         def prove(mosaic: Raster, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:
             from .seams.measure.window.inspection import Block
 
-            return proof_panels(Block(mosaic, tuple(sources)), part, sides) if mosaic.wkt == self._wkt else ()
+            return proof_panels(Block(mosaic, sources), part, sides) if mosaic.wkt == wkt else ()
 
-        return prove
+        return [source.ref.path for source in sources], prove if sources else None
 
 
 def proof_panels(block: Block, part: PixelWindow, sides: tuple[str, str]) -> Sequence[ProofPanel]:

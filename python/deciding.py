@@ -69,7 +69,5 @@ def decide(
     if not any(rows.values()):
         raise NoSeamsError(messages.NO_SEAM_TO_DECIDE_ON())
     delivery = make_delivery(rows, wkt, notes, files)
-    given, folders = paths_of("mosaics", mosaics), [os.path.dirname(path) for path in files.values()]
-    return deciding.decide(
-        replace(delivery, files=file_doubts(delivery.layers, given, (), folders)), rules, lot_size or None, seed
-    )
+    doubts = file_doubts(delivery.layers, paths_of("mosaics", mosaics), ())
+    return deciding.decide(replace(delivery, files=doubts), rules, lot_size or None, seed)

@@ -2,23 +2,21 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from itertools import chain
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import sentence, tr
 from . import stated_rules as stated
-from .measure import messages
 from .measure.acceptance_rules import ready_files
-from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper, check_head
+from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper
 from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
@@ -29,8 +27,7 @@ if TYPE_CHECKING:
     from .measure.decision import Decision
     from .paper.defect_files import Prover
 
-SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
-TOOL, OBSERVER = "tool", "observer"
+SEAMS, WINDOWS = "SEAMS", "WINDOWS"
 REASONS = "REASONS"
 DECISION, ACCEPTED, TOTAL_METRES, MEASURED_METRES = "DECISION", "ACCEPTED", "TOTAL_METRES", "MEASURED_METRES"
 FAILED_METRES, FAILED_SHARE, LONGEST_FAILURE = "FAILED_METRES", "FAILED_SHARE", "LONGEST_FAILURE"
@@ -72,15 +69,9 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             "their defaults. The documentation has an example."
         ))
         self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.POLYGON, optional=True), tr(
-            "Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says "
-            "how well operators and tool agree."
+            "Inspected windows: their causes and remarks go to the failures in them."
         ))
-        self.addDescribed(common.choice(JUDGE, tr("Who judges"), (TOOL, OBSERVER)), tr(
-            "tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; pieces "
-            "that nobody judged count as not measured."
-        ), advanced=True)
         add_paper(self)
-        self.addDescribed(*common.chart(tr("Metres of seam by the share kept.")))
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))
         self.addOutput(QgsProcessingOutputString(REASONS, tr("Its reasons, in words")))
         self.addNumbers({
@@ -94,17 +85,6 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
     def check(self, run: Run) -> None:
         stated.stated_rules(run)
-        check_head(run)
-        self._by_observer(run)
-        run.check_chart()
-
-    @staticmethod
-    def _by_observer(run: Run) -> bool:
-        """Raises SettingsError where there are no windows that an observer could have judged."""
-        by_observer = run.word(JUDGE) == OBSERVER
-        if by_observer and not run.parameters.get(WINDOWS):
-            raise SettingsError(messages.NO_JUDGED_WINDOWS())
-        return by_observer
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         return stated.with_standard_words(super().for_check(parameters))
@@ -113,34 +93,32 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         from ..toolkit.layers import layer_address
         from .delivery_layers import seam_layers
 
-        needed = "" if self._by_observer(run) else "kept_1"
-        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context, needed)
+        self._seams = seam_layers(run.raster_values(SEAMS), run.context)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
         self._windows = "" if windows is None else layer_address(windows)
         rasters = [run.raster_refs(name) for name in (common.MOSAIC, LOSS, common.SOURCES)]
         (self._mosaics, self._losses, self._images), notices = zip(*rasters)
         run.tell(*chain(*notices))
 
-    def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
-        from ..imagery.rasters import RasterRef
-
-        return tuple(self._images) or tuple(map(RasterRef, scanned))
-
-    def prover(self) -> Prover | None:
-        return None
+    def proof(
+        self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]
+    ) -> tuple[Sequence[str], Prover | None]:
+        """Paths of the orthoimages, as given, else as they were scanned; and who proves failures by them."""
+        return [ref.path for ref in self._images] or scanned, None
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .paper.outputs import ReadFiles, write
+        from ..toolkit.pages.templates import whole_path
+        from .paper.inspection_record import InspectionRecord
+        from .paper.outputs import write
 
         decision = self._decision(run)
         run.tell(*decision.sentences)
         whole = decision.whole
-        seams = tuple((layer.sheet, layer.address) for layer in self._seams)
+        seams = tuple((layer.sheet, whole_path(layer.address)) for layer in self._seams)
         rules = run.text(stated.RULES) if run.parameters.get(stated.RULES) else ""
-        read = ReadFiles(tuple(self._mosaics), tuple(self._scans), seams, self._windows, rules)
+        record = InspectionRecord(decision, seams, whole_path(self._windows), whole_path(rules))
         return {
-            **write(run, decision, read, self),
-            **run.save(common.CHART, lambda path: _save_chart(path, decision)),
+            **write(run, record, self._mosaics, self._losses, partial(self.proof, run)),
             DECISION: decision.outcome.value,
             REASONS: sentence(decision.why),
             ACCEPTED: None if decision.accepted is None else int(decision.accepted),
@@ -152,26 +130,20 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         }
 
     def _decision(self, run: Run) -> Decision:
-        from .delivery_layers import judged_windows, read_delivery
+        from .delivery_layers import inspected_windows
         from .measure.deciding import decide
-        from .measure.delivered_rows import with_settings
+        from .measure.delivered_rows import read_layers
         from .measure.scanned_files import file_doubts
-        from .paper.outputs import scanned_losses
 
         rules = stated.stated_rules(run)
-        run.check_chart()
-        run.tell(*self._notices)
-        delivery, notices = read_delivery(self._seams, run.context.transformContext())
+        delivery, notices = read_layers(self._seams)
         run.tell(*notices)
-        self._scans = scanned_losses(run, self._losses)
-        delivery = with_sheets(with_settings(delivery, [scan.settings for scan in self._scans]), run)
-        delivery = replace(delivery, files=file_doubts(
-            delivery.layers, _paths(self._mosaics), _paths(self._images), [layer.folder for layer in self._seams]
-        ))  # fmt: skip
+        doubts = file_doubts(delivery.layers, _paths(self._mosaics), _paths(self._images))
+        delivery = replace(with_sheets(delivery, run), files=doubts)
         if run.parameters.get(WINDOWS):
             crs = reference_system(delivery.wkt)
-            delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))
-        return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED), self._by_observer(run))
+            delivery = replace(delivery, windows=inspected_windows(run.source(WINDOWS), crs, run))
+        return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED))
 
     def _add_limits(self) -> None:
         for name, title, words in (
@@ -189,10 +161,3 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
 def _paths(refs: Sequence[RasterRef]) -> list[str]:
     return [path for ref in refs for path in ref.paths]
-
-
-def _save_chart(path: Path, decision: Decision) -> None:
-    from ..toolkit.charts.figure_files import save_figure
-    from .paper.charts import kept_figure
-
-    save_figure(kept_figure(decision), path)

@@ -1,54 +1,42 @@
-"""Layers of seams, as scans and ``planinspection`` write them, and of judged windows -> a delivery.
+"""Layers of seams, as scans and ``planinspection`` write them, and of inspected windows -> plain data.
 
-Layers are looked up in their own thread (``seam_layers``) and read in another (``read_delivery``).
+Layers are looked up in their own thread, and their rows read in another.
 """
 from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
-    QgsCsException,
-    QgsDistanceArea,
     QgsFeatureRequest,
     QgsGeometry,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingUtils,
-    QgsUnitTypes,
     QgsVectorLayer,
     QgsVectorLayerFeatureSource,
     QgsWkbTypes,
 )
 
-from ..imagery.errors import Message, SettingsError, WindowError
-from ..imagery.reference_systems import utm_wkt
+from ..imagery.errors import SettingsError, WindowError
 from ..imagery.seam_totals import TOTALS_DOMAIN
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import known_system, reference_system, transformation
-from ..toolkit.table_fields import Attributes, attributes, text, whole_number
+from ..toolkit.table_fields import attributes, text
 from ..toolkit.translation import tr
 from .measure import messages
-from .measure.delivered_rows import LayerDoubts, united_delivery
-from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, SeenWindow
+from .measure.delivered_rows import ScannedLayer, SeamRow
+from .measure.delivery import SeenWindow
 
 
-def judged_windows(
+def inspected_windows(
     source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run
 ) -> tuple[SeenWindow, ...]:
-    """The windows that have an outline, in a reference system; what is wrong with others is told.
-
-    Raises SettingsError for a layer without polygons.
-    """
-    if QgsWkbTypes.geometryType(source.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
-        raise SettingsError(messages.WINDOWS_NO_POLYGONS(name=source.sourceName()))
+    """The windows that have an outline, in a reference system; what is wrong with others is told."""
     transform = run.transform(source, crs) if crs.isValid() else None
     windows = []
     for row in attributes(layers.features(source), source.fields().names()):
@@ -58,102 +46,44 @@ def judged_windows(
             run.tell(error.message.as_warning())
             continue
         if extent is not None:
-            windows.append(
-                SeenWindow(
-                    text(row["window_id"]) or text(row.feature.id()), extent,
-                    *(text(row[name]) for name in ("cause", "verdict", "observer", "observer_2", "remark", "remark_2")),
-                )
-            )
-    if not any(
-        window.cause or window.verdict or window.observer or window.observer_2 or window.remark for window in windows
-    ):
+            remarks = filter(None, (text(row["remark"]), text(row["remark_2"])))
+            windows.append(SeenWindow(extent, text(row["cause"]), tuple(remarks)))
+    if not any(window.cause or window.remarks for window in windows):
         run.tell(messages.WINDOWS_SAY_NOTHING(name=source.sourceName()))
     return tuple(windows)
 
 
 _OF_SCAN_FILE = "seams"  # the table of a scan's file with several
-_SHEET_FIELDS = ("sheet", "layer")  # planinspection's; that of QGIS's own Merge vector layers
-_METRES = QgsUnitTypes.DistanceUnit.DistanceMeters
 _LINE = QgsWkbTypes.GeometryType.LineGeometry
 
 
-@dataclass(frozen=True)
-class SeamLayer:
-    """A layer of seams that may be read in any thread."""
+def seam_layers(values: Sequence[object], context: QgsProcessingContext) -> list[ScannedLayer]:
+    """The layers behind a parameter's values, to be read in any thread.
 
-    sheet: str  # its name; each layer has one of its own
-    address: str  # what it was read from, in words for people
-    source: QgsVectorLayerFeatureSource
-    crs: QgsCoordinateReferenceSystem
-    fields: tuple[str, ...]
-    scan: Mapping[str, str]  # what its scan wrote beside its rows: totals, settings, files and their seal
-
-    folder: str = ""  # that its file lies in; empty for one in memory
-
-
-def seam_layers(
-    values: Sequence[object], context: QgsProcessingContext, needed: str = ""
-) -> tuple[list[SeamLayer], list[Message]]:
-    """The layers behind a parameter's values, each once, and what is to be told of them.
-
-    ``needed``: a field that each must have. Raises SettingsError where one is no layer of lines, or is filtered.
+    Raises SettingsError where one is no layer of lines with what is kept, or is filtered.
     """
-    given: list[QgsVectorLayer] = []
-    notices: list[Message] = []
-    for value in values:
-        layer = _line_layer(value, context)
-        if any(_is_same(layer, other) for other in given):
-            notices.append(messages.LAYER_TWICE(name=layer.name()))
-            continue
+    given = [_line_layer(value, context) for value in values]
+    for layer in given:
         if layer.subsetString():
             raise SettingsError(messages.LAYER_FILTERED(name=layer.name(), filter=layer.subsetString()))
-        if needed and needed not in layer.fields().names():
+        if "kept_1" not in layer.fields().names():
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=layer.name()))
-        given.append(layer)
     if not given:
         raise SettingsError(messages.NO_LAYERS())
-    systems = [known_system(layer.crs()) for layer in given]
-    are_known = [crs.isValid() for crs in systems]
-    if any(are_known) and not all(are_known):
-        raise SettingsError(messages.LAYER_WITHOUT_CRS(name=given[are_known.index(False)].name()))
-    made = [
-        SeamLayer(
-            name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), crs,
-            tuple(layer.fields().names()), layers.layer_notes(layer, TOTALS_DOMAIN), _folder(layer),
+    return [
+        ScannedLayer(
+            name, _rows(QgsVectorLayerFeatureSource(layer), layer.fields().names()), layers.system_wkt(layer.crs()),
+            layers.layer_notes(layer, TOTALS_DOMAIN), address=layers.layer_address(layer),
         )
-        for name, layer, crs in zip(_names(given), given, systems)
+        for name, layer in zip(_names(given), given)
     ]
-    return made, notices
 
 
-def read_delivery(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext, sheet_field: str = "",
-    crs: QgsCoordinateReferenceSystem | None = None,
-) -> tuple[Delivery, list[Message]]:
-    """All pieces, in a reference system (None: see ``common_system``), and what is to be told.
-
-    ``sheet_field``: whose values are the sheets, instead of the layers. Raises SettingsError where there are none, or a
-    layer has no place in that system.
-    """
-    crs = crs or common_system(seams, transforms)
-    pieces: list[DeliveredPiece] = []
-    notices: list[Message] = []
-    lots: set[int] = set()
-    read: list[DeliveredLayer] = []
-    for layer in seams:
-        doubts = LayerDoubts(layer.sheet)
-        for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS, doubts):
-            drawn = whole_number(row["sample"])
-            pieces.append(piece if drawn is None else replace(piece, sample_number=drawn))
-            lots.add(whole_number(row["lot_size"]) or 0)
-        notices += doubts.told(layer.scan)
-        read.append(doubts.layer(layer.scan, layers.system_wkt(layer.crs), "kept_1" in layer.fields))
-    size = max(lots, default=0) or None if any(piece.sample_number for piece in pieces) else None
-    delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), size, read)
-    notices += doubled
-    if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():
-        notices.append(messages.PLACES_IN(system=crs.description()))
-    return delivery, notices
+def _rows(source: QgsVectorLayerFeatureSource, names: Sequence[str]) -> Iterator[tuple[SeamRow, np.ndarray]]:
+    for feature in source.getFeatures(QgsFeatureRequest()):
+        values = zip(names, feature.attributes())
+        row = {name: value if isinstance(value, (int, float)) else text(value) for name, value in values}
+        yield row, _vertices(feature.geometry())
 
 
 def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
@@ -175,23 +105,11 @@ def _has_lines(layer: object) -> bool:
     return isinstance(layer, QgsVectorLayer) and layer.isValid() and layer.geometryType() == _LINE
 
 
-def _is_same(layer: QgsVectorLayer, other: QgsVectorLayer) -> bool:
-    if layer is other or layer.id() == other.id():
-        return True
-    in_memory = layer.providerType() == "memory"
-    return not in_memory and (layer.source(), layer.subsetString()) == (other.source(), other.subsetString())
-
-
 def _name(layer: QgsVectorLayer) -> str:
     """Name of the layer; of its file where the layer has the title that scans give theirs, or that of a file with dots,
     whose name ends at the first one for QGIS."""
     name, file = layer.name(), Path(layers.layer_path(layer))
     return file.stem if file.stem and name in (file.name.split(".")[0], tr("Seams")) else name
-
-
-def _folder(layer: QgsVectorLayer) -> str:
-    path = layers.layer_path(layer)
-    return os.path.dirname(os.path.abspath(path)) if path else ""
 
 
 def _names(seams: Sequence[QgsVectorLayer]) -> list[str]:
@@ -206,59 +124,6 @@ def _names(seams: Sequence[QgsVectorLayer]) -> list[str]:
         seen[name] += 1
         unique.append(name if seen[name] == 1 else f"{name} ({seen[name]})")
     return unique
-
-
-def common_system(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext
-) -> QgsCoordinateReferenceSystem:
-    """The first one that is not in degrees; the UTM zone of the first layer where all are."""
-    for layer in seams:
-        if not layer.crs.isGeographic():
-            return layer.crs
-    first = seams[0]
-    lines = (feature.geometry() for feature in first.source.getFeatures(QgsFeatureRequest()))
-    middle = next((line.boundingBox().center() for line in lines if not line.isEmpty()), None)
-    if middle is None:
-        return first.crs
-    wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
-    try:
-        place = transformation(first.crs, wgs84, transforms).transform(middle)
-    except (QgsCsException, WindowError):
-        raise SettingsError(messages.NOT_TRANSFORMED(name=first.sheet)) from None
-    return reference_system(utm_wkt(place.x(), place.y()))
-
-
-def _pieces(
-    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext,
-    sheet_fields: Sequence[str], doubts: LayerDoubts,
-) -> Iterator[tuple[Attributes, DeliveredPiece]]:
-    """Each row that has a line and a length, with its piece."""
-    try:
-        transform = transformation(layer.crs, crs, transforms)
-    except WindowError:
-        raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
-    ruler = QgsDistanceArea()
-    ruler.setSourceCrs(layer.crs, transforms)
-    if layer.crs.isValid():  # Web Mercator's metres are none
-        ruler.setEllipsoid(layer.crs.ellipsoidAcronym() or "EPSG:7030")
-    for row in attributes(layer.source.getFeatures(QgsFeatureRequest()), layer.fields):
-        line = QgsGeometry(row.feature.geometry())
-        drawn = 0.0 if line.isEmpty() else line.length()
-        if layer.crs.isValid() and not line.isEmpty():
-            drawn = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
-        placed = scanned = _vertices(line)
-        if not transform.isShortCircuited():
-            try:
-                line.transform(transform)
-            except QgsCsException:
-                raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
-            placed = _vertices(line)
-        sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
-        values = {name: row[name] for name in layer.fields}
-        known = {name: value if isinstance(value, (int, float)) else text(value) for name, value in values.items()}
-        piece = doubts.piece(sheet, known, placed, drawn, scanned)
-        if piece is not None:
-            yield row, piece
 
 
 def _vertices(line: QgsGeometry) -> np.ndarray:

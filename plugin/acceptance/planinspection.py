@@ -14,12 +14,11 @@ from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 from . import stated_rules as stated
-from .measure import acceptance_rules as limits
 from .measure import messages
 from .sheet_index import add_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
-SEAMS, UNIT, SIDE, PIECE, SHEET_FIELD, COUNT = "SEAMS", "UNIT", "SIDE", "PIECE", "SHEET_FIELD", "COUNT"
+SEAMS, UNIT, SIDE, COUNT = "SEAMS", "UNIT", "SIDE", "COUNT"
 OUTPUT, SAMPLE_SIZE, ACCEPTANCE_NUMBER, CODE_LETTER = "OUTPUT", "SAMPLE_SIZE", "ACCEPTANCE_NUMBER", "CODE_LETTER"
 BY_COUNT = "count"
 PIECES, WINDOWS = "pieces", "windows"
@@ -39,7 +38,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(common.layers(SEAMS, tr("Seams"), common.LINE), tr(
-            "Layers 'Seams' of scans, a sheet each, or plain seamlines: these are cut into pieces first."
+            "The layers 'Seams' of the scans of one delivery, a sheet each."
         ))
         add_sheets(self)
         self.addDescribed(common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, stated.ISOLATED, BY_COUNT)), tr(
@@ -58,12 +57,6 @@ class PlanInspection(SeamInspectorAlgorithm):
         self.addDescribed(common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01), tr(
             "Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
         ))
-        self.addDescribed(common.real(PIECE, tr("Length of a piece (metres)"), limits.STANDARD_PIECE_M, 0.01), tr(
-            "Plain seamlines are cut into pieces of about this length; those of a scan stay as they are."
-        ))
-        self.addDescribed(common.words(SHEET_FIELD, tr("Field of the sheets")), tr(
-            "The sample is drawn proportionally from each of its values. Empty: layer by layer."
-        ), advanced=True)
         self.addDescribed(common.result(OUTPUT, tr("Sample")), tr(
             "The sample: its field 'sample' numbers the pieces as they were drawn, 'lot_size' is how many there were."
         ))
@@ -85,24 +78,22 @@ class PlanInspection(SeamInspectorAlgorithm):
         from .delivery_layers import seam_layers
 
         self.check(run)
-        self._seams, self._notices = seam_layers(run.raster_values(SEAMS), run.context)
-        field = run.text(SHEET_FIELD)
-        if field and not any(field in layer.fields for layer in self._seams):
-            raise SettingsError(messages.SHEET_FIELD_MISSING(field=field))
+        self._seams = seam_layers(run.raster_values(SEAMS), run.context)
         self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .measure.inspection_plan import drawn_sample, plan_sentence, rule_plan
+        from .measure.inspection_plan import plan_sentence, rule_plan, stratified_sample
         from .planned_sample import delivered_lot, write_sample
 
-        run.tell(*self._notices)
-        delivery, lot = delivered_lot(run, self._seams, self._mosaic, run.text(SHEET_FIELD), run.real(PIECE))
+        delivery, lot = delivered_lot(run, self._seams, self._mosaic)
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
         rule = stated.sampling_rule(run)
         plan = None if rule is None else rule_plan(size, rule)
-        sample = drawn_sample(lot, min(run.whole(COUNT), size) if plan is None else plan.sample_size, run.whole(SEED))
+        count = min(run.whole(COUNT), size) if plan is None else plan.sample_size
+        drawn = stratified_sample([piece.sheet for piece in lot], count, run.whole(SEED))
+        sample = [lot[place] for place in drawn]
         run.tell(plan_sentence(plan) if plan else messages.PLANNED_BY_COUNT(size=len(sample), lot=size))
         if plan is not None and len(sample) < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))

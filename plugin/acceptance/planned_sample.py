@@ -1,88 +1,29 @@
-"""Layers of seams, scanned or plain -> the pieces that a sample is drawn of; a sample -> its table and windows."""
+"""Layers of seams -> the pieces that a sample is drawn of; a sample -> its table and windows."""
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import starmap
 
 import numpy as np
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransformContext,
-    QgsFeatureRequest,
-    QgsGeometry,
-    QgsLineString,
-    QgsWkbTypes,
-)
+from qgis.core import QgsGeometry, QgsLineString, QgsWkbTypes
 
 from ..imagery import limits
-from ..imagery.errors import Message, RasterError, SeamlineError, SettingsError, WindowError
+from ..imagery.errors import RasterError, SettingsError
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
-from ..imagery.lines import find_seams, read_geometry
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
-from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, profile_text, sealed_notes
+from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, PieceState, profile_text, sealed_notes
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.reference_systems import reference_system, transformation
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
-from .delivery_layers import SeamLayer, common_system, read_delivery
 from .measure import messages
-from .measure.delivered_rows import united_settings
-from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, in_order, metres_in_unit
-from .measure.inspection_plan import cut_pieces
+from .measure.delivered_rows import ScannedLayer, read_layers, united_settings
+from .measure.delivery import NUMBERS, TEXTS, DeliveredPiece, Delivery, Seal
 from .sheet_index import with_sheets
-
-_STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
-_OF_SCAN = "kept_1"
-
-
-def with_cut_seamlines(
-    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext, sheet_field: str, piece_m: float,
-    step_m: float | None,
-) -> tuple[Delivery, list[Message]]:
-    """All pieces, and what is to be told; ``step_m``: pixel of the mosaic, where it is known.
-
-    Raises SettingsError where there are none.
-    """
-    crs = common_system(seams, transforms)
-    scanned = [layer for layer in seams if _OF_SCAN in layer.fields]
-    pieces: list[DeliveredPiece] = []
-    notices: list[Message] = []
-    lot_size = None
-    held: tuple[DeliveredLayer, ...] = ()
-    if scanned:
-        read, notices = read_delivery(scanned, transforms, sheet_field, crs)
-        pieces, lot_size, held = list(read.pieces), read.lot_size, read.layers
-    for layer in seams:
-        if layer not in scanned:
-            cut = _cut(layer, crs, transforms, piece_m, step_m or _STEP * piece_m)
-            if not cut:
-                notices.append(messages.LAYER_EMPTY(name=layer.sheet))
-            pieces += cut
-    if not pieces:
-        raise SettingsError(messages.LAYERS_EMPTY())
-    return Delivery(in_order(pieces), layers.system_wkt(crs), lot_size=lot_size, layers=held), notices
-
-
-def _cut(
-    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext, piece_m: float,
-    step_m: float,
-) -> list[DeliveredPiece]:
-    try:
-        transform = transformation(layer.crs, crs, transforms)
-        lines = [layers.line_wkb(row, transform) for row in layer.source.getFeatures(QgsFeatureRequest())]
-    except WindowError:
-        raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
-    if not any(lines):
-        return []
-    try:
-        box = read_geometry(next(filter(None, lines)), 1).GetEnvelope()
-        unit = metres_in_unit([np.reshape(box, (2, 2)).T], layers.system_wkt(crs))
-        return cut_pieces(find_seams(lines, step_m / unit), layer.sheet, piece_m, unit)
-    except SeamlineError as error:
-        raise SettingsError(error.message) from None
 
 
 def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, float] | None:
@@ -96,12 +37,10 @@ def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, f
 
 
 def delivered_lot(
-    run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None, sheet_field: str, piece_m: float
+    run: Run, seams: Sequence[ScannedLayer], mosaic: Raster | None
 ) -> tuple[Delivery, Sequence[DeliveredPiece]]:
-    """The pieces of the scans, and those that plain seamlines are cut into; of these the lot: all, or those that
-    windows can be placed on."""
-    step = None if mosaic is None else mosaic.grid.ground_sample_distance
-    delivery, notices = with_cut_seamlines(seams, run.context.transformContext(), sheet_field, piece_m, step)
+    """The pieces of the scans, and of these the lot: all, or those that windows can be placed on."""
+    delivery, notices = read_layers(seams)
     run.tell(*notices)
     delivery = with_sheets(delivery, run)
     if mosaic is None:
@@ -143,24 +82,21 @@ _DRAWN: tuple[Column[SampledItem], ...] = (
 )
 _SEAM: Column[SampledItem] = Column("seam_id", "integer", lambda item: whole_number(item.piece.seam_id, LARGEST_WHOLE))
 
+
+def _number(name: str, attribute: str) -> Column[SampledItem]:
+    return Column(name, "real", lambda item: getattr(item.piece, attribute))
+
+
+def _text(name: str) -> Column[SampledItem]:
+    return Column(name, "text", lambda item: getattr(item.piece, name) or None)
+
+
 PIECE_COLUMNS: tuple[Column[SampledItem], ...] = (
     Column("sheet", "text", lambda item: item.piece.sheet),
     Column("seam_id", "text", lambda item: item.piece.seam_id),
-    Column("station", "real", lambda item: item.piece.station_m),
-    *_DRAWN,
-    Column("left_source", "text", lambda item: item.piece.left_source or None),
-    Column("right_source", "text", lambda item: item.piece.right_source or None),
-    Column("left_date", "text", lambda item: item.piece.left_date or None),
-    Column("right_date", "text", lambda item: item.piece.right_date or None),
-    Column("length", "real", lambda item: item.piece.length_m),
-    Column("kept_1", "real", lambda item: item.piece.kept_1),
-    Column("kept_low", "real", lambda item: item.piece.kept_low),
-    Column("kept_high", "real", lambda item: item.piece.kept_high),
-    Column("band_width", "real", lambda item: item.piece.band_width_m),
-    Column("visibility", "real", lambda item: item.piece.visibility),
+    *_DRAWN, *starmap(_number, NUMBERS.items()), *map(_text, TEXTS),
     Column("profile", "text", lambda item: profile_text(item.piece.profile) or None),
-    Column("verdict", "text", lambda item: item.piece.verdict or None),
-    Column("reason", "text", lambda item: item.piece.reason or None),
+    Column("state", "text", lambda item: None if item.piece.has_detail else PieceState.NO_DETAIL.value),
 )
 """Columns of a sample, like those of the scan's SEAMS, so that acceptmosaic takes it."""
 

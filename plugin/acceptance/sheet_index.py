@@ -43,27 +43,21 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
 
     Raises SettingsError where the polygons have no names or no numbers for coordinates, or none holds a piece.
     """
-    from .measure.delivery import SheetState
-
     if not run.parameters.get(SHEETS):
         return delivery
     rows, is_checked = _sheet_rows(run, SHEETS)
     transform = run.transform(run.source(SHEETS), reference_system(delivery.wkt))
-    outlines: list[tuple[str, QgsGeometry]] = []
-    findings: dict[str, tuple[str, ...]] = {}
-    states: dict[str, str] = {}
+    shapes: list[tuple[str, QgsGeometry]] = []
+    outlines = []
     for name, row in rows:
-        outline = QgsGeometry(row.feature.geometry())
+        shape = QgsGeometry(row.feature.geometry())
         try:
-            outline.transform(transform)
+            shape.transform(transform)
         except QgsCsException:
             raise SettingsError(messages.NOT_TRANSFORMED(name=run.source(SHEETS).sourceName())) from None
-        outlines.append((name, outline))
-        if is_checked and (words := text(row[FINDINGS])):
-            findings[name] = (*findings.get(name, ()), words)
-            if states.get(name) in (None, SheetState.NOT_ORDERED.value):  # a file more of that name
-                states[name] = text(row[STATE])
-    sheets = _names_at(outlines, [piece.middle for piece in delivery.pieces])
+        shapes.append((name, shape))
+        outlines.append(_sheet_outline(name, shape, row if is_checked else None))
+    sheets = _names_at(shapes, [piece.middle for piece in delivery.pieces])
     outside = sum(sheet is None for sheet in sheets)
     if outside == len(sheets):
         raise SettingsError(messages.SHEETS_ELSEWHERE())
@@ -73,11 +67,19 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0])
         for piece, sheet in zip(delivery.pieces, sheets)
     )
-    made = tuple(
-        replace(sheet, findings=findings.get(sheet.name, ()), state=SheetState.of_word(states.get(sheet.name, "")))
-        for sheet in _sheet_outlines(outlines)
-    )
-    return replace(delivery, pieces=pieces, outlines=made, is_checked=is_checked)
+    return replace(delivery, pieces=pieces, outlines=tuple(outlines), is_checked=is_checked)
+
+
+def _sheet_outline(name: str, shape: QgsGeometry, checked: Attributes | None) -> SheetOutline:
+    """``checked``: what 'Check a delivery' wrote of the sheet; None where the index does not come from it."""
+    import numpy as np
+
+    from .measure.delivery import SheetOutline, SheetState
+
+    polygons = shape.asMultiPolygon() if shape.isMultipart() else [] if shape.isEmpty() else [shape.asPolygon()]
+    rings = (np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon)
+    findings, state = (text(checked[FINDINGS]), text(checked[STATE])) if checked else ("", "")
+    return SheetOutline(name, tuple(rings), tuple(filter(None, [findings])), SheetState.of_word(state))
 
 
 def _names_at(outlines: list[tuple[str, QgsGeometry]], places: list[tuple[float, float]]) -> list[str | None]:
@@ -128,19 +130,3 @@ def _sheet_rows(run: Run, parameter: str) -> tuple[list[tuple[str, Attributes]],
         if not has_numbers(row.feature.geometry()):
             raise SettingsError(messages.SHEET_WITHOUT_PLACE(name=text(row[field])))
     return [(Path(text(row[field])).stem, row) for row in rows], {COMPLETE, FINDINGS} <= set(names)
-
-
-def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutline, ...]:
-    """One for each name; a name may have several polygons."""
-    import numpy as np
-
-    from .measure.delivery import SheetOutline
-
-    rings: dict[str, list[np.ndarray]] = {}
-    for name, outline in outlines:
-        parts = rings.setdefault(name, [])
-        if outline.isEmpty():
-            continue
-        polygons = outline.asMultiPolygon() if outline.isMultipart() else [outline.asPolygon()]
-        parts += [np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon]
-    return tuple(SheetOutline(name, tuple(parts)) for name, parts in rings.items())

@@ -56,22 +56,18 @@ _ORIGINS = {
 
 
 def stated_rules(run: Run) -> AcceptanceRules:
-    """Raises SettingsError for limits that can't be, and for a parameter that says something else than the file."""
+    """Raises SettingsError for limits that can't be, and for a parameter beside rules that are given."""
     given = _given(run)
     path, ready = (run.text(RULES) if run.parameters.get(RULES) else ""), run.word(READY_RULES)
     if path and ready:
         raise SettingsError(messages.TWO_RULES(ready=ready, name=Path(path).name))
     if not path and not ready:
         return _of_parameters(run, given)
-    rules = in_users_language(load_acceptance_rules(Path(path) if path else ready_files()[ready]))
-    said = _as_parameters(rules)
-    for name, value in given.items():
-        if value not in (DEFAULTS[name], said.get(name)):
-            ruled = messages.RULES_SAY_NOTHING() if said.get(name) is None else said[name]
-            raise SettingsError(
-                messages.RULES_AND_PARAMETER(parameter=name, value=value, name=Path(path).name or ready, ruled=ruled)
-            )
-    return rules
+    name = Path(path).name or ready
+    for parameter, value in given.items():
+        if value != DEFAULTS[parameter]:
+            raise SettingsError(messages.RULES_AND_PARAMETER(parameter=parameter, value=value, name=name))
+    return in_users_language(load_acceptance_rules(Path(path) if path else ready_files()[ready]))
 
 
 def standard_quality(run: Run, name: str) -> str:
@@ -119,18 +115,6 @@ def _of_parameters(run: Run, given: dict[str, Any]) -> AcceptanceRules:
     )
     rules = AcceptanceRules("", given[MIN_KEPT], source(MIN_KEPT), ruled, sampling)
     return replace(rules, name=sentence(limits_in_words(rules)))
-
-
-def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:
-    said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: ALL}
-    for name, (check, scale) in _CHECKS.items():
-        if (limit := rules.limit(check)) is not None:
-            said[name] = round(limit * scale, 9)
-    if rules.sampling is not None and rules.sampling.lq:
-        said.update({PLAN: ISOLATED, LQ: rules.sampling.lq})
-    elif rules.sampling is not None:
-        said.update({PLAN: ISO2859, AQL: rules.sampling.aql, INSPECTION_LEVEL: rules.sampling.inspection_level})
-    return said
 
 
 LOT_SIZE, SEED = "LOT_SIZE", "SEED"

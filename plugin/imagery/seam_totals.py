@@ -123,13 +123,9 @@ _SEALED = (
 """All fields that a decision reads, but words for people."""
 
 
-def sealed_failed_m(notes: Mapping[str, str]) -> float | None:
-    """Length of the pieces that failed by the standard limit, metres, as ``RowTotals.sealed`` wrote it; None where
-    nothing that can be read was sealed."""
-    try:
-        return float(notes[_FAILED]) if _SEAL in notes else None
-    except (KeyError, ValueError):
-        return None
+def has_seal(notes: Mapping[str, str]) -> bool:
+    """Whether a seal stands beside rows, be it broken."""
+    return _SEAL in notes
 
 
 class RowTotals:

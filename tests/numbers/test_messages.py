@@ -19,7 +19,8 @@ from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
 CODE = ("plugin", "tests", "demo", "benchmarks")
 FAMILIES = (
-    "RECOMMEND_", "ACCEPTED", "REJECTED", "UNDECIDED", "WINDOWS_RENUMBERED", "WINDOWS_RESHAPED",
+    "RECOMMEND_", "ACCEPTED", "REJECTED", "UNDECIDED", "DOUBT_", "LIMIT_OF_", "WINDOWS_RENUMBERED",
+    "WINDOWS_RESHAPED",
 )  # fmt: skip
 """Messages that stand in a table without their values, one of which is taken and called: all take the same values."""
 NO_ERROR = ("CancelledError",)

@@ -20,7 +20,6 @@ from tests.qgis.runs import algorithm, assert_refused, assert_sentence
 Told = list[tuple[str, Any]]
 NAMES = {"pywt": "PyWavelets", "scipy": "scipy"}
 DRAWN = (
-    ("acceptmosaic", "CHART"),
     ("acceptmosaic", "REPORT"),
     ("calibratethreshold", "CHART"),
     ("checknoise", "CHART"),
@@ -37,11 +36,11 @@ PAGES = (
     ("acceptmosaic", "QUALITY"), ("mendseams", "REPORT"),
 )  # fmt: skip
 """Algorithms and their pages."""
-DRAWING = """acceptance.kept_chart acceptance.paper.charts
+DRAWING = """acceptance.paper.acceptance_report
 resolution.charts resolution.report seams.charts.calibration_chart noise.charts
 noise.report radiometry.report toolkit.charts.figure_files""".split()
 """Modules that can't be imported without matplotlib."""
-WRITING = """acceptance.paper.acceptance_report acceptance.paper.quality_document
+WRITING = """acceptance.paper.quality_document
 noise.report photos.report radiometry.report resolution.report seams.report.inspection_report
 sensors.report toolkit.pages.templates""".split()
 """Modules that can't be imported without jinja2."""

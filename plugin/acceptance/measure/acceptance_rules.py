@@ -20,7 +20,6 @@ STANDARD_LONGEST_M = 50.0  # what 'not contiguous' is taken to mean: half a stan
 STANDARD_MEASURED_SHARE = 0.9  # of the metres: with less the rest could turn any share of 2 % round five times over
 STANDARD_AQL = "1.0"
 STANDARD_SEED = 2859  # the same delivery gives the same sample
-STANDARD_PIECE_M = 25.0  # as the scan cuts seams
 
 
 KEPT, FAILED_SHARE, LONGEST_FAILURE = "kept", "failed_share", "longest_failure"
@@ -92,15 +91,15 @@ class AcceptanceRules:
 
 
 def limits_in_words(rules: AcceptanceRules) -> Message:
-    """The limits that there are, and those that are missing where no plan of sampling stands for them."""
-    share, run, sampling = rules.limit(FAILED_SHARE), rules.limit(LONGEST_FAILURE), rules.sampling
+    """The limits that there are."""
     parts = [messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))]
-    if share is not None or sampling is None:
-        parts.append(messages.NO_LIMIT_OF_SHARE() if share is None else messages.LIMIT_OF_SHARE(limit=Stated(share)))
-    if run is not None or sampling is None:
-        parts.append(messages.NO_LIMIT_OF_RUN() if run is None else messages.LIMIT_OF_RUN(limit=Stated(run)))
-    parts.append(messages.LIMIT_OF_MEASURED(limit=Stated(rules.limit(MEASURED_SHARE) or 0.0)))
-    if sampling is not None:
+    for check, words in (
+        (FAILED_SHARE, messages.LIMIT_OF_SHARE), (LONGEST_FAILURE, messages.LIMIT_OF_RUN),
+        (MEASURED_SHARE, messages.LIMIT_OF_MEASURED),
+    ):  # fmt: skip
+        if (limit := rules.limit(check)) is not None:
+            parts.append(words(limit=Stated(limit)))
+    if (sampling := rules.sampling) is not None:
         parts.append(messages.SAMPLED_BY_LQ(lq=float(sampling.lq)) if sampling.lq else (
             messages.SAMPLED_BY_AQL(level=sampling.inspection_level, aql=float(sampling.aql))))
     return reduce(lambda first, also: messages.WITH(first=first, also=also), parts)
@@ -129,16 +128,11 @@ def limit_rules(
     def source(value: float, standard: float) -> str:
         return OWN_LIMIT if value == standard else "stated for this decision"
 
-    rules = AcceptanceRules(
-        "",
-        min_kept,
-        source(min_kept, STANDARD_KEPT),
-        (
-            AcceptanceRule(FAILED_SHARE, max_share, source(max_share, STANDARD_FAILED_SHARE)),
-            AcceptanceRule(LONGEST_FAILURE, max_run_m, source(max_run_m, STANDARD_LONGEST_M)),
-            AcceptanceRule(MEASURED_SHARE, min_measured, source(min_measured, STANDARD_MEASURED_SHARE)),
-        ),
-    )
+    ruled = tuple(AcceptanceRule(check, limit, source(limit, standard)) for check, limit, standard in (
+        (FAILED_SHARE, max_share, STANDARD_FAILED_SHARE), (LONGEST_FAILURE, max_run_m, STANDARD_LONGEST_M),
+        (MEASURED_SHARE, min_measured, STANDARD_MEASURED_SHARE),
+    ))  # fmt: skip
+    rules = AcceptanceRules("", min_kept, source(min_kept, STANDARD_KEPT), ruled)
     return replace(rules, name=str(limits_in_words(rules)))
 
 

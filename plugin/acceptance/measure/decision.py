@@ -1,10 +1,12 @@
 """The decision on a delivery, with all that it rests on."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from math import inf
 from typing import Any
+
+import numpy as np
 
 from ...imagery.errors import Message
 from ...imagery.lines import line_wkt
@@ -12,7 +14,7 @@ from ...imagery.records import GEOMETRY, TableRows
 from ...imagery.seam_totals import PieceState
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
-from .sampling_plans import OperatingCharacteristic, SamplingPlan
+from .sampling_plans import SamplingPlan
 
 
 class AcceptanceOutcome(Enum):
@@ -31,7 +33,6 @@ class DecidedPiece:
     state: PieceState  # passed, failed, not measured, or on ground without detail
     is_unclear: bool  # it was measured, and its 95 % interval holds the limit: it counts by its value
     run: int | None  # the ``FailureRun.number`` of the failure that it belongs to; None where it did not fail
-    windows: tuple[SeenWindow, ...] = ()  # inspected windows that lie over it, the one whose middle is nearest first
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,6 @@ class RuleOutcome:
 @dataclass(frozen=True)
 class PlanOutcome:
     plan: SamplingPlan
-    characteristic: OperatingCharacteristic
     seed: int | None  # seed of the drawing; None where the sample came with the layer, or is the whole lot
     inspected: int  # items of the sample that were measured
     nonconforming: int  # inspected items that failed
@@ -141,8 +141,6 @@ class Decision:
     may be; the longest first."""
     plan: PlanOutcome | None = None
     """None with all inspected."""
-    by_observer: bool = False
-    """Whether pieces failed by what operators saw, whatever they kept."""
 
     def to_geodataframe(self) -> Any:
         """Its pieces as a ``geopandas.GeoDataFrame``, one row each: what was measured, and what it counts as."""
@@ -186,6 +184,7 @@ class Defect:
 
     run: FailureRun
     pieces: tuple[DecidedPiece, ...]  # in the order in which they follow each other
+    windows: tuple[SeenWindow, ...] = ()  # inspected ones over any of them, nearest to the worst first
 
     @property
     def worst(self) -> DecidedPiece:
@@ -204,20 +203,25 @@ class Defect:
 
     @property
     def cause(self) -> str:
-        """Cause of the inspected window nearest to the worst piece, else of another one on it; empty without any."""
-        return next((window.cause for window in self._windows() if window.cause), "")
+        """Cause of the inspected window nearest to the worst piece that has one; empty without any."""
+        return next((window.cause for window in self.windows if window.cause), "")
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        remarks = (remark for window in self._windows() for remark in (window.remark, window.remark_2))
-        return tuple(dict.fromkeys(filter(None, remarks)))
-
-    def _windows(self) -> list[SeenWindow]:
-        """Windows that lie on any of the pieces, each once, those of the worst one in front."""
-        windows = (window for piece in (self.worst, *self.pieces) for window in piece.windows)
-        return list({window.window_id: window for window in windows}.values())
+        return tuple(dict.fromkeys(remark for window in self.windows for remark in window.remarks))
 
 
 def defects_of(decision: Decision) -> tuple[Defect, ...]:
     """The longest first."""
-    return tuple(Defect(run, tuple(decision.pieces[number] for number in run.pieces)) for run in decision.runs)
+    windows = decision.delivery.windows
+    left, bottom, right, top = np.array([window.extent for window in windows]).reshape(-1, 4).T
+    defects = []
+    for run in decision.runs:
+        defect = Defect(run, tuple(decision.pieces[number] for number in run.pieces))
+        x, y = np.array([decided.piece.middle for decided in defect.pieces]).T[:, :, np.newaxis]
+        is_over = ((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any(axis=0)
+        worst_x, worst_y = defect.worst.piece.middle
+        apart = np.hypot((left + right) / 2 - worst_x, (bottom + top) / 2 - worst_y)
+        nearest_first = [windows[number] for number in np.argsort(apart, kind="stable").tolist() if is_over[number]]
+        defects.append(replace(defect, windows=tuple(nearest_first)))
+    return tuple(defects)

@@ -5,8 +5,7 @@ import fnmatch
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
-from typing import Callable, TypeVar
+from typing import Callable
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -25,11 +24,10 @@ from .delivery import SheetState
 
 _AT_ONCE = 1 << 22  # pixels
 _LEAST_MISSING = 1e-9  # of an outline: less is rounding
-_READ = 0.9  # of the time: the rest is to compare sheets where they overlap
 _MOSTLY = 0.5  # of an outline
 _EDGE_PX = 1.0  # a sheet that ends so near to its outline covers it: outlines are drawn on the ground, not on pixels
 
-Value = TypeVar("Value", str, float, int)
+_OPEN = ("pixel_m", "wkt", "bands", "data_type")  # of a form: as most files have it where nothing is asked for
 
 
 @dataclass(frozen=True)
@@ -74,60 +72,43 @@ def checked_sheets(
     opened = [_opened(sheet) for sheet in sheets]
     ordered = [raster for (raster, _), sheet in zip(opened, sheets) if raster is not None and sheet.is_ordered]
     form = _as_most(ordered or [raster for raster, _ in opened if raster is not None], form)
-    checked = []
+    checked: list[CheckedSheet] = []
 
     def tell(share: float) -> None:
-        if not goes_on(share):
+        if not goes_on((len(checked) + share) / len(sheets)):
             raise CancelledError(messages.CHECK_STOPPED())
 
     try:
-        for done, (sheet, (raster, trouble)) in enumerate(zip(sheets, opened)):
-            tell(_READ * done / len(sheets))
-            part = partial(_part_done, tell, _READ * done / len(sheets), _READ / len(sheets))
-            checked.append(_checked(sheet, raster, trouble, form, part))
-        return with_states(checked, partial(_part_done, tell, _READ, 1 - _READ))
+        for sheet, (raster, trouble) in zip(sheets, opened):
+            tell(0.0)
+            checked.append(_checked(sheet, raster, trouble, form, tell))
     except CancelledError:
         return None
-
-
-def _part_done(tell: Callable[[float], None], before: float, part: float, share: float) -> None:
-    tell(before + part * share)
+    return list(with_states(checked))
 
 
 def fitting(sheets: Sequence[CheckedSheet]) -> list[CheckedSheet]:
     """The sheets that one mosaic can be made of: the ordered ones of most sheets' system, pixels, bands and type."""
-    groups: list[list[CheckedSheet]] = []
+    groups: list[list[tuple[Raster, CheckedSheet]]] = []
     for sheet in sheets:
-        if sheet.raster is None or not sheet.raster.is_north_up or not sheet.sheet.is_ordered:
-            continue
-        alike = next((group for group in groups if _is_like(sheet.raster, group[0].raster)), None)
-        if alike is None:
-            groups.append([sheet])
-        else:
-            alike.append(sheet)
-    return max(groups, key=len, default=[])
+        if (raster := sheet.raster) is not None and raster.is_north_up and sheet.sheet.is_ordered:
+            alike = next((group for group in groups if _is_like(raster, group[0][0])), None)
+            if alike is None:
+                groups.append(alike := [])
+            alike.append((raster, sheet))
+    return [sheet for _, sheet in max(groups, key=len, default=[])]
 
 
-def with_states(sheets: Sequence[CheckedSheet], tell: Callable[[float], None]) -> list[CheckedSheet]:
-    """The sheets with what they are to the mosaic of all of them; those that hide each other with other pixels say so.
-
-    ``tell``: is told the share that is done; what it raises ends the look.
-    """
-    shown = fitting(sheets)
-    others = otherwise([sheet.raster for sheet in shown if sheet.raster is not None], tell)
-    names = {id(sheet): [shown[other].sheet.name for other in others[number]] for number, sheet in enumerate(shown)}
-    checked = []
+def with_states(sheets: Sequence[CheckedSheet]) -> Iterator[CheckedSheet]:
+    """The sheets with what they are to the mosaic of all of them."""
+    shown = {id(sheet) for sheet in fitting(sheets)}
     for sheet in sheets:
         if not sheet.sheet.is_ordered:
-            sheet = replace(sheet, state=SheetState.NOT_ORDERED)
-        elif id(sheet) not in names:
-            findings = sheet.findings or (messages.NOT_IN_MOSAIC(),)
-            sheet = replace(sheet, findings=findings, state=SheetState.LEFT_OUT)
-        elif hidden := names[id(sheet)]:
-            finding = messages.SHOWS_OTHERWISE(names=", ".join(hidden))
-            sheet = replace(sheet, findings=(*sheet.findings, finding), state=SheetState.OVERLAPS)
-        checked.append(sheet)
-    return checked
+            yield replace(sheet, state=SheetState.NOT_ORDERED)
+        elif id(sheet) in shown:
+            yield sheet
+        else:
+            yield replace(sheet, findings=sheet.findings or (messages.NOT_IN_MOSAIC(),), state=SheetState.LEFT_OUT)
 
 
 def build_mosaic(path: str, sheets: Sequence[CheckedSheet]) -> None:
@@ -147,22 +128,19 @@ def _opened(sheet: OrderedSheet) -> tuple[Raster | None, tuple[Message, ...]]:
     return (raster, ()) if raster.has_place else (None, (messages.FILE_WITHOUT_PLACE(),))
 
 
+def _form_of(raster: Raster) -> OrderedForm:
+    """What a file is."""
+    pixel_m = round(raster.ground_sample_distance, 6)
+    return OrderedForm(pixel_m, raster.wkt, len(raster.band_names), raster.data_type)
+
+
 def _as_most(rasters: Sequence[Raster], form: OrderedForm) -> OrderedForm:
     """The form with what it leaves open filled in by what most files have."""
     if not rasters:
         return form
-    most_wkt = _most([raster.wkt for raster in rasters])
-    return OrderedForm(
-        form.pixel_m or _most([round(raster.ground_sample_distance, 6) for raster in rasters]),
-        form.wkt or most_wkt,
-        form.bands or _most([len(raster.band_names) for raster in rasters]),
-        form.data_type or _most([raster.data_type for raster in rasters]),
-        form.pattern, form.most_missing,
-    )  # fmt: skip
-
-
-def _most(values: Sequence[Value]) -> Value:
-    return Counter(values).most_common(1)[0][0]
+    forms = [_form_of(raster) for raster in rasters]
+    most = {name: Counter(getattr(each, name) for each in forms).most_common(1)[0][0] for name in _OPEN}
+    return replace(form, **{name: getattr(form, name) or value for name, value in most.items()})
 
 
 def _findings(
@@ -289,106 +267,9 @@ def _absent(opened: OpenRaster, window: PixelWindow) -> np.ndarray | None:
     return absent
 
 
-def _is_like(raster: Raster, other: Raster | None) -> bool:
-    return other is not None and (
+def _is_like(raster: Raster, other: Raster) -> bool:
+    pixel, other_pixel = raster.ground_sample_distance, other.ground_sample_distance
+    return (
         same_system(raster.wkt, other.wkt) and raster.band_names == other.band_names
-        and raster.data_type == other.data_type
-        and abs(raster.ground_sample_distance / other.ground_sample_distance - 1) <= MAX_PIXEL_SIZE_DIFFERENCE
-    )  # fmt: skip
-
-
-_LEAST_PX = 2.0  # of an overlap: what is narrower comes of outlines that are drawn on the ground, not on pixels
-_MOST_ASIDE = 0.05  # of a pixel, that grids may lie beside each other
-_LOOKED_AT = 1 << 27  # pixels of which a file is asked at once whether it has any
-_COARSE_PX, _CELL_PX = 4, 64
-_LOSSY_WHITE, _LOSSY_SHARE, _LOSSY_DETAIL = 2 / 255, 0.15, 2.5
-"""What compression of one scene may make of it, JPEG of quality 60 and 90: means of 4 px differ in a cell by so much of
-the brightest value and of their own standard deviation (0.11 of it, an image that is moved by a pixel by 0.4), the
-energies of the finest detail by such a factor (2.1, and 4 in the median where it was blurred by 0.6 px)."""
-_LEAST_DETAIL = 8 / 255**2
-"""Energy of the finest detail, of the brightest value squared, that is no more than rounding and noise."""
-
-
-def otherwise(rasters: Sequence[Raster], tell: Callable[[float], None]) -> list[list[int]]:
-    """For each raster, all of one reference system and pixel size, the numbers of those that show something else where
-    both have pixels.
-
-    Files compressed with loss may differ by that. ``tell``: is told the share that is done; what it raises ends the
-    look.
-    """
-    others: list[list[int]] = [[] for _ in rasters]
-    edges = np.array([raster.extent for raster in rasters]).reshape(-1, 4)
-    least = np.array([_LEAST_PX * raster.grid.pixel_width for raster in rasters])
-    with RasterPool() as pool:
-        for number, raster in enumerate(rasters):
-            tell(number / len(rasters))
-            left, bottom, right, top = edges[number]
-            width = np.minimum(edges[:, 2], right) - np.maximum(edges[:, 0], left)
-            height = np.minimum(edges[:, 3], top) - np.maximum(edges[:, 1], bottom)
-            for other in np.flatnonzero((width > least) & (height > least)).tolist():
-                if other > number and _differ(raster, rasters[other], pool):
-                    others[number].append(other)
-                    others[other].append(number)
-    return others
-
-
-def _differ(raster: Raster, other: Raster, pool: RasterPool) -> bool:
-    """Whether two rasters show different things; not where one of them can't be read, which is told elsewhere."""
-    grid, (left, bottom, right, top) = raster.grid, other.extent
-    aside = [grid.column_at(left), grid.column_at(right) - other.columns]
-    aside += [grid.row_at(top), grid.row_at(bottom) - other.rows]
-    columns, rows = round(aside[0]), round(aside[2])
-    if max(abs(place - whole) for place, whole in zip(aside, (columns, columns, rows, rows))) > _MOST_ASIDE:
-        return True
-    shared = PixelWindow(columns, rows, other.columns, other.rows).cut_to(raster.columns, raster.rows)
-    is_lossy = raster.is_lossy or other.is_lossy
-    try:
-        first, second = pool.open(raster.ref), pool.open(other.ref)
-
-        def has_any(window: PixelWindow) -> bool:
-            return bool(first.stored_share(window) or second.stored_share(window.moved_by(-columns, -rows)))
-
-        parts = filter(has_any, first.blocks(shared, _LOOKED_AT))
-        for window in filter(has_any, (window for part in parts for window in first.blocks(part, _AT_ONCE))):
-            mine, theirs = first.read(window), second.read(window.moved_by(-columns, -rows))
-            valid = mine.valid & theirs.valid
-            if (_differ_much if is_lossy else _differ_at_all)(mine.bands, theirs.bands, valid):
-                return True
-    except RasterError:
-        pass
-    return False
-
-
-def _differ_at_all(mine: np.ndarray, theirs: np.ndarray, valid: np.ndarray) -> bool:
-    return bool(((mine != theirs).any(axis=0) & valid).any())
-
-
-def _differ_much(mine: np.ndarray, theirs: np.ndarray, valid: np.ndarray) -> bool:
-    """Whether any cell differs by more than compression does: what it shows, or how much detail it has."""
-    images = [np.where(valid, image, 0).astype(np.float32) for image in (mine, theirs)]
-    white = max(float(image.max(initial=0)) for image in images)
-    coarse, their_coarse = (_means(image, _COARSE_PX) for image in images)
-    cell = _CELL_PX // _COARSE_PX
-    difference = np.sqrt(_means((coarse - their_coarse) ** 2, cell))
-    deviation = np.sqrt(np.maximum(_means(coarse**2, cell) - _means(coarse, cell) ** 2, 0))
-    if (difference > _LOSSY_WHITE * white + _LOSSY_SHARE * deviation).any():
-        return True
-    detail, their_detail = (_means(_detail(image), _CELL_PX) + _LEAST_DETAIL * white**2 for image in images)
-    return bool((np.maximum(detail, their_detail) > _LOSSY_DETAIL * np.minimum(detail, their_detail)).any())
-
-
-def _means(values: np.ndarray, side: int) -> np.ndarray:
-    """Means of squares of ``side`` px, those at the edge smaller, (..., rows, columns)."""
-    rows, columns = (np.arange(0, length, side) for length in values.shape[-2:])
-    sums = np.add.reduceat(np.add.reduceat(values, rows, axis=-2), columns, axis=-1)
-    high, wide = (np.diff(np.append(first, length)) for first, length in zip((rows, columns), values.shape[-2:]))
-    return np.asarray(sums / (high[:, np.newaxis] * wide))
-
-
-def _detail(image: np.ndarray) -> np.ndarray:
-    """Squares of the steps from pixel to pixel, of the mean of all bands."""
-    grey = image.mean(axis=0)
-    squares = np.zeros_like(grey)
-    squares[:, :-1] += np.diff(grey, axis=1) ** 2
-    squares[:-1] += np.diff(grey, axis=0) ** 2
-    return squares
+        and raster.data_type == other.data_type and abs(pixel / other_pixel - 1) <= MAX_PIXEL_SIZE_DIFFERENCE
+    )

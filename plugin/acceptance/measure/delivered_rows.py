@@ -1,171 +1,191 @@
-"""Rows of seams, as a scan makes them -> the pieces of a delivery; layers of QGIS are read in ``seam_layers``."""
+"""Rows of seams, as scans write them -> the pieces of a delivery; layers of QGIS are read in ``delivery_layers``."""
 from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from osgeo import ogr
-from scipy.spatial import cKDTree
 
-from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
+from ...imagery.errors import Message, RasterError, SeamInspectorWarning, SettingsError
 from ...imagery.file_identity import states_in, states_text
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.grids import Extent
-from ...imagery.lines import points_at, vertex_stations
-from ...imagery.reference_systems import is_geographic, same_coordinates, transform_points, utm_wkt
+from ...imagery.lines import vertex_stations
+from ...imagery.reference_systems import (
+    is_geographic,
+    same_coordinates,
+    same_system,
+    system_name,
+    transform_points,
+    utm_wkt,
+)
 from ...imagery.seam_totals import (
     METRES,
     MOSAIC_FILES,
-    MOST_KEPT,
     SOURCE_FILES,
-    STANDARD_LEAST_KEPT,
     STRETCH,
     SYSTEM,
     PieceState,
     RowTotals,
+    has_seal,
     possible_kept,
     profile_of,
-    sealed_failed_m,
 )
 from . import messages
-from .delivery import DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order, metres_in_unit
-from .failure_runs import TOUCHING
-from .measured_pieces import NO_VERDICT, state_of
+from .delivery import (
+    NUMBERS,
+    TEXTS,
+    DeliveredLayer,
+    DeliveredPiece,
+    Delivery,
+    Seal,
+    extent_of,
+    in_order,
+    metres_in_unit,
+)
+from .measured_pieces import NO_VERDICT
 
 _SAME_PLACE = 1e-9  # of coordinates, millimetres: a system that a file holds in other words
 _LACKING_M = 0.05  # below it lengths are rounded
-_OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
-
+_DIGITS = 3  # of coordinates, to which lines are the same
 
 SeamRow = Mapping[str, object]
-_NUMBERS, _SIDES = ("kept_low", "kept_high", "band_width"), ("left_source", "right_source", "left_date", "right_date")
+"""A row's fields by name; None, NaN and fields that lack mean that nothing is known."""
 
 
-@dataclass
-class LayerDoubts:
-    """What is doubtful in one layer, gathered piece by piece."""
+@dataclass(frozen=True)
+class ScannedLayer:
+    """A layer of seams as a scan left it, or so one hopes."""
 
-    sheet: str
-    rows: int = 0  # that were looked at
-    pieces: int = 0  # that they made
-    metres: float = 0.0  # metres of these pieces
-    without_line: int = 0
-    without_line_m: float = 0.0  # what the field says of these, metres
-    kept: list[float] = field(default_factory=list)
-    impossible: list[str] = field(default_factory=list)  # what stands where shares should
-    lengths: list[tuple[float, float]] = field(default_factory=list)
-    """In the field and along the line, metres, where they differ."""
-    along: dict[str, list[tuple[float, float]]] = field(default_factory=dict)  # stations and lengths by seam, metres
-    totals: RowTotals = field(default_factory=RowTotals)  # totals of all rows, as their scan counted them
-    extent: Extent | None = None  # extent of the first line, as its layer has it
-    failed_m: float = 0.0  # metres that fail as the scan fails them, by what the rows say of what is kept
+    sheet: str  # its name; each layer has one of its own
+    rows: Iterable[tuple[SeamRow, np.ndarray]]  # each with the (n, 2) vertices of its line; read once
+    wkt: str  # the reference system of the lines
+    notes: Mapping[str, str]  # what its scan wrote beside its rows: totals, settings, files and their seal
+    is_sealed: bool = True  # whether it has to be as its scan sealed it
+    address: str = ""  # what it is read from, in words for people
 
-    def see_kept(self, written: str, kept: float | None, verdict: str = "") -> float | None:
-        """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing that is no share.
 
-        Where the scan has no verdict its interval is too wide, and any number may stand.
-        """
-        if kept is None:
-            is_share = written.lower() in ("", "nan", "inf", "-inf")
-        else:
-            self.kept.append(kept)
-            is_share = kept >= 0 and (kept <= MOST_KEPT or verdict == NO_VERDICT)
-        if not is_share:
-            self.impossible.append(written)
-        return None if kept is None else possible_kept(kept)
+def read_layers(scanned: Sequence[ScannedLayer]) -> tuple[Delivery, list[Message]]:
+    """All pieces in order, in one reference system and each once, and what is to be told.
 
-    def see_length(self, length: float, line: float) -> None:
-        """A length from the field, beside that of the line."""
-        if line > 0 and not 1 / _OTHER_LENGTH <= length / line <= _OTHER_LENGTH:
-            self.lengths.append((length, line))
+    Raises SettingsError where there is none, or a layer has no place in the system of the first one.
+    """
+    pieces: list[Sequence[DeliveredPiece]] = []
+    layers: list[DeliveredLayer] = []
+    notices: list[Message] = []
+    for layer in scanned:
+        of_layer, read, doubtful = _read(layer)
+        pieces.append(of_layer)
+        layers.append(read)
+        notices += doubtful
+    if not any(pieces):
+        raise SettingsError(messages.LAYERS_EMPTY())
+    wkt = _common_system(scanned, pieces)
+    if is_geographic(scanned[0].wkt) and not is_geographic(wkt):
+        notices.append(messages.PLACES_IN(system=system_name(wkt)))
+    placed = [piece for layer, of_layer in zip(scanned, pieces) for piece in _placed(of_layer, layer, wkt)]
+    unit_m = metres_in_unit((piece.vertices for piece in placed), wkt)
+    measured = (
+        piece if piece.length_m else replace(piece, length_m=unit_m * float(vertex_stations(piece.vertices)[-1]))
+        for piece in placed
+    )
+    once = _without_copies(in_order(measured))
+    if copies := len(placed) - len(once):
+        notices.append(messages.PIECES_TWICE(count=copies))
+    lot_size = max(layer.lot_size for layer in layers) if any(piece.sample_number for piece in once) else 0
+    return Delivery(in_order(once), wkt, (), lot_size or None, layers=tuple(layers)), notices
 
-    def piece(
-        self, sheet: str, row: SeamRow, line: np.ndarray, drawn_m: float, scanned: np.ndarray | None = None
-    ) -> DeliveredPiece | None:
-        """A row's piece; None where it has no line or no length, or is a stretch of pieces. ``line``: its (n, 2)
-        vertices, ``drawn_m`` long; ``scanned``: those of the line as its layer has it, where that is another."""
-        self.rows += 1
-        placed = line if scanned is None else scanned
-        self.totals.add(row, placed)
-        if self.extent is None and is_line(placed):
-            self.extent = extent_of([placed])
+
+def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer, list[Message]]:
+    """A layer's pieces, with lines as it has them, whether it is as its scan left it, and what is doubtful."""
+    totals, pieces, notices = RowTotals(), list[DeliveredPiece](), list[Message]()
+    count = without_line = impossible = lot_size = 0
+    for row, line in layer.rows:
+        count += 1
+        totals.add(row, line)
+        lot_size = max(lot_size, int(_number(row.get("lot_size")) or 0))
         if _text(row.get("level")) == STRETCH:
-            return None
-        length = _number(row.get("length"))
-        if length is None or length <= 0:
-            length = drawn_m
-        else:
-            self.see_length(length, drawn_m)
-        seam_id, station = _text(row.get("seam_id")), _number(row.get("station"))
-        if seam_id and station is not None:
-            self.along.setdefault(f"{sheet}\t{seam_id}", []).append((station, length))
-        if not (is_line(line) and length > 0):
-            self.without_line += 1
-            self.without_line_m += length if math.isfinite(length) else 0.0
-            return None
-        verdict = _text(row.get("verdict"))
-        kept = self.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
-        low, high, width = (_number(row.get(name)) for name in _NUMBERS)
-        left, right, left_date, right_date = (_text(row.get(name)) for name in _SIDES)
-        piece = DeliveredPiece(
-            0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
-            right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
-            visibility=_number(row.get("visibility")), profile=profile_of(_text(row.get("profile"))),
-        )  # fmt: skip
-        self.pieces += 1
-        self.metres += length
-        self.failed_m += length * (state_of(piece, STANDARD_LEAST_KEPT) is PieceState.FAILED)
-        return piece
+            continue
+        if not is_line(line):
+            without_line += 1
+            continue
+        piece = _piece(row, line, layer.sheet)
+        pieces.append(piece)
+        impossible += _is_no_share(row, piece)
+    total = _number(layer.notes.get(METRES))
+    if impossible:
+        notices.append(messages.KEPT_IMPOSSIBLE(count=impossible, name=layer.sheet))
+    if without_line:
+        notices.append(messages.PIECES_WITHOUT_LENGTH(name=layer.sheet, count=without_line))
+    if not count and total != 0:
+        notices.append(messages.LAYER_EMPTY(name=layer.sheet))
+    lacking = 0.0 if total is None else total - sum(piece.length_m for piece in pieces)
+    seal = _seal(layer, totals, pieces)
+    is_blank = not pieces and (seal not in (Seal.WHOLE, Seal.NOT_ASKED) or total != 0)
+    return pieces, DeliveredLayer(
+        layer.sheet, seal, lacking if lacking > _LACKING_M else 0.0, layer.notes, totals.digest, lot_size, is_blank
+    ), notices
 
-    def layer(self, notes: Mapping[str, str], wkt: str = "", is_asked: bool = True) -> DeliveredLayer:
-        """What it is, by what stands beside its rows; ``wkt``: its reference system; ``is_asked``: whether it has to be
-        sealed."""
-        scanned_failed_m = sealed_failed_m(notes)
-        settings = {} if scanned_failed_m is None else {**notes}
-        total = _number(notes.get(METRES))
-        lacking = self.without_line_m + sum(self._gaps()) if total is None else total - self.metres
-        lacking = lacking if lacking > _LACKING_M else 0.0
-        hidden = 0.0 if scanned_failed_m is None else scanned_failed_m - self.failed_m - lacking
-        seal = self._seal(notes, wkt) if settings else Seal.MISSING if is_asked else Seal.NOT_ASKED
-        return DeliveredLayer(
-            self.sheet, seal, lacking, settings, self.totals.digest, hidden if hidden > _LACKING_M else 0.0,
-            not self.pieces and (seal not in (Seal.WHOLE, Seal.NOT_ASKED) or total != 0),
-        )  # fmt: skip
 
-    def _seal(self, notes: Mapping[str, str], wkt: str) -> Seal:
-        if not self.totals.is_sealed_by(notes):
-            return Seal.BROKEN
-        system, extent = notes.get(SYSTEM, ""), self.extent
-        if wkt and system and extent:
-            is_same = same_coordinates(wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
-        else:
-            is_same = wkt == system
-        return Seal.WHOLE if is_same else Seal.OTHER_SYSTEM
+def _seal(layer: ScannedLayer, totals: RowTotals, pieces: Sequence[DeliveredPiece]) -> Seal:
+    if not layer.is_sealed:
+        return Seal.NOT_ASKED
+    if not has_seal(layer.notes):
+        return Seal.MISSING
+    system = layer.notes.get(SYSTEM, "")
+    is_same = layer.wkt == system
+    if layer.wkt and system and pieces:
+        extent = extent_of([pieces[0].vertices])
+        is_same = same_coordinates(layer.wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
+    return Seal.WHOLE if is_same and totals.is_sealed_by(layer.notes) else Seal.BROKEN
 
-    def _gaps(self) -> Iterator[float]:
-        """Between the stations of pieces that should follow each other, metres."""
-        for pieces in self.along.values():
-            pieces.sort()
-            for (station, length), (following, _) in zip(pieces, pieces[1:]):
-                if (gap := following - station - length) > length / 2:
-                    yield gap
 
-    def told(self, notes: Mapping[str, str]) -> Iterator[Message]:
-        """What is doubtful, by what stands beside rows, too. Raises SettingsError where ``kept_1`` are no shares."""
-        if self.kept and (middle := float(np.median(self.kept))) > MOST_KEPT:
-            raise SettingsError(messages.KEPT_NO_SHARES(name=self.sheet, value=middle))
-        if self.impossible:
-            yield messages.KEPT_IMPOSSIBLE(count=len(self.impossible), name=self.sheet, value=self.impossible[0])
-        if self.lengths:
-            length, line = max(self.lengths, key=lambda pair: abs(np.log(pair[0] / pair[1])))
-            yield messages.LENGTHS_DIFFER(count=len(self.lengths), name=self.sheet, length=length, line=line)
-        if self.without_line:
-            yield messages.PIECES_WITHOUT_LENGTH(name=self.sheet, count=self.without_line)
-        if not self.rows and _number(notes.get(METRES)) != 0:
-            yield messages.LAYER_EMPTY(name=self.sheet)
+def _is_no_share(row: SeamRow, piece: DeliveredPiece) -> bool:
+    """Whether its ``kept_1`` can't be; where the scan has no verdict its interval is wide, and any number may stand."""
+    return _number(row.get("kept_1")) is not None and piece.kept_1 is None and piece.verdict != NO_VERDICT
+
+
+def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
+    """A row's piece, numbered 0; of no length where the row says none."""
+    values: dict[str, Any] = {attribute: _number(row.get(name)) for name, attribute in NUMBERS.items()}
+    values.update({name: _text(row.get(name)) for name in TEXTS})
+    sample = _number(row.get("sample"))
+    return DeliveredPiece(**{
+        **values, "number": 0, "sheet": _text(row.get("sheet")) or sheet, "seam_id": _text(row.get("seam_id")),
+        "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible_kept(values["kept_1"]), "vertices": line,
+        "sample_number": None if sample is None else int(sample), "profile": profile_of(_text(row.get("profile"))),
+        "has_detail": _text(row.get("state")) != PieceState.NO_DETAIL.value,
+    })  # fmt: skip
+
+
+def _common_system(scanned: Sequence[ScannedLayer], pieces: Sequence[Sequence[DeliveredPiece]]) -> str:
+    """The first system that is not in degrees; the UTM zone of the first piece where all are."""
+    systems = [layer.wkt for layer in scanned]
+    flat = next((wkt for wkt in systems if not (wkt and is_geographic(wkt))), None)
+    if flat is not None:
+        return flat
+    number, first = next((number, of_layer[0]) for number, of_layer in enumerate(pieces) if of_layer)
+    middle = _placed([first], scanned[number], _DEGREES)[0].middle
+    return utm_wkt(*middle)
+
+
+_DEGREES = "EPSG:4326"
+
+
+def _placed(pieces: Sequence[DeliveredPiece], layer: ScannedLayer, wkt: str) -> Sequence[DeliveredPiece]:
+    """Pieces of a layer in another reference system."""
+    if not pieces or same_system(layer.wkt, wkt):
+        return pieces
+    lines = [piece.vertices for piece in pieces]
+    try:
+        moved = transform_points(np.concatenate(lines), layer.wkt, wkt)
+    except RasterError:
+        raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
+    parts = np.split(moved, np.cumsum([len(line) for line in lines[:-1]]))
+    return [replace(piece, vertices=part) for piece, part in zip(pieces, parts)]
 
 
 def is_line(vertices: np.ndarray) -> bool:
@@ -173,18 +193,8 @@ def is_line(vertices: np.ndarray) -> bool:
     return bool(len(vertices) > 1 and np.isfinite(vertices).all() and (vertices != vertices[0]).any())
 
 
-_DIGITS = 3  # of coordinates, to which lines are the same
-_PLACES = (0.1, 0.3, 0.5, 0.7, 0.9)  # of a piece: away from its ends, where others begin
-_NEAR = 1.2  # steps: two lines that lie a step apart, with points at every step
-_NEIGHBOURS = 12
-_MOST_POINTS = 2000  # of one piece
-_PIECES_AT_ONCE = 5000  # whose points are held
-
-
-def without_copies(pieces: Sequence[DeliveredPiece]) -> tuple[list[DeliveredPiece], int]:
-    """Pieces each once, and how many are left out: the same line, drawn either way, that kept the same.
-
-    One that was drawn for a sample stays so.
+def _without_copies(pieces: Sequence[DeliveredPiece]) -> list[DeliveredPiece]:
+    """Pieces each once: the same line, drawn either way, that kept the same. One that was drawn for a sample stays so.
     """
     kept: dict[object, DeliveredPiece] = {}
     for piece in pieces:
@@ -193,49 +203,7 @@ def without_copies(pieces: Sequence[DeliveredPiece]) -> tuple[list[DeliveredPiec
         first = kept.setdefault(key, piece)
         if first.sample_number is None and piece.sample_number is not None:
             kept[key] = replace(first, sample_number=piece.sample_number)
-    return list(kept.values()), len(pieces) - len(kept)
-
-
-def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[float, tuple[str, ...]] | None:
-    """Metres that pieces which are not the same and yet lie on each other count too much, and the sheets of these.
-
-    None where it is less than a typical piece's half.
-    """
-    typical = float(np.median([piece.length_m for piece in pieces]))
-    step = TOUCHING * typical
-    point_of = _points_of([piece.vertices * unit_m for piece in pieces])
-    asker = np.repeat(np.arange(len(pieces)), len(_PLACES))
-    asked, drawn_m = point_of(asker, np.tile(_PLACES, len(pieces)))
-    counts = np.clip(np.ceil(drawn_m / step) + 1, 2, _MOST_POINTS).astype(int)
-    others = np.zeros(len(asked), int)
-    for first in range(0, len(pieces), _PIECES_AT_ONCE):
-        point_counts = counts[first : first + _PIECES_AT_ONCE]
-        number = np.repeat(np.arange(len(point_counts)), point_counts)
-        place = np.arange(point_counts.sum()) - np.repeat(np.cumsum(point_counts) - point_counts, point_counts)
-        tree = cKDTree(point_of(first + number, place / (point_counts - 1)[number])[0])
-        within = ((asked > tree.mins - _NEAR * step) & (asked < tree.maxes + _NEAR * step)).all(axis=1)
-        _, near = tree.query(asked[within], _NEIGHBOURS, distance_upper_bound=_NEAR * step)
-        owner = np.append(first + number, -1)
-        nearest = np.sort(owner[near])
-        is_first = np.diff(nearest, prepend=-2) != 0
-        others[within] += (is_first & (nearest != -1) & (nearest != asker[within, np.newaxis])).sum(axis=1)
-    lengths = np.array([piece.length_m for piece in pieces])
-    too_many = lengths[asker] / len(_PLACES) * others / (others + 1)
-    if too_many.sum() < typical / 2:
-        return None
-    sheets = dict.fromkeys(pieces[number].sheet for number in asker[others > 0].tolist())
-    return float(too_many.sum()), tuple(sheets)
-
-
-def _points_of(lines: Sequence[np.ndarray]) -> Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
-    """From numbers of lines, (n, 2) each, and shares of their lengths to the points there; with all lengths."""
-    vertices, last = np.concatenate(lines), np.cumsum([len(line) for line in lines]) - 1
-    steps = np.hypot(*np.diff(vertices, axis=0).T)
-    steps[last[:-1]] = 1.0  # from line to line
-    along = np.concatenate([[0.0], np.cumsum(steps)])
-    starts = along[np.concatenate([[0], last[:-1] + 1])]
-    lengths = along[last] - starts
-    return lambda number, share: (points_at(vertices, along, starts[number] + share * lengths[number]), lengths)
+    return list(kept.values())
 
 
 def make_delivery(
@@ -246,68 +214,26 @@ def make_delivery(
 
     ``sheets``: by a name each, the rows of ``seam_rows``, or those of a layer SEAMS however they are read: mappings
     with ``kept_1``, ``kept_low``, ``kept_high``, ``length`` (m), ``verdict`` and so on, and ``geometry``, the line as
-    WKT. None, NaN and fields that lack mean that nothing is known. ``wkt``: the reference system of all lines; those
-    in degrees are moved to their UTM zone. ``told``: by sheet what its scan tells of the ground and of all its metres
-    (``ScanResult.told``); without it nothing is known of seams that are in no row, and gaps between pieces of a seam
-    count as pieces that lack. ``sealed``: sheets that have to be as their scans sealed them, by what is ``told``.
+    WKT. ``wkt``: the reference system of all lines; those in degrees are moved to their UTM zone. ``told``: by sheet
+    what its scan tells of the ground and of all its metres (``ScanResult.told``); without it nothing is known of seams
+    that are in no row. ``sealed``: sheets that have to be as their scans sealed them, by what is ``told``.
 
     A sheet without rows leaves the decision open, unless its scan tells of 0 metres.
 
-    What is left out or doubtful is told by a SeamInspectorWarning each. Raises SettingsError where there is no piece, a
-    sheet has no ``kept_1``, or values there are no shares.
+    What is left out or doubtful is told by a SeamInspectorWarning each. Raises SettingsError where there is no piece,
+    or a sheet has no ``kept_1``.
     """
-    given = {sheet: list(rows) for sheet, rows in sheets.items()}
-    lines = {sheet: [_vertices(row) for row in rows] for sheet, rows in given.items()}
-    first = next((line for of_sheet in lines.values() for line in of_sheet if len(line)), None)
-    if first is None:
-        raise SettingsError(messages.LAYERS_EMPTY())
-    as_scanned, own_wkt = lines, wkt
-    if wkt and is_geographic(wkt):
-        target = utm_wkt(*first[0].tolist())
-        lines = {sheet: [transform_points(line, wkt, target) for line in of_sheet] for sheet, of_sheet in lines.items()}
-        wkt = target
-    unit_m = metres_in_unit([line for of_sheet in lines.values() for line in of_sheet if len(line)], wkt)
-    pieces: list[DeliveredPiece] = []
-    notices: list[Message] = []
-    layers: list[DeliveredLayer] = []
-    for sheet, rows in given.items():
+    layers = []
+    for sheet, given in sheets.items():
+        rows = list(given)
         if rows and not any("kept_1" in row for row in rows):
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=sheet))
-        doubts = LayerDoubts(sheet)
-        for row, line, scanned in zip(rows, lines[sheet], as_scanned[sheet]):
-            drawn_m = float(vertex_stations(line)[-1]) * unit_m if len(line) else 0.0
-            if (piece := doubts.piece(sheet, row, line, drawn_m, scanned)) is not None:
-                pieces.append(piece)
-        said = (told or {}).get(sheet, {})
-        notices += doubts.told(said)
-        layers.append(replace(doubts.layer(said, own_wkt, sheet in sealed), settings=said))
-    delivery, doubled = united_delivery(pieces, wkt, layers=layers)
-    for notice in [*notices, *doubled]:
+        lines = ((row, _vertices(row)) for row in rows)
+        layers.append(ScannedLayer(sheet, lines, wkt, (told or {}).get(sheet, {}), sheet in sealed))
+    delivery, notices = read_layers(layers)
+    for notice in notices:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=3)  # of who decides
     return delivery
-
-
-def united_delivery(
-    pieces: Sequence[DeliveredPiece], wkt: str, lot_size: int | None = None, layers: Sequence[DeliveredLayer] = ()
-) -> tuple[Delivery, list[Message]]:
-    """The pieces of all sheets in order, each once, and what is told of those that lie on each other or lack.
-
-    Raises SettingsError where there is none.
-    """
-    if not pieces:
-        raise SettingsError(messages.LAYERS_EMPTY())
-    once, copies = without_copies(in_order(pieces))
-    notices = [messages.PIECES_TWICE(count=copies)] if copies else []
-    if doubled := overlap(once, metres_in_unit((piece.vertices for piece in once), wkt)):
-        notices.append(messages.SEAMS_OVERLAP(metres=doubled[0], sheets=", ".join(doubled[1])))
-    delivery = Delivery(
-        in_order(once) if copies else tuple(once), wkt, lot_size=lot_size, layers=tuple(layers),
-        doubled_m=doubled[0] if doubled else 0.0,
-    )  # fmt: skip
-    if delivery.lacking_m:
-        lacking = [layer for layer in layers if layer.lacking_m]
-        notices += [messages.LAYER_LACKS_SEAMS(name=layer.name, metres=layer.lacking_m) for layer in lacking]
-    return delivery, notices
 
 
 _SUMMED = ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres")
@@ -325,16 +251,6 @@ def united_settings(layers: Sequence[DeliveredLayer]) -> dict[str, str]:
         if name in (MOSAIC_FILES, SOURCE_FILES) and len(values) > 1:
             settings[name] = states_text([file for value in values for file in states_in(value)])
     return settings
-
-
-def with_settings(delivery: Delivery, scans: Sequence[Mapping[str, str]]) -> Delivery:
-    """What pictures of losses say of how seams were measured, for the layers that don't say it themselves; one for all
-    of these, or one for each layer in their order."""
-    if not scans or len(scans) not in (1, len(delivery.layers)):
-        return delivery
-    every = [*scans] * len(delivery.layers) if len(scans) == 1 else scans
-    layers = (replace(layer, settings={**said, **layer.settings}) for layer, said in zip(delivery.layers, every))
-    return replace(delivery, layers=tuple(layers))
 
 
 def _vertices(row: SeamRow) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""What is delivered: the pieces of seam of all sheets, and the windows that somebody looked at."""
+"""What is delivered: the pieces of seam of all sheets, and the windows that were inspected."""
 from __future__ import annotations
 
 import math
@@ -16,6 +16,13 @@ from ...imagery.lines import vertex_stations
 from ...imagery.reference_systems import metres_per_unit
 from ...imagery.seam_totals import KeptBeside
 from . import messages
+
+NUMBERS = {
+    "station": "station_m", "length": "length_m", "kept_1": "kept_1", "kept_low": "kept_low", "kept_high": "kept_high",
+    "band_width": "band_width_m", "visibility": "visibility",
+}  # fmt: skip
+TEXTS = ("left_source", "right_source", "left_date", "right_date", "verdict", "reason")
+"""Fields of a scan's layer, the attributes of a piece that hold them; texts are called alike."""
 
 
 @dataclass(frozen=True)
@@ -95,32 +102,18 @@ def in_words(name: str) -> tuple[tuple[int, int, str], ...]:
 
 @dataclass(frozen=True)
 class SeenWindow:
-    """A window that was inspected, and judged perhaps."""
+    """A window that was inspected."""
 
-    window_id: str
     extent: Extent  # in the delivery's reference system
     cause: str = ""  # the strongest one
-    verdict: str = ""  # the tool's
-    observer: str = ""  # what the first operator saw: visible, invisible, unsure or nothing
-    observer_2: str = ""
-    remark: str = ""
-    remark_2: str = ""
-
-
-def numbers_in(text: str) -> list[float]:
-    """The numbers of a text, between blanks, or commas where several scans say one each; none where a word is none."""
-    try:
-        return [float(word) for word in text.replace(",", " ").split()]
-    except ValueError:
-        return []
+    remarks: tuple[str, ...] = ()  # what the operators wrote
 
 
 class SheetState(Enum):
     """What a sheet is to the mosaic of all sheets. The values are words of the checked layer."""
 
-    SHOWN = "shown"  # the mosaic shows all of it
+    SHOWN = "shown"  # it is a part of the mosaic
     DAMAGED = "damaged"  # some of its pixels can't be read
-    OVERLAPS = "overlaps"  # it and another sheet differ where they overlap, and the mosaic shows one of them
     LEFT_OUT = "left_out"  # it was ordered, and is no part of the mosaic
     NOT_ORDERED = "not_ordered"  # it was not ordered, and is no part of the mosaic
 
@@ -132,7 +125,7 @@ class SheetState(Enum):
 
 @dataclass(frozen=True)
 class SheetOutline:
-    """The outline of a sheet, of which there may be no seam."""
+    """The outline of a sheet, of which there may be no seam; a sheet may have several."""
 
     name: str
     rings: tuple[np.ndarray, ...] = field(compare=False)  # (n, 2) x and y each, in the delivery's reference system
@@ -144,36 +137,20 @@ class Seal(Enum):
     """Whether a layer is as its scan, or ``planinspection``, left it."""
 
     WHOLE = "whole"
-    BROKEN = "broken"  # rows, lines, or what stands beside them were changed
-    OTHER_SYSTEM = "other_system"  # it was given another reference system
+    BROKEN = "broken"  # rows, lines, their reference system, or what stands beside them were changed
     MISSING = "missing"  # it has none, as exports and layers of other makers
-    NOT_ASKED = "not_asked"  # nobody needs it: rows in memory, and plain seamlines, of which nothing was measured
+    NOT_ASKED = "not_asked"  # nobody needs it: rows in memory
 
 
 @dataclass(frozen=True)
 class DeliveredLayer:
     name: str
     seal: Seal  # anything but a whole one, where it is asked for, and nothing is accepted
-    lacking_m: float  # metres that the scan had, or that lie between stations, and the layer does not have
+    lacking_m: float  # metres that the scan had and the layer does not
     settings: Mapping[str, str] = field(hash=False)  # how its seams were measured, as far as the layer says
     digest: str = ""  # SHA-256 of its rows, as RowTotals has it
-    hidden_m: float = 0.0  # metres that the scan failed, and that its rows don't fail any more
+    lot_size: int = 0  # pieces of the lot that it is a sample of; 0 where it is none
     is_blank: bool = False  # whether it has no piece of seam, and not as a scan that found none left it
-
-    @property
-    def unexplained(self) -> float:
-        """Share of its mosaic that follows none of the orthoimages, in which no seam is found; 0 where nothing says."""
-        return max(numbers_in(self.settings.get("unexplained", "")), default=0.0)
-
-    @property
-    def unseen_m(self) -> float:
-        """Metres of border around that: as much seam may be in no figure; 0 where nothing says."""
-        return sum(numbers_in(self.settings.get("unexplained_border", "")))
-
-    @property
-    def unread(self) -> float:
-        """Share of its mosaic that its scan could not read; 0 where nothing says."""
-        return max(numbers_in(self.settings.get("unread", "")), default=0.0)
 
 
 @dataclass(frozen=True)
@@ -186,6 +163,7 @@ class FileDoubts:
     gone_sources: tuple[str, ...] = ()  # orthoimages that are not found any more
     same: int = 0  # how many are as they were
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
+    twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
 
 
@@ -193,12 +171,11 @@ class FileDoubts:
 class Delivery:
     pieces: tuple[DeliveredPiece, ...]  # pieces of all sheets, in order
     wkt: str  # the reference system of all coordinates
-    windows: tuple[SeenWindow, ...] = ()  # that were inspected, and judged perhaps
+    windows: tuple[SeenWindow, ...] = ()  # that were inspected
     lot_size: int | None = None  # pieces of the lot that the pieces are a sample of; None where they are no sample
     outlines: tuple[SheetOutline, ...] = ()  # outlines of the sheets where they were given
     is_checked: bool = False  # whether the outlines come from a check of the files: those without findings are complete
     layers: tuple[DeliveredLayer, ...] = ()  # that the pieces were read from, in the order in which they were given
-    doubled_m: float = 0.0  # metres of pieces that lie on others, which are not the same
     files: FileDoubts = FileDoubts()  # whether what was scanned is what is given, or there, now
 
     @cached_property
@@ -231,12 +208,14 @@ class Delivery:
 
     def sheet_rings(self) -> dict[str, list[np.ndarray]]:
         """The closed rings of each sheet, (n, 2) x and y each: as given, or the box around its seams."""
-        rings = {outline.name: [*outline.rings] for outline in self.outlines if outline.rings}
+        rings: dict[str, list[np.ndarray]] = {}
+        for outline in self.outlines:
+            rings.setdefault(outline.name, []).extend(outline.rings)
         boxed: dict[str, list[np.ndarray]] = {}
         for piece in self.pieces:
             boxed.setdefault(piece.sheet, []).append(piece.vertices)
         for name in self.sheets:
-            if name not in rings and name in boxed:
+            if not rings.get(name) and name in boxed:
                 left, bottom, right, top = extent_of(boxed[name])
                 corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
                 rings[name] = [np.array(corners)]

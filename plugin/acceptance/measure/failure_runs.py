@@ -1,20 +1,19 @@
 """Failures without a break: failed pieces that follow each other, along a seam and on across seams and sheets.
 
-Two pieces follow each other where one begins at the station at which the other ends, or where their ends touch. Where
-more than two failed pieces meet in a node, a run goes on along its own seam alone. A piece that was not measured, or
-that lies on ground without detail, says nothing of whether the failure ends there: it does not break a run unless such
-pieces are longer than a typical one, and its own metres don't count. What passed always breaks it, and so does a gap
-between two sheets. The length of a failure is that of its pieces.
+Two pieces follow each other where their ends touch. Where more than two failed pieces meet in a node, a run goes on
+along its own seam alone. A piece that was not measured, or that lies on ground without detail, says nothing of whether
+the failure ends there: one that is no longer than a typical piece does not break a run, and its own metres don't count.
+What passed always breaks it, and so does a gap. The length of a failure is that of its pieces.
 """
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from scipy.sparse import coo_matrix, csr_matrix
-from scipy.sparse.csgraph import connected_components, dijkstra
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from ...imagery.seam_totals import PieceState
@@ -22,55 +21,29 @@ from .decision import FailureRun
 from .delivery import DeliveredPiece
 
 _SAY_NOTHING = (PieceState.NOT_MEASURED, PieceState.NO_DETAIL)
-TOUCHING = 0.02  # of a typical piece: ends nearer than that touch. 0.5 m of 25 m, a few pixels of a staircase
-_STARTS_AT_ONCE = 256  # places from which others are looked for: a table of them by all places is held
+_TOUCHING = 0.02  # of a typical piece: ends nearer than that touch. 0.5 m of 25 m, a few pixels of a staircase
 
 
-class PiecePlaces:
-    """The two places of each piece, as numbers."""
-
-    def __init__(self, pieces: Sequence[DeliveredPiece], typical_m: float, unit_m: float) -> None:
-        self._pieces, self._typical_m, self._tolerance_m = pieces, typical_m, TOUCHING * typical_m
-        self._ends = np.array([[piece.vertices[0], piece.vertices[-1]] for piece in pieces]) * unit_m
-        touching = cKDTree(self._ends.reshape(-1, 2)).query_pairs(self._tolerance_m)
-        joined = [(end, other) for end, other in touching if end // 2 != other // 2]
-        places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
-        self._places: list[tuple[int, int]] = [(start, stop) for start, stop in places]
-
-    def joined(self, failed: Iterable[int], unknown: Iterable[int]) -> dict[int, tuple[int, int]]:
-        """The places of failed pieces, the same for two where no more than a typical piece of unknown ones lies
-        between.
-        """
-        ends = {number: self._places[number] for number in failed}
-        lengths: dict[tuple[int, int], float] = {}  # the shortest of the unknown pieces between two places
-        for number in unknown:
-            way = min(self._places[number]), max(self._places[number])
-            lengths[way] = min(self._pieces[number].length_m, lengths.get(way, np.inf))
-        failed_places = {place for places in ends.values() for place in places}
-        bridged = list(_near(lengths, failed_places, self._typical_m * (1 + 1e-9)))
-        same = _united(bridged, 2 * len(self._pieces)).tolist()
-        return {number: (same[start], same[other]) for number, (start, other) in ends.items()}
-
-    def _along_seams(self) -> Iterator[tuple[int, int]]:
-        seams: dict[tuple[str, str], list[tuple[float, int]]] = {}
-        for number, piece in enumerate(self._pieces):
-            if piece.seam_id and piece.station_m is not None:
-                seams.setdefault(piece.seam, []).append((piece.station_m, number))
-        following = []
-        for stations in seams.values():
-            stations.sort()
-            for (station, number), (next_station, next_number) in zip(stations, stations[1:]):
-                if abs(next_station - station - self._pieces[number].length_m) <= self._tolerance_m:
-                    following.append((number, next_number))
-        return self._nearest_ends(np.array(following, int).reshape(-1, 2).T)
-
-    def _nearest_ends(self, following: np.ndarray) -> Iterator[tuple[int, int]]:
-        """The two ends nearest to each other, for each pair of pieces; ``following``: (2, pairs) numbers."""
-        ones, others = self._ends[following]
-        apart = np.hypot(*(ones[:, :, np.newaxis] - others[:, np.newaxis]).transpose(3, 0, 1, 2)).reshape(-1, 4)
-        apart[:, 2] -= 1e-9  # as the lines are drawn, where a ring of two pieces leaves the choice
-        ends = np.array(np.divmod(apart.argmin(axis=1), 2))
-        return zip(*(2 * following + ends).tolist())
+def _failed_ends(
+    pieces: Sequence[DeliveredPiece], states: Sequence[PieceState], unit_m: float
+) -> dict[int, tuple[int, int]]:
+    """The numbers of the two places that each failed piece joins: the same for ends that touch, and for those between
+    which nothing lies but one piece that says nothing, no longer than a typical one."""
+    typical_m = float(np.median([piece.length_m for piece in pieces]))
+    ends = np.array([piece.vertices[end] for piece in pieces for end in (0, -1)]) * unit_m
+    touching = [
+        (end, other) for end, other in cKDTree(ends).query_pairs(_TOUCHING * typical_m) if end // 2 != other // 2
+    ]
+    places = _united(touching, len(ends)).reshape(-1, 2).tolist()
+    failed = [number for number, state in enumerate(states) if state is PieceState.FAILED]
+    failed_places = {place for number in failed for place in places[number]}
+    bridged = [
+        places[number] for number, state in enumerate(states)
+        if state in _SAY_NOTHING and pieces[number].length_m <= typical_m * (1 + 1e-9)
+        and failed_places.issuperset(places[number])
+    ]
+    same = _united(bridged, len(ends)).tolist()
+    return {number: (same[places[number][0]], same[places[number][1]]) for number in failed}
 
 
 def _united(pairs: Sequence[tuple[int, int]], count: int) -> np.ndarray:
@@ -80,24 +53,10 @@ def _united(pairs: Sequence[tuple[int, int]], count: int) -> np.ndarray:
     return np.asarray(connected_components(graph, directed=False)[1])
 
 
-def _near(lengths: Mapping[tuple[int, int], float], wanted: set[int], limit: float) -> Iterator[tuple[int, int]]:
-    """Pairs of places that are wanted and no farther from each other than a limit, by ways of such lengths."""
-    if not lengths:
-        return
-    places, ends = np.unique(np.array(list(lengths)), return_inverse=True)
-    start, stop = ends.reshape(-1, 2).T
-    graph = csr_matrix((list(lengths.values()), (start, stop)), shape=(len(places), len(places)))
-    starts = np.flatnonzero([place in wanted for place in places.tolist()])
-    for first in range(0, len(starts), _STARTS_AT_ONCE):
-        some = starts[first : first + _STARTS_AT_ONCE]
-        reached = np.isfinite(dijkstra(graph, directed=False, indices=some, limit=limit)[:, starts])
-        yield from ((int(places[some[i]]), int(places[starts[j]])) for i, j in np.argwhere(reached).tolist())
-
-
 Step = tuple[int, bool]  # a piece, and whether it is walked from its first place to its second
 
 
-def unbroken_lines(
+def _unbroken_lines(
     ends: Mapping[int, tuple[int, int]], seams: Mapping[int, tuple[str, str] | None]
 ) -> list[tuple[Step, ...]]:
     """The lines of pieces that go on without a break; each piece lies in one. A ring is walked once round.
@@ -145,13 +104,10 @@ def failure_runs(
     pieces: Sequence[DeliveredPiece], states: Sequence[PieceState], unit_m: float = 1.0
 ) -> tuple[FailureRun, ...]:
     """The longest first; ``unit_m``: metres in a unit of the coordinates."""
-    failed = [number for number, state in enumerate(states) if state is PieceState.FAILED]
-    if not failed:
+    if PieceState.FAILED not in states:
         return ()
-    typical = float(np.median([piece.length_m for piece in pieces]))
-    places = PiecePlaces(pieces, typical, unit_m)
-    ends = places.joined(failed, [number for number, state in enumerate(states) if state in _SAY_NOTHING])
-    lines = unbroken_lines(ends, {number: pieces[number].seam if pieces[number].seam_id else None for number in failed})
+    ends = _failed_ends(pieces, states, unit_m)
+    lines = _unbroken_lines(ends, {number: pieces[number].seam if pieces[number].seam_id else None for number in ends})
     runs = sorted((_run(steps, pieces) for steps in lines), key=lambda run: -run.length_m)
     return tuple(replace(run, number=number) for number, run in enumerate(runs, 1))
 

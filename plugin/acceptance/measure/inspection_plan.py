@@ -8,37 +8,12 @@ import numpy as np
 from scipy import stats
 
 from ...imagery.errors import Message, SettingsError
-from ...imagery.lines import Seam, points_at, vertex_stations
 from ...imagery.seam_totals import PieceState
 from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PlanOutcome, RuleOutcome
-from .delivery import DeliveredPiece, Delivery
+from .delivery import Delivery
 from .sampling_plans import OperatingCharacteristic, SamplingPlan, isolated_lot_plan, single_sampling_plan
-
-
-def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> list[DeliveredPiece]:
-    """In the order of drawing; in proportion from every sheet."""
-    return [pieces[place] for place in stratified_sample([piece.sheet for piece in pieces], count, seed)]
-
-
-def cut_pieces(seams: Sequence[Seam], sheet: str, piece_m: float, unit_m: float) -> list[DeliveredPiece]:
-    """Seams without a scan, cut evenly into pieces of about a length. ``unit_m``: metres in a unit of coordinates."""
-    pieces: list[DeliveredPiece] = []
-    for seam in seams:
-        along = vertex_stations(seam.vertices) * unit_m
-        count = max(1, round(along[-1] / piece_m))
-        cuts = np.linspace(0, along[-1], count + 1)
-        for start, stop in zip(cuts[:-1], cuts[1:]):
-            between = along[(along > start) & (along < stop)]
-            stations = np.concatenate([[start], between, [stop]])
-            pieces.append(
-                DeliveredPiece(
-                    len(pieces), sheet, str(seam.seam_id), float(start), float(stop - start), None, None, None, None,
-                    "", "", points_at(seam.vertices, along, stations),
-                )
-            )
-    return pieces
 
 
 def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
@@ -96,7 +71,7 @@ def sampled_lot(
     inspected = [number for number in sample if states[number] is not PieceState.NOT_MEASURED]
     failed = sum(states[number] is PieceState.FAILED for number in inspected)
     needed = min(plan.sample_size, len(measured)) if plan.is_whole_lot and given is None else plan.sample_size
-    outcome = PlanOutcome(plan, operating_characteristic(plan), used_seed, len(inspected), failed)
+    outcome = PlanOutcome(plan, used_seed, len(inspected), failed)
     ruled = _rule_outcome(outcome, rule, max(needed - len(inspected), 0))
     notice = messages.DRAWN(size=plan.sample_size, given=len(measured), seed=seed)
     return outcome, ruled, (plan_sentence(plan), *(() if used_seed is None else (notice,)))

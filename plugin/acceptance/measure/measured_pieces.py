@@ -2,15 +2,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import repeat
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
 from ...imagery.seam_totals import PieceState, failing_chance, holds, piece_state
-from ...imagery.statistics import DECIDED, INVISIBLE, NORMAL_95, VISIBLE
+from ...imagery.statistics import NORMAL_95
 from .decision import DecidedPiece, FailureRun, MetreFigures
-from .delivery import DeliveredPiece, Delivery, SeenWindow
+from .delivery import DeliveredPiece, Delivery
 
 NO_VERDICT = "not_comparable"  # the scan's word
 _SURE = 0.975  # probability: the lower end of a 95 % interval
@@ -24,29 +23,25 @@ def state_of(piece: DeliveredPiece, least_kept: float) -> PieceState:
     return piece_state(piece.kept_1, piece.kept_low, piece.kept_high, least_kept, piece.verdict != NO_VERDICT)
 
 
-def seen_state(windows: Sequence[SeenWindow]) -> PieceState:
-    """State of a piece by what an operator saw in the windows over it, the nearest that was judged.
-
-    The first operator's word comes first. A visible loss fails.
-    """
-    words = (word for window in windows for word in (window.observer, window.observer_2) if word in DECIDED)
-    word = next(words, "")
-    return {VISIBLE: PieceState.FAILED, INVISIBLE: PieceState.PASSED}.get(word, PieceState.NOT_MEASURED)
-
-
 def is_unclear(piece: DeliveredPiece, least_kept: float) -> bool:
     """Whether its interval holds the limit."""
     low, high = piece.kept_low, piece.kept_high
     return low is not None and high is not None and holds(low, high, least_kept)
 
 
+def _failing_chance(decided: DecidedPiece, least_kept: float) -> float:
+    """How likely a piece whose interval holds the limit keeps less than that."""
+    piece = decided.piece
+    return failing_chance(piece.kept_1, piece.kept_low, piece.kept_high, least_kept)
+
+
 def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
     """Half the 95 % interval of the metres of some pieces that failed, as their intervals let pieces lie on the other
     side of the limit; m. Each is as likely to keep less than the least as its own interval says."""
-    unclear = (decided.piece for decided in pieces if decided.is_unclear)
+    unclear = [decided for decided in pieces if decided.is_unclear]
+    chances = [_failing_chance(decided, least_kept) for decided in unclear]
     squares = (
-        piece.length_m**2 * chance * (1 - chance) for piece in unclear
-        for chance in [failing_chance(piece.kept_1, piece.kept_low, piece.kept_high, least_kept)]
+        decided.piece.length_m**2 * chance * (1 - chance) for decided, chance in zip(unclear, chances)
     )
     return NORMAL_95 * math.fsum(squares) ** 0.5
 
@@ -54,10 +49,7 @@ def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
 def surely_failed_m(pieces: Sequence[DecidedPiece], least_kept: float) -> float:
     """Metres of the longest row among pieces of a failure, in their order, that failed all, as sure as their intervals
     say; one that passed among them would break it."""
-    chances = [
-        failing_chance(decided.piece.kept_1, decided.piece.kept_low, decided.piece.kept_high, least_kept)
-        if decided.is_unclear else 1.0 for decided in pieces
-    ]  # fmt: skip
+    chances = [_failing_chance(decided, least_kept) if decided.is_unclear else 1.0 for decided in pieces]
     logs = np.concatenate([[0.0], np.cumsum(np.log(np.maximum(chances, 1e-9)))])
     metres = np.concatenate([[0.0], np.cumsum([decided.piece.length_m for decided in pieces])])
     first = np.searchsorted(-logs, -logs + math.log(_SURE))
@@ -135,28 +127,9 @@ def _longest_m(runs: Iterable[FailureRun], lengths: Mapping[int, float]) -> floa
     return longest
 
 
-def sheet_figures(
-    delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], unknown: Sequence[FailureRun]
-) -> list[MetreFigures]:
-    """Figures of each sheet by itself, of one without seams too. A piece counts in the sheet of its middle."""
+def pieces_of_sheets(delivery: Delivery, pieces: Sequence[DecidedPiece]) -> dict[str, list[DecidedPiece]]:
+    """Pieces by the sheet of their middle, none for a sheet without seams."""
     of_sheet: dict[str, list[DecidedPiece]] = {sheet: [] for sheet in delivery.sheets}
     for decided in pieces:
         of_sheet[decided.piece.sheet].append(decided)
-    rows: dict[str, tuple[list[FailureRun], list[FailureRun]]] = {sheet: ([], []) for sheet in of_sheet}
-    for kind, run in [*((0, run) for run in runs), *((1, run) for run in unknown)]:
-        for sheet in run.sheets:
-            rows[sheet][kind].append(run)
-    return [metre_figures(sheet, sheet_pieces, *rows[sheet]) for sheet, sheet_pieces in of_sheet.items()]
-
-
-def windows_over(delivery: Delivery) -> Iterator[tuple[SeenWindow, ...]]:
-    """For each piece those that hold its middle, the one whose own middle is nearest first."""
-    if not delivery.windows:
-        yield from repeat((), len(delivery.pieces))
-        return
-    left, bottom, right, top = np.array([window.extent for window in delivery.windows]).T
-    for piece in delivery.pieces:
-        x, y = piece.middle
-        held = np.flatnonzero((left <= x) & (x <= right) & (bottom <= y) & (y <= top))
-        apart = np.hypot((left + right)[held] / 2 - x, (bottom + top)[held] / 2 - y)
-        yield tuple(delivery.windows[int(place)] for place in held[np.argsort(apart, kind="stable")])
+    return of_sheet

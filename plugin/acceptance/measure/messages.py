@@ -25,9 +25,8 @@ RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is
 RULES_QUALITY_UNKNOWN = Message(
     "{place} in {name}: the {key} '{value}' is not in the standard; known are {known}.")
 RULES_AND_PARAMETER = Message(
-    "{parameter} is {value}, but the rules in {name} say {ruled}; change it in the file, or leave the file out.")
+    "{parameter} is {value}, and the rules in {name} are given, too; leave it at its default, or leave the rules out.")
 TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
-RULES_SAY_NOTHING = Message("nothing of it", INFO)
 # plans of sampling
 LOT_TOO_SMALL = Message("The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.")
 LOT_SMALLER_THAN_GIVEN = Message(
@@ -38,7 +37,6 @@ MOSAIC_SMALLER_THAN_WINDOW = Message(
     "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.")
 WINDOW_SIDE_TOO_SHORT = Message(
     "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
-SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose the field that names the sheet.")
 PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are not part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
 PLANNED_BY_STANDARD = Message(
@@ -47,19 +45,15 @@ SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING)
 PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
 # the decision: {why} and {also} are reasons from below
-ACCEPTED = Message("Accepted by {rules}: {why}.", INFO)
-REJECTED = Message("Rejected by {rules}: {why}.", INFO)
-UNDECIDED = Message("Undecided by {rules}: {why}.", INFO)
-BY_EYE = Message("the observers' verdicts and {rules}", INFO)
-BY_RULES = Message("'{rules}'", INFO)
+ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
+REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
+UNDECIDED = Message("Undecided by '{rules}': {why}.", INFO)
 AND = Message("{why}; {also}", INFO)
 LIMITS_ARE = Message("the limits are {limits}", INFO)
 WITH = Message("{first}, {also}", INFO)
 LIMIT_OF_KEPT = Message("at least {limit:.0%} kept", INFO)
 LIMIT_OF_SHARE = Message("at most {limit:.2%} failed", INFO)
-NO_LIMIT_OF_SHARE = Message("no limit for the share that failed", INFO)
 LIMIT_OF_RUN = Message("at most {limit:.1f} m without a break", INFO)
-NO_LIMIT_OF_RUN = Message("no limit for a failure without a break", INFO)
 LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
 SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql:g}", INFO)
 SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq:g} %", INFO)
@@ -81,21 +75,17 @@ MEASURED = Message("{value:.1%} of the metres were measured and {limit:.1%} are 
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may", INFO)
 MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be read, for example around {place}", INFO)
-SHEETS_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({names})", INFO)
-SHEETS_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
-SHEETS_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
-SHEETS_OVERLAP = Message(
-    "sheets that differ from others where they overlap, which nobody has checked: {count} ({names})", INFO)
-LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
-LAYERS_WERE_MOVED = Message(
-    "layers of seams have another reference system than their scan gave them: {count} ({names})", INFO)
-LAYERS_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
-FILES_NOT_SCANNED = Message("the files given are not the ones that were scanned: {names}", INFO)
-FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
-LAYERS_OF_OTHERS = Message("layers of seams whose mosaics are not given: {count} ({names})", INFO)
-FILES_GONE = Message("files of the scanned mosaic can no longer be found: {count} ({names})", INFO)
+DOUBT_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({names})", INFO)
+DOUBT_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
+DOUBT_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
+DOUBT_LAYERS_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
+DOUBT_SCANNED_TWICE = Message("different scans of one mosaic are given: {count} ({names})", INFO)
+DOUBT_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
+DOUBT_NOT_SCANNED = Message("the files given are not the ones that were scanned: {count} ({names})", INFO)
+DOUBT_FILES_CHANGED = Message("files were changed since they were scanned: {count} ({names})", INFO)
+DOUBT_OF_OTHERS = Message("layers of seams whose mosaics are not given: {count} ({names})", INFO)
+DOUBT_FILES_GONE = Message("files of the scanned mosaic can no longer be found: {count} ({names})", INFO)
 SEAMS_LACK = Message("{metres:.0f} m of seam are missing", INFO)
-SEAMS_HIDDEN = Message("rows of {name} were changed: {metres:.0f} m that failed in its scan now pass", INFO)
 SOURCES_ARE_MOSAIC = Message(
     "some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: "
     "{names}", INFO)
@@ -103,12 +93,9 @@ SEAMS_UNSEEN = Message(
     "parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not "
     "counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 SEAMS_DIFFER = Message(
-    "{judged:.0f} m of seam are judged, but the scan saw the orthoimage change along {seen:.0f} m: {unseen:.0f} m of "
-    "these are not counted (the longest around {place}), and along {unchanged:.0f} m nothing changes; {limit:.0%} may "
-    "differ", INFO)
-SEAMS_UNCHANGED = Message(
-    "{judged:.0f} m of seam are judged, but along {unchanged:.0f} m of them both sides show the same orthoimage; "
-    "{limit:.0%} may differ", INFO)
+    "{judged:.0f} m of seam are judged; along {unchanged:.0f} m of them both sides show the same orthoimage, and along "
+    "{unseen:.0f} m that are not judged the scan saw it change (the longest around {place}); {limit:.0%} may differ",
+    INFO)
 BORDER_WITHOUT_SEAM = Message(
     "along {metres:.0f} m around {place} the mosaic passes from one orthoimage to another and no seam is measured, and "
     "{limit:.1f} m may fail without a break", INFO)
@@ -137,27 +124,25 @@ LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at 
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)
-ROW_NOT_MEASURED = Message(
-    "A row of pieces that were not measured, with those that failed among them, is longer than a failure may be: "
-    "{metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING)
-MORE_ROWS_NOT_MEASURED = Message("There are {count} more such rows.", WARNING)
+ROWS_NOT_MEASURED = Message(
+    "Rows of pieces that were not measured, with those that failed among them, are longer than a failure may be: "
+    "{count}, the longest {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
-    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured, or judge windows there by eye (JUDGE "
-    "observer).", WARNING)
-WOULD_JUDGE = Message(
-    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
-    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure, so judge windows there by eye "
-    "(JUDGE observer); the field 'reason' of the seams says why.", WARNING)
+    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured.", WARNING)
+WOULD_LOOK_THERE = Message(
+    "What would decide it: an operator's look at {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
+    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure; the field 'reason' of the seams "
+    "says why.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
-    "orthoimages beside them, or judge windows there by eye (JUDGE observer).", WARNING)
+    "orthoimages beside them to the scan.", WARNING)
 WOULD_LOOK = Message(
     "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING)
 WOULD_TELL_APART = Message(
-    "What would decide it: a verdict on the pieces whose intervals include the limit ({metres:.0f} m, pieces: "
-    "{count}). Judge windows on them by eye (JUDGE observer).", WARNING)
+    "What would decide it: an operator's look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: "
+    "{count}).", WARNING)
 WOULD_SHORTEN = Message(
     "What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the "
     "failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.", WARNING)
@@ -178,15 +163,15 @@ WOULD_GIVE_MOSAICS = Message(
     "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
     "layers of others out.", WARNING)
 WOULD_MEASURE_ROWS = Message(
-    "What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured. Judge "
-    "windows there by eye (JUDGE observer); the field 'reason' of the seams says why each was not measured.", WARNING)
+    "What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured, or an "
+    "operator's look at them; the field 'reason' of the seams says why each was not measured.", WARNING)
 WOULD_CUT = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a "
     "longer piece may pass although a part of it failed.", WARNING)
 WOULD_SEE_SHEETS = Message(
-    "What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the "
-    "layer of a sheet without seams.", WARNING)
-WOULD_LEAVE_OUT = Message("What would decide it: layers without what was scanned twice.", WARNING)
+    "What would decide it: a scan of all sheets, complete and readable; leave out the layer of a sheet without "
+    "seams.", WARNING)
+WOULD_LEAVE_OUT = Message("What would decide it: one scan of each mosaic.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
     "What would decide it: a scan with the complete orthoimages as rectified, and no others.", WARNING)
 # the layers that are decided on
@@ -204,9 +189,6 @@ SETTINGS_DIFFER = Message(
 LAYER_FILTERED = Message(
     "{name} is filtered ({filter}) and shows only a part of its seams; remove the filter, as the decision needs all of "
     "them.")
-LAYER_LACKS_SEAMS = Message(
-    "{name} lacks {metres:.0f} m of seam: rows of its scan are missing, the stations of its pieces leave gaps, or rows "
-    "have no line.", WARNING)
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and the longest "
@@ -215,44 +197,25 @@ SAMPLE_ONLY = Message(
     "The limits are for all metres of a delivery, but these layers are only a sample; decide by the plan it was drawn "
     "for, or give the layers of the scan.", WARNING)
 RUN_NOT_IN_SAMPLE = Message("the longest failure can't be determined from a sample", INFO)
-# observers
-BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
-NO_JUDGED_WINDOWS = Message("The operators' verdicts are in the windows; give WINDOWS, or judge by the tool.")
-NO_WINDOW_JUDGED = Message(
-    "None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the "
-    "tool.")
-WINDOWS_NO_POLYGONS = Message("{name} holds no windows; choose polygons that were inspected or judged.")
+# inspected windows
 WINDOWS_SAY_NOTHING = Message(
     "The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.",
     WARNING)
-WINDOWS_WIDER_THAN_PIECES = Message(
-    "The windows are up to {side:.0f} m wide and the pieces {piece:.0f} m long, so a piece may fail by what was seen "
-    "beside it; plan windows with a SIDE as long as a piece.", WARNING)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
 LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")
 LAYER_NOT_LINES = Message("{name} holds no lines; choose the layer 'Seams' of a scan.")
 LAYER_WITHOUT_KEPT = Message("{name} has no field 'kept_1'; choose the layer 'Seams' of a scan, not the seamlines.")
 LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
-LAYER_TWICE = Message("{name} is given twice and counts once.", WARNING)
 LAYERS_EMPTY = Message(
     "The layers of seams are empty, or none of their rows is a piece of seam (field 'level'); choose the layers as the "
     "scans wrote them.")
-LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
     "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING)
-SEAMS_DOUBLED = Message("{metres:.0f} m of the seams lie on others and count twice", INFO)
-SEAMS_OVERLAP = Message(
-    "{metres:.0f} m of seam in {sheets} lie on other seams and count twice; leave out what was scanned twice.", WARNING)
-KEPT_NO_SHARES = Message(
-    "The median of kept_1 in {name} is {value:g}, but it is a share, 1 if all is kept; write 86 % as 0.86.")
 KEPT_IMPOSSIBLE = Message(
-    "kept_1 of {count} pieces of {name} is no share that a seam can keep (such as '{value}'; write 86 % as 0.86); they "
-    "count as not measured.", WARNING)
-LENGTHS_DIFFER = Message(
-    "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, but {line:.1f} m "
-    "along the line); the field is used, so check that it holds metres.", WARNING)
+    "kept_1 of {count} pieces of {name} is no share that a seam can keep (write 86 % as 0.86); they count as not "
+    "measured.", WARNING)
 PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both.")
@@ -278,11 +241,6 @@ SCAN_UNEXPLAINED = Message(
 SCAN_UNSEEN = Message(
     "The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
     "measured, the longest around {place}.", WARNING)
-SCAN_UNCHANGED = Message(
-    "Along {metres:.0f} m of the seamlines given for {name} the mosaic shows the same orthoimage on both sides; they "
-    "are not seams.", WARNING)
-SCAN_NODATA = Message(
-    "Within its outline {share:.1%} of the mosaic of {name} have no pixels, most of it around {place}.", INFO)
 SCAN_PARTLY = Message(
     "Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.", INFO)
 SOURCES_NOT_GIVEN = Message(
@@ -306,7 +264,6 @@ RADIOMETRY_NO_TABLE = Message(
 MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, not a mosaic; no pictures are cut from it.", WARNING)
 PAPER_STOPPED = Message(
     "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
-DATE_IS_NONE = Message("{parameter} is '{value}', which is not a date; write it as 2026-11-23 or 23.11.2026.")
 # the files of a delivery; what is found at a sheet goes into tables
 NO_DELIVERY = Message("Neither a folder nor sheets are given; choose the folder of the delivery, or its index.")
 NO_SHEETS = Message("{folder} holds no rasters and no sheets are given; choose the folder of the delivery.")
@@ -323,6 +280,5 @@ SYSTEM_OTHER = Message("its reference system is {system} instead of {wanted}", I
 BANDS_OTHER = Message("it has {bands} bands instead of {wanted}", INFO)
 TYPE_OTHER = Message("its pixels are {kind} instead of {wanted}", INFO)
 DATA_MISSING = Message("{share:.2%} of its outline has no data", INFO)
-SHOWS_OTHERWISE = Message("it does not show the same as {names} where they overlap", INFO)
 NOT_IN_MOSAIC = Message("it is not part of the mosaic of all sheets", INFO)
 MISSING_UNKNOWN = Message("it is unknown whether it has data everywhere", INFO)

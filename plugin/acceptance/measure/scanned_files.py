@@ -6,29 +6,23 @@ files of a mosaic that is a VRT are those that it names, and the VRT itself.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from operator import itemgetter
-from pathlib import Path
 
 from ...imagery.file_identity import FileState, PlacedState, known_states, local_state, states_in
 from ...imagery.gdal_paths import is_remote
 from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .delivery import DeliveredLayer, FileDoubts
 
-_MOST_FOLDERS = 3  # from the layer upwards, in which files of a project that was moved are looked for
 
-
-def file_doubts(
-    layers: Sequence[DeliveredLayer], mosaics: Sequence[str], sources: Sequence[str], folders: Sequence[str]
-) -> FileDoubts:
-    """``mosaics`` and ``sources``: the rasters that are given; ``folders``: of the layers, beside which a project that
-    was moved has its files."""
+def file_doubts(layers: Sequence[DeliveredLayer], mosaics: Sequence[str], sources: Sequence[str]) -> FileDoubts:
+    """``mosaics`` and ``sources``: the rasters that are given."""
     scans = [(layer.name, layer.settings) for layer in layers if MOSAIC_FILES in layer.settings]
     if not scans:
         return FileDoubts()
     by_layer = {name: states_in(settings[MOSAIC_FILES]) for name, settings in scans}
     of_mosaic, of_sources = (
-        _Scanned([file for _, settings in scans for file in states_in(settings.get(role, ""))], folders)
+        _Scanned([file for _, settings in scans for file in states_in(settings.get(role, ""))])
         for role in (MOSAIC_FILES, SOURCE_FILES)
     )
     not_scanned: list[str] = []
@@ -50,17 +44,20 @@ def file_doubts(
         name for name, files in by_layer.items() if mosaics and not (strange or changed or gone)
         and not all(of_mosaic.is_given(*file) for file in files if not file[1].is_vrt)
     ]
-    kinds = {frozenset(map(_known_by, files)) for files in by_layer.values()}
+    by_mosaic: dict[frozenset[object], dict[str, str]] = {}
+    for layer in (layer for layer in layers if layer.name in by_layer):
+        by_mosaic.setdefault(frozenset(map(_known_by, by_layer[layer.name])), {})[layer.digest] = layer.name
     return FileDoubts(
         tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), count, tuple(others),
-        0 if mosaics else len(kinds),
+        tuple(name for scanned in by_mosaic.values() if len(scanned) > 1 for name in scanned.values()),
+        0 if mosaics else len(by_mosaic),
     )
 
 
 class _Scanned:
     """The files of all scans in one role, beside those that are given for them."""
 
-    def __init__(self, files: Iterable[PlacedState], folders: Sequence[str]) -> None:
+    def __init__(self, files: Iterable[PlacedState]) -> None:
         self.files = list(dict.fromkeys(files))
         self.names = {os.path.basename(path) for path, _ in self.files}
         self._contents = {state.content for _, state in self.files}
@@ -68,7 +65,6 @@ class _Scanned:
         for path, state in self.files:
             self._times.setdefault(path, set()).add(state.time_ns)
         self._asks = all(state.digest for path, state in self.files if is_remote(path))
-        self._folders = folders
         self._given: set[tuple[int, str] | str] = set()
 
     def knows(self, path: str, state: FileState) -> bool:
@@ -101,37 +97,20 @@ class _Scanned:
         return min(strange, default=(False, ""), key=itemgetter(0))[1]  # a part first
 
     def lost(self) -> tuple[list[str], list[str]]:
-        """Names of the files that are gone, and of those that were changed; none that are given, or lie elsewhere
-        now."""
+        """Names of the files that are gone, and of those that were changed; none that are given."""
         gone, changed = [], []
         for path, state in self.files:
             if not state.digest or state.content in self._given:
                 continue
             now = None if is_remote(path) else local_state(path)  # no server is asked that only a layer names
             if now is None:
-                if not any(_is_copy(moved, state) for moved in self._moved(path)):
-                    gone.append(os.path.basename(path))
+                gone.append(os.path.basename(path))
             elif now.content != state.content or now.time_ns != state.time_ns:
                 changed.append(os.path.basename(path))
         return gone, changed
-
-    def _moved(self, path: str) -> Iterator[str]:
-        """The paths at which a file may lie in a project that was moved, its folders kept."""
-        parts = Path(path).parts[1:]
-        for folder in filter(None, dict.fromkeys(self._folders)):
-            for above in [Path(folder), *Path(folder).parents][:_MOST_FOLDERS]:
-                for count in range(1, len(parts)):
-                    moved = above.joinpath(*parts[-count:])
-                    if moved.is_file():
-                        yield str(moved)
 
 
 def _known_by(file: PlacedState) -> tuple[int, str] | str:
     """What a file is known by: its content, or its path where no more is known of it."""
     path, state = file
     return state.content if state.digest else path
-
-
-def _is_copy(path: str, state: FileState) -> bool:
-    now = local_state(path)
-    return now is not None and now.content == state.content

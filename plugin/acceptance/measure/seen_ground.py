@@ -7,13 +7,14 @@ held against them: where much of it may be seam, or one place as long as a failu
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...imagery.errors import Message, Stated
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, AcceptanceRules
 from .decision import MetreFigures
-from .delivery import Delivery, numbers_in
+from .delivered_rows import united_settings
+from .delivery import Delivery
 
 MOST_APART = 0.05
 """Share of the metres that only the scan or only the seamlines may have as a seam: sound seamlines, and what a scan
@@ -28,61 +29,69 @@ def _place(x: float, y: float, width_m: float | None = None, height_m: float | N
     return f"{x:.1f}, {y:.1f}{size}"
 
 
+def _numbers_in(text: str) -> list[float]:
+    """The numbers of a text, between blanks, or commas where several scans say one each; none where a word is none."""
+    try:
+        return [float(word) for word in text.replace(",", " ").split()]
+    except ValueError:
+        return []
+
+
 @dataclass(frozen=True)
 class SeenGround:
-    """What one scan says, or all scans of a delivery."""
+    """What one scan says, or all scans of a delivery: metres together, the worst of their shares and lengths."""
 
     seams: frozenset[str]  # given, found; empty where nothing says
     is_known: bool  # whether it was looked at what the ground follows
-    unchanged_m: float = 0.0  # metres of given seams along which the mosaic does not change its orthoimage
-    unseen_m: float = 0.0  # metres of border of which no seam tells, in places as long as a piece
-    longest_unseen_m: float = 0.0
-    hidden_m: float = 0.0  # those of them along which no orthoimage explains the mosaic
-    longest_hidden_m: float = 0.0
-    unexplained: float = 0.0  # share of the ground with texture that follows no orthoimage; the largest of the scans
-    nodata: float = 0.0  # share of the mosaic within its outline that has no pixels; the largest of the scans
-    looked_at: float = 1.0  # share of the mosaic that was looked at; the smallest of the scans
-    unseen_at: tuple[str, ...] = ()
-    hidden_at: tuple[str, ...] = ()
-    unexplained_at: tuple[str, ...] = ()
-    nodata_at: tuple[str, ...] = ()
+    unchanged_m: float  # metres of given seams along which the mosaic does not change its orthoimage
+    unseen_m: float  # metres of border of which no seam tells, in places as long as a piece
+    longest_unseen_m: float
+    hidden_m: float  # those of them along which no orthoimage explains the mosaic
+    longest_hidden_m: float
+    unexplained: float  # share of the ground with texture that follows no orthoimage, in which no seam is found
+    border_m: float  # metres of border around that: as much seam may be in no figure
+    nodata: float  # share of the mosaic within its outline that has no pixels
+    unread: float  # share of the mosaic that could not be read
+    looked_at: float  # share of the mosaic that was looked at
+    unseen_at: tuple[str, ...]
+    hidden_at: tuple[str, ...]
+    unexplained_at: tuple[str, ...]
+    nodata_at: tuple[str, ...]
 
     @classmethod
     def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
-        """What a scan wrote beside its rows."""
-        def figures(name: str, nothing: float) -> list[float]:
-            return numbers_in(settings.get(name, "")) or [nothing]
+        """What a scan wrote beside its rows, or what ``united_settings`` made of several."""
+        def figures(name: str, nothing: float = 0.0) -> list[float]:
+            return _numbers_in(settings.get(name, "")) or [nothing]
 
         def places(name: str) -> tuple[str, ...]:
-            held = map(numbers_in, settings.get(name, "").replace(",", ";").split(";"))
+            held = map(_numbers_in, settings.get(name, "").replace(",", ";").split(";"))
             return tuple(_place(*numbers) for numbers in held if len(numbers) in (2, 4))
 
         return cls(
             frozenset({"given", "found"}.intersection(settings.get("seams", "").split(", "))),
-            "unexplained" in settings,
-            sum(figures("unchanged_metres", 0)), sum(figures("unseen_metres", 0)), max(figures("unseen_longest", 0)),
-            sum(figures("hidden_metres", 0)), max(figures("hidden_longest", 0)), max(figures("unexplained", 0)),
-            max(figures("nodata_inside", 0)), min(figures("looked_at", 1)), places("unseen_at"), places("hidden_at"),
-            places("unexplained_at"), places("nodata_at"),
+            "unexplained" in settings, sum(figures("unchanged_metres")),
+            sum(figures("unseen_metres")), max(figures("unseen_longest")),
+            sum(figures("hidden_metres")), max(figures("hidden_longest")),
+            max(figures("unexplained")), sum(figures("unexplained_border")), max(figures("nodata_inside")),
+            max(figures("unread")), min(figures("looked_at", 1.0)),
+            places("unseen_at"), places("hidden_at"), places("unexplained_at"), places("nodata_at"),
         )  # fmt: skip
 
     @classmethod
     def of_delivery(cls, delivery: Delivery) -> SeenGround:
-        """All scans together."""
-        every = [cls.of_settings(layer.settings) for layer in delivery.layers]
-        if not every:
-            return cls(frozenset(), False)
-        longest, hidden = (max(every, key=lambda scan: getattr(scan, name)) for name in (
-            "longest_unseen_m", "longest_hidden_m"
-        ))  # fmt: skip
-        poorest, emptiest = max(every, key=lambda scan: scan.unexplained), max(every, key=lambda scan: scan.nodata)
-        return cls(
-            frozenset().union(*(scan.seams for scan in every)), all(scan.is_known for scan in every),
-            sum(scan.unchanged_m for scan in every), sum(scan.unseen_m for scan in every), longest.longest_unseen_m,
-            sum(scan.hidden_m for scan in every), hidden.longest_hidden_m, poorest.unexplained, emptiest.nodata,
-            min(scan.looked_at for scan in every), longest.unseen_at, hidden.hidden_at, poorest.unexplained_at,
-            emptiest.nodata_at,
-        )  # fmt: skip
+        """All scans together, with the places of the scan that has most of it."""
+        scans = [cls.of_settings(layer.settings) for layer in delivery.layers]
+        united = cls.of_settings(united_settings(delivery.layers))
+        if not scans:
+            return united
+        return replace(
+            united, is_known=all(scan.is_known for scan in scans),
+            unseen_at=max(scans, key=lambda scan: scan.longest_unseen_m).unseen_at,
+            hidden_at=max(scans, key=lambda scan: scan.longest_hidden_m).hidden_at,
+            unexplained_at=max(scans, key=lambda scan: scan.unexplained).unexplained_at,
+            nodata_at=max(scans, key=lambda scan: scan.nodata).nodata_at,
+        )
 
     def seen_m(self, judged_m: float) -> float:
         """Metres along which the scans saw the mosaic change its orthoimage; ``judged_m``: of the layers' seams."""
@@ -94,13 +103,10 @@ def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules
     ground = SeenGround.of_delivery(delivery)
     apart, every = ground.unseen_m + ground.unchanged_m, whole.total_m + ground.unseen_m
     if apart > MOST_APART * every:
-        if ground.unseen_m:
-            yield messages.SEAMS_DIFFER(
-                judged=whole.total_m, seen=ground.seen_m(whole.total_m), unseen=ground.unseen_m,
-                unchanged=ground.unchanged_m, limit=MOST_APART, place=_first(ground.unseen_at),
-            )
-        else:
-            yield messages.SEAMS_UNCHANGED(judged=whole.total_m, unchanged=ground.unchanged_m, limit=MOST_APART)
+        yield messages.SEAMS_DIFFER(
+            judged=whole.total_m, unseen=ground.unseen_m, unchanged=ground.unchanged_m, limit=MOST_APART,
+            place=_first(ground.unseen_at),
+        )
     run = rules.rule(LONGEST_FAILURE)
     if run is not None and not run.passes(ground.longest_unseen_m):
         yield messages.BORDER_WITHOUT_SEAM(
@@ -123,10 +129,6 @@ def ground_sentences(name: str, settings: Mapping[str, str]) -> Iterator[Message
         yield messages.SCAN_UNEXPLAINED(name=name, share=ground.unexplained, place=place)
     if ground.unseen_m:
         yield messages.SCAN_UNSEEN(name=name, metres=ground.unseen_m, place=_first(ground.unseen_at))
-    if ground.unchanged_m:
-        yield messages.SCAN_UNCHANGED(name=name, metres=ground.unchanged_m)
-    if ground.nodata:
-        yield messages.SCAN_NODATA(name=name, share=ground.nodata, place=_first(ground.nodata_at))
     if ground.looked_at < 1:
         yield messages.SCAN_PARTLY(name=name, share=ground.looked_at)
     if names := settings.get("not_given"):

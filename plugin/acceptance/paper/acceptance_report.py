@@ -3,21 +3,24 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from matplotlib.figure import Figure
+
 from ...imagery.rasters import Raster
 from ...imagery.seam_totals import PieceState
-from ...toolkit.charts.figure_files import svg_text
+from ...toolkit.charts.chart_style import PAPER
+from ...toolkit.charts.figure_files import new_figure, svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
+from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
-from .charts import profile_figure
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
@@ -43,7 +46,6 @@ from .words import (
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
 MOST_LAYERS = 40  # most layers of seams that are listed with where they were read from
 MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
-_LONG = 12  # rows of a list above which it is folded up
 _MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
@@ -53,14 +55,15 @@ OUTCOME_STATES = {
 """How the decision looks on the page."""
 _WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, AcceptanceOutcome.ACCEPTED
 _PALE = "59"  # opacity of a sheet's colour
+_PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
+_MOST_KEPT = 1.3  # beyond it nothing is of interest
 _RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
 def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> None:
     """Write the page; ``pictures`` by the failures' numbers. Raises SettingsError where no file can be."""
     decision, defects = record.decision, record.defects
-    kept = () if decision.by_observer else (decision.rules.kept_source,)
-    sources = list(dict.fromkeys([*kept, *(outcome.source for outcome in decision.outcomes)]))
+    sources = list(dict.fromkeys([decision.rules.kept_source, *(outcome.source for outcome in decision.outcomes)]))
     sheet_words = [sheet_word(outcome, figures) for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)]
     parts = [*_parts(record)]
     texts = [_defect_text(defect, decision.rules.least_kept) for defect in defects[:MOST_ROWS]]
@@ -81,51 +84,30 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
-        sheets=[_sheet_row(*row, decision.by_observer) for row in zip(decision.sheets, sheet_words)],
+        sheets=[_sheet_row(*row) for row in zip(decision.sheets, sheet_words)],
         sheets_sentence=_sheets_sentence(sheet_words),
-        whole=_sheet_row(decision.whole, "", decision.by_observer) if len(decision.sheets) > 1 else None,
+        whole=_sheet_row(decision.whole, "") if len(decision.sheets) > 1 else None,
         findings=record.faults,
         map=decision_map(decision, defects[:MOST_ROWS], record.mosaics),
         map_px=MAP_PX,
         map_legend=_legend(decision),
         is_sample=decision.delivery.sampled_numbers is not None,
-        by_observer=decision.by_observer,
         defects=texts,
         defect_count=len(defects),
         unknown=[*_unknown_rows(decision)],
         unknown_count=len(decision.unknown_runs),
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
-        layers=_Listing.of(record.seams, 1, MOST_LAYERS),
-        images=_Listing.of(
-            (image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images
-        ),
-        digests=_Listing.of((digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests),
-        standards=[*_standards(decision, record)],
+        layers=record.seams,
+        most_layers=MOST_LAYERS,
+        images=[(image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images],
+        digests=[(digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests],
+        most_files=MOST_FILES,
+        standards=[
+            *([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS,
+            *([DIGEST_STANDARD] if record.digests else []),
+        ],
     )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class _Listing:
-    """Rows of which a cell names a file, or something else."""
-
-    folder: str  # that all files of a long list lie in, said once; empty where they lie in several
-    rows: list[list[str]]  # files without that folder
-    columns: int  # how many of it stand beside each other
-    left_out: int  # rows that are too many
-
-    @classmethod
-    def of(cls, rows: Iterable[Sequence[str]], at: int = 0, most: int = MOST_FILES) -> _Listing:
-        """``at``: the place of the cell that names a file."""
-        every = [[*row] for row in rows]
-        listed = every[:most]
-        names = [row[at] for row in listed]
-        folders = {name[: -len(file_name(name))] for name in names if file_name(name) != name}
-        is_long = len(listed) > _LONG
-        folder = folders.pop() if is_long and len(folders) == 1 else ""
-        for row, name in zip(listed, names):
-            row[at] = name[len(folder) :] if name.startswith(folder) else name
-        return cls(folder, listed, 3 if is_long and not folders else 1, len(every) - len(listed))
 
 
 def _verdict(decision: Decision, parts: Sequence[tuple[str, str, str, bool]]) -> tuple[str, str, str, str]:
@@ -160,7 +142,7 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
         (share(whole.measured_share, 1), tr("of it measured") if not whole.no_detail_m else (
             filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
-        *([] if decision.by_observer or whole.failed_unclear_share is None else [
+        *([] if whole.failed_unclear_share is None else [
             (share(whole.failed_unclear_share, 1), tr("of these may keep enough (95 %)"))
         ]),
         (share(whole.failed_share), tr("of what was measured failed")),
@@ -200,7 +182,7 @@ def _unmeasured(decision: Decision) -> str:
     """Why pieces were not measured, in the scan's words, with the metres of each; those of most metres first."""
     metres_of: dict[str, tuple[str, float]] = {}
     for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
-        reason = tr("no reason is given") if decision.by_observer or not piece.reason else piece.reason
+        reason = piece.reason or tr("no reason is given")
         first, length = metres_of.get(alike := _NUMBER.sub("", reason), (reason, 0.0))
         metres_of[alike] = first, length + piece.length_m
     most = sorted(metres_of.values(), key=lambda pair: -pair[1])[:_MOST_REASONS]
@@ -255,15 +237,6 @@ def _sheets_sentence(verdicts: Sequence[str]) -> str:
     return ", ".join(f"{word}: {counts[word]}" for word in words if counts[word]) if all(verdicts) else ""
 
 
-def _standards(decision: Decision, record: InspectionRecord) -> Iterator[str]:
-    """The standards that the decision rests on, each with its edition."""
-    if decision.plan is not None:
-        yield decision.plan.plan.standard
-    yield from QUALITY_STANDARDS
-    if record.digests:
-        yield DIGEST_STANDARD
-
-
 def _bytes(size: int | None) -> str:
     """In whole bytes, three by three."""
     return "" if size is None else f"{size:,}".replace(",", "\u202f")
@@ -271,17 +244,13 @@ def _bytes(size: int | None) -> str:
 
 def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str, object]]:
     """The limit of a piece first, then the rules that decide: what is bold is a reason to reject the delivery, and
-    ``source`` says which of the notes tells where the limit comes from, 0 for none."""
-    which = tr("says which pieces fail")
-    if decision.by_observer:
-        words = tr("what the operator saw"), "", tr("no loss in the window of a piece")
-        source = 0
-    else:
-        limit = decision.rules.least_kept
-        least = filled(tr("at least {least} in each piece"), least=share_beside(limit, limit))
-        words = CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit), least
-        source = 1 + sources.index(decision.rules.kept_source)
-    yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
+    ``source`` says which of the notes tells where the limit comes from."""
+    limit = decision.rules.least_kept
+    yield dict(zip(_RULE_KEYS, (
+        CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit),
+        filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)), tr("says which pieces fail"),
+        False, 1 + sources.index(decision.rules.kept_source),
+    )))  # fmt: skip
     for outcome in decision.outcomes:
         yield dict(zip(_RULE_KEYS, (
             CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
@@ -289,13 +258,13 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
         )))  # fmt: skip
 
 
-def _sheet_row(figures: MetreFigures, word: str, by_observer: bool) -> list[str]:
+def _sheet_row(figures: MetreFigures, word: str) -> list[str]:
     if not figures.piece_count:
-        return [figures.name, word, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
+        return [figures.name, word, metres(0.0), *[NOTHING] * 6]
     return [
         figures.name or tr("all"), word, metres(figures.total_m), share(figures.measured_share, 1),
         metres(figures.failed_m), share(figures.failed_share), metres(figures.longest_failure_m),
-        f"{figures.failed_count} / {figures.piece_count}", "" if by_observer else metres(figures.unclear_m),
+        f"{figures.failed_count} / {figures.piece_count}", metres(figures.unclear_m),
     ]  # fmt: skip
 
 
@@ -307,15 +276,10 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
     present = {decided.state for decided in decision.pieces}
     entries = [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
     if len(decision.sheets) > 1:
-        outcomes = decision.sheet_outcomes
-        shown: dict[AcceptanceOutcome | None, str] = {
-            outcome: outcome_title(outcome) for outcome in AcceptanceOutcome if outcome in outcomes
-        }
-        if not all(sheet.piece_count for sheet in decision.sheets):
-            shown[None] = tr("No seams")
+        sheets = zip(decision.sheets, decision.sheet_outcomes)
+        colours = {sheet_word(outcome, figures): SHEET_COLOURS[outcome] for figures, outcome in sheets}
         entries += [
-            (SHEET_COLOURS[outcome] + _PALE, filled(tr("sheet: {verdict}"), verdict=word))
-            for outcome, word in shown.items()
+            (colour + _PALE, filled(tr("sheet: {verdict}"), verdict=word)) for word, colour in colours.items() if word
         ]
     return entries
 
@@ -367,7 +331,7 @@ def _pictures(
             dates, across = dict(text["images"]), metres(picture.side_m)
             yield {
                 "text": text,
-                "profile": svg_text(profile_figure(piece, least_kept)) if piece.profile else "",
+                "profile": svg_text(_profile_figure(piece, least_kept)) if piece.profile else "",
                 "around": encoded(picture.around, "JPEG"),
                 "columns": picture.around.shape[1],
                 "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),
@@ -383,3 +347,26 @@ def _pictures(
 def _image_title(name: str, dates: Mapping[str, str]) -> str:
     day = dates.get(name) or dates.get(name.rpartition(".")[0], "")
     return filled(tr("Orthoimage {name}"), name=f"{name} ({day})" if day else name)
+
+
+def _profile_figure(piece: DeliveredPiece, least_kept: float) -> Figure:
+    """What a piece kept by distance from its seam, as its scan wrote it: the judged strip, the curve, the limit."""
+    strip, *steps = piece.profile
+    figure = new_figure(*_PROFILE_INCHES)
+    axes = figure.add_subplot()
+    axes.axvspan(0, strip.far_m, color=PAPER.grid, linewidth=0)
+    axes.axhline(least_kept, color=PAPER.limit, linewidth=1)
+    axes.plot(*np.array([(x, step.kept) for step in steps for x in (step.near_m, step.far_m)]).reshape(-1, 2).T,
+              color=PAPER.sources[0], linewidth=1.2)
+    axes.plot([0, strip.far_m], [strip.kept] * 2, color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
+    farthest = max((step.far_m for step in steps), default=strip.far_m)
+    axes.set_xscale("function", functions=(lambda x: np.sqrt(np.maximum(x, 0)), np.square))  # narrow steps matter most
+    axes.set_xlim(0, farthest)
+    axes.set_xticks([strip.far_m, farthest / 4, farthest])
+    axes.xaxis.set_major_formatter(lambda x, _: formatted(x, ".2g"))
+    axes.minorticks_off()
+    axes.set_ylim(0, max(_MOST_KEPT, *(step.kept for step in piece.profile)))
+    axes.set_xlabel(tr("distance from the seam (m)"), fontsize=6.5)
+    axes.tick_params(labelsize=6.5)
+    axes.spines[["top", "right"]].set_visible(False)
+    return figure

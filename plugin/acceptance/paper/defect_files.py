@@ -9,7 +9,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any
 
 import numpy as np
 from qgis.core import QgsFeature, QgsGeometry, QgsLineString
@@ -23,7 +23,7 @@ from ...imagery.file_identity import DataPlace, check_outputs
 from ...imagery.grids import PixelWindow
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
-from ...imagery.rasters import Raster, RasterRef
+from ...imagery.rasters import Raster
 from ...imagery.records import Column
 from ...imagery.reference_systems import extent_on, transform_points
 from ...toolkit.pages.picture_files import encoded
@@ -33,9 +33,6 @@ from ...toolkit.table_fields import column_features
 from ..measure import messages
 from ..measure.decision import Decision, Defect
 from .words import rounded
-
-if TYPE_CHECKING:
-    from ...toolkit.algorithms.run import Run
 
 PROOF_PX = 106  # side of what is shown at 2x: three of them stand beside each other on A4
 MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL = "mosaic", "cut", "image"
@@ -53,16 +50,6 @@ class ProofPanel:
 Prover = Callable[[Raster, PixelWindow, tuple[str, str]], Sequence[ProofPanel]]
 """From a mosaic, a part of it, and what the piece in its middle calls the two orthoimages beside it, to the panels of
 that part: mosaic, cut and up to two orthoimages; empty where no orthoimage shows it."""
-
-
-class Proving(Protocol):
-    """Who knows the orthoimages and proves failures: the algorithm."""
-
-    def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
-        """What the mosaics were made from: as given, else as the scan says (``scanned``, paths)."""
-
-    def prover(self) -> Prover | None:
-        """Who proves failures, once ``orthoimages`` was asked; None where nobody does."""
 
 
 _NAME = "defect_{}.jpg"
@@ -128,7 +115,6 @@ class DefectPictures:
     """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
 
     def __init__(self, mosaics: Sequence[Raster], decision: Decision, prover: Prover | None = None) -> None:
-        self.paths = [path for mosaic in mosaics for path in mosaic.ref.paths]  # what the pictures are cut from
         self._mosaics, self._wkt, self._prover = mosaics, decision.delivery.wkt, prover
         self._seams = [decided.piece.vertices for decided in decision.pieces]
         self._boxes = np.array([[*line.min(axis=0), *line.max(axis=0)] for line in self._seams]).reshape(-1, 4)
@@ -250,6 +236,10 @@ def _coordinate(value: float) -> float:
     return float(f"{value:.10g}")
 
 
+def _of_worst(name: str) -> Column[Defect]:
+    return Column(name, "text", lambda defect: getattr(defect.worst.piece, name) or None)
+
+
 DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("defect", "integer", lambda defect: defect.run.number),
     Column("sheet", "text", lambda defect: ", ".join(defect.run.sheets)),
@@ -260,10 +250,7 @@ DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("band_width", "real", lambda defect: rounded(defect.band_width_m)),
     Column("visibility", "real", lambda defect: rounded(defect.worst.piece.visibility)),
     Column("cause", "text", lambda defect: defect.cause or None),
-    Column("left_source", "text", lambda defect: defect.worst.piece.left_source or None),
-    Column("right_source", "text", lambda defect: defect.worst.piece.right_source or None),
-    Column("left_date", "text", lambda defect: defect.worst.piece.left_date or None),
-    Column("right_date", "text", lambda defect: defect.worst.piece.right_date or None),
+    *(_of_worst(name) for name in ("left_source", "right_source", "left_date", "right_date")),
     Column("x", "real", lambda defect: _coordinate(defect.run.place[0])),
     Column("y", "real", lambda defect: _coordinate(defect.run.place[1])),
     Column("remark", "text", lambda defect: "; ".join(defect.remarks) or None),

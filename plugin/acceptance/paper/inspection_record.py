@@ -5,17 +5,18 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from statistics import median
 from typing import Callable
 
-from ...imagery.documents import json_document
-from ...imagery.errors import SettingsError
+from ...imagery.errors import CancelledError, SettingsError
+from ...imagery.file_identity import states_in
 from ...imagery.open_raster import OpenRaster, placed
 from ...imagery.rasters import Raster, RasterRef
+from ...imagery.seam_totals import SOURCE_FILES, TOTALS_DOMAIN
 from ...toolkit.algorithms.run import Run
 from ...toolkit.layers import features
 from ...toolkit.pages.templates import HowMeasured, each_raster, system_name
@@ -24,12 +25,10 @@ from ...toolkit.table_fields import attributes, text, whole_number
 from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, defects_of
+from ..measure.delivered_rows import united_settings
 from ..measure.delivery import in_words
 from .paper_head import RADIOMETRY, TITLE
 from .words import failing_sentence, metres
-
-_SETTINGS_DOMAIN = "SEAM_INSPECTOR"  # as the scan writes it
-_LISTS = ("mosaic", "sources")  # of the settings: paths as JSON
 
 
 @dataclass(frozen=True)
@@ -58,6 +57,14 @@ def listed_images(decision: Decision, paths: Iterable[str]) -> tuple[ListedImage
     return tuple(sorted([*given, *named], key=lambda image: (in_words(image.name), image.path)))
 
 
+def scanned_images(decision: Decision) -> list[str]:
+    """Paths of the orthoimages that were scanned, lie beside a seam and are still there."""
+    pieces = decision.delivery.pieces
+    names = {file_name(name) for piece in pieces for name in (piece.left_source, piece.right_source)}
+    files = states_in(united_settings(decision.delivery.layers).get(SOURCE_FILES, ""))
+    return [path for path, _ in files if file_name(path) in names and os.path.isfile(path)]
+
+
 def file_name(path: str) -> str:
     """Seamlines may name files with their folders, of any system."""
     return path.replace("\\", "/").rstrip("/").rpartition("/")[2]
@@ -81,9 +88,7 @@ class InspectionRecord:
     windows: str = ""  # what the layer of inspected windows was read from; empty without
     rules: str = ""  # the file of rules; empty for ready ones
     mosaics: tuple[Raster, ...] = ()  # what the pictures of failures are cut from
-    loss: Raster | None = None  # the picture of losses of the scan
-    scan: Mapping[str, str] = field(default_factory=dict)  # how the seams were measured: ``ScannedLoss.settings``
-    loss_bands: tuple[str, ...] = ()  # names of the bands of the picture of losses
+    loss: ScannedLoss | None = None  # the picture of losses, where there is one for all
     head: Mapping[str, str] = field(default_factory=dict)  # which delivery it is of, under which contract: stated_head
     images: tuple[ListedImage, ...] = ()  # the orthoimages, by name
     digests: tuple[Digest, ...] = ()  # digests of what was decided on; none where they were not wanted
@@ -112,6 +117,7 @@ class InspectionRecord:
 def how_measured(record: InspectionRecord) -> HowMeasured:
     """The settings and rasters that a decision rests on."""
     decision = record.decision
+    scan = united_settings(decision.delivery.layers)
     names = {
         "wavelet": tr("wavelet"), "levels": tr("levels"), "density": tr("density"),
         "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
@@ -122,43 +128,31 @@ def how_measured(record: InspectionRecord) -> HowMeasured:
         (tr("file of the rules"), record.rules),
         (tr("which pieces fail"), failing_sentence(decision)),
         (tr("median length of the pieces"), metres(median(decided.piece.length_m for decided in decision.pieces))),
-        *((title, record.scan[name]) for name, title in names.items() if name in record.scan),
+        *((title, scan[name]) for name, title in names.items() if name in scan),
         (tr("layer of windows"), record.windows),
         (tr("reference system"), system_name(decision.delivery.wkt)),
     ]
     rasters = each_raster(tr("mosaic"), record.mosaics)
-    rasters += each_raster(tr("picture of losses"), [record.loss] if record.loss else [])
+    rasters += each_raster(tr("picture of losses"), [record.loss.raster] if record.loss else [])
     return HowMeasured(settings, rasters, record.made_at.date())
 
 
 @dataclass(frozen=True, eq=False)
 class ScannedLoss:
-    """A scan's picture of losses, with what the scan wrote into it."""
+    """A scan's picture of losses."""
 
     raster: Raster
-    settings: Mapping[str, str]
-    """How it was measured: ``wavelet``, ``levels``, ``density``, ``piece_m``, ``corridor_m``, as ``seams`` whether
-    these were ``given`` or ``found``, and what the scan saw of the ground (``ScanResult.told``)."""
-    sources: tuple[str, ...]  # paths of the orthoimages
-    bands: tuple[str, ...]  # names of its bands
+    bands: tuple[str, ...]  # their names
 
 
-def scanned_loss(ref: RasterRef) -> ScannedLoss | None:
+def loss_picture(ref: RasterRef) -> ScannedLoss | None:
     """None for another raster. Raises RasterError when it can't be opened."""
     opened = OpenRaster(ref)
-    written = opened.dataset.GetMetadata(_SETTINGS_DOMAIN)
-    settings = {name: value for name, value in written.items() if name not in _LISTS}
-    if not settings:
+    if not opened.dataset.GetMetadata(TOTALS_DOMAIN):
         return None
-    sources: object = ()
-    with suppress(ValueError):
-        sources = json_document(written.get("sources") or "[]")
     bands = (opened.dataset.GetRasterBand(number + 1) for number in range(opened.dataset.RasterCount))
-    return ScannedLoss(
-        placed(opened.raster), settings,
-        tuple(path for path in sources if isinstance(path, str)) if isinstance(sources, list) else (),
-        tuple(band.GetDescription() or str(number) for number, band in enumerate(bands, 1)),
-    )  # fmt: skip
+    names = tuple(band.GetDescription() or str(number) for number, band in enumerate(bands, 1))
+    return ScannedLoss(placed(opened.raster), names)
 
 
 _AT_ONCE = 1 << 22  # bytes
@@ -173,31 +167,31 @@ class Digest:
     sha256: str  # hexadecimal, 64 digits
 
 
-def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> list[Digest] | None:
-    """SHA-256 of each file as ``sha256sum`` prints it; None when it is not wanted any more.
+def file_digests(paths: Sequence[str], goes_on: Callable[[float], bool]) -> Iterator[Digest]:
+    """SHA-256 of each file as ``sha256sum`` prints it; a file that can't be read has none.
 
-    ``goes_on``: told the share of the bytes that is done, 0 to 1. A file that can't be read has no digest.
+    ``goes_on``: told the share of the bytes that is done, 0 to 1; where it says no a CancelledError is raised.
     """
     sizes = {path: os.path.getsize(path) for path in paths if os.path.isfile(path)}
     total, done = max(sum(sizes.values()), 1), 0
-    digests = []
     for path, size in sizes.items():
         digest = hashlib.sha256()
         with suppress(OSError):
             with open(path, "rb") as file:
                 while block := file.read(_AT_ONCE):
                     if not goes_on(min(done / total, 1.0)):
-                        return None
+                        raise CancelledError(messages.PAPER_STOPPED())
                     digest.update(block)
                     done += len(block)
-            digests.append(Digest(path, size, digest.hexdigest()))
-    return digests
+            yield Digest(path, size, digest.hexdigest())
 
 
-def text_digest(name: str, lines: Iterable[str]) -> Digest:
-    """Digest of lines of text, each ended by a line feed, in UTF-8."""
+def list_digest(images: Iterable[ListedImage]) -> Digest:
+    """Digest of the list of orthoimages: a line for each, its cells between tabs, in UTF-8."""
+    cells = ((image.name, image.path, image.date, image.size) for image in images)
+    lines = ("\t".join("" if cell is None else str(cell) for cell in row) for row in cells)
     content = "".join(f"{line}\n" for line in lines).encode()
-    return Digest(name, len(content), hashlib.sha256(content).hexdigest())
+    return Digest(tr("list of orthoimages"), len(content), hashlib.sha256(content).hexdigest())
 
 
 @dataclass(frozen=True)

@@ -2,10 +2,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Callable, Optional, TypeVar
 
 from qgis.core import (
     QgsFeatureSink,
@@ -26,55 +26,51 @@ from ...toolkit.table_fields import column_fields
 from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.decision import Decision, Defect
-from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, defect_features, save_pictures
+from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, Prover, defect_features, save_pictures
 from .inspection_record import (
     Digest,
     InspectionRecord,
     ScannedLoss,
     file_digests,
+    list_digest,
     listed_images,
+    loss_picture,
     rated_images,
-    scanned_loss,
-    text_digest,
+    scanned_images,
 )
 from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
 from .sheet_layer import SHEET_COLUMNS, sheet_features
 
-if TYPE_CHECKING:
-    from .defect_files import Proving
-
-@dataclass(frozen=True)
-class ReadFiles:
-    """What a decision was made of, as far as it lies in files."""
-
-    mosaics: tuple[RasterRef, ...]
-    losses: tuple[ScannedLoss, ...]  # the pictures of losses
-    seams: tuple[tuple[str, str], ...]  # sheets and where their layers were read from, in words for people
-    windows: str  # where the windows were read from, in words for people; empty without
-    rules: str  # the file of rules; empty without
+Value = TypeVar("Value")
+Proof = Callable[[Sequence[str], Sequence[Raster]], tuple[Sequence[str], Optional[Prover]]]
+"""From the paths of the orthoimages that were scanned, and the mosaics, to those that are listed, and who proves
+failures by them; None for nobody."""
 
 
-def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> dict[str, Any]:
-    """Write what is wanted; what can't be written is told, and does not cost the decision."""
-    loss = read.losses[0] if len(read.losses) == 1 else None
-    settings = next((scan.settings for scan in read.losses), {})
-    scanned = [path for scan in read.losses for path in scan.sources]
-    report = run.file_path(REPORT)
-    mosaics = _mosaics(run, read.mosaics) if run.parameters.get(DEFECTS) or report else ()
-    images = proving.orthoimages(run, scanned, mosaics)
-    record = InspectionRecord(
-        decision, tuple((sheet, whole_path(address)) for sheet, address in read.seams), whole_path(read.windows),
-        whole_path(read.rules), mosaics, loss.raster if loss else None, settings, loss.bands if loss else (),
-        stated_head(run),
-        listed_images(decision, (whole_path(image.path) for image in images)), radiometry=rated_images(run),
+def write(
+    run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef], losses: Sequence[RasterRef], proof: Proof
+) -> dict[str, Any]:
+    """Write what is wanted; what can't be written is told, and does not cost the decision.
+
+    ``record``: the decision with what it was read from; ``losses``: the pictures of losses.
+    """
+    decision, report = record.decision, run.file_path(REPORT)
+    shown = _mosaics(run, mosaics) if run.parameters.get(DEFECTS) or report else ()
+    images, prover = proof(scanned_images(decision), shown)
+    pictures_of_losses = _loss_pictures(run, losses)
+    record = replace(
+        record, mosaics=shown, loss=pictures_of_losses[0] if len(pictures_of_losses) == 1 else None,
+        head=stated_head(run), images=listed_images(decision, map(whole_path, images)), radiometry=rated_images(run),
         report=str(report or ""),
     )
-    maker = DefectPictures(mosaics, decision, proving.prover()) if mosaics else None
     pictures: dict[int, DefectPicture] = {}
-    results = _write_defects(run, decision, record.defects, maker, pictures)
-    results.update(_write_sheets(run, decision))
+    try:
+        if shown:
+            _cut_pictures(run, record.defects, DefectPictures(shown, decision, prover), pictures)
+    finally:  # without its failures a layer would say that there are none, also where the run was stopped
+        results = {**_write_defects(run, record, pictures), **_write_sheets(run, decision)}
     if (report or run.parameters.get(QUALITY)) and run.flag(DIGESTS):
-        record = replace(record, digests=_digests(run, record, read))
+        record = replace(record, digests=_digests(run, record, mosaics))
 
     from .acceptance_report import save_acceptance_report
     from .quality_document import save_quality_document
@@ -85,21 +81,16 @@ def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> di
     }
 
 
-def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Digest, ...]:
+def _digests(run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef]) -> tuple[Digest, ...]:
     """Raises CancelledError where the paper is not wanted any more."""
     run.doing(tr("Digests of the files"))
-    paths = local_states(path for mosaic in read.mosaics for path in mosaic.paths)
-    files = file_digests([*paths, *filter(None, [record.rules])], run.goes_on)
-    if files is None:
-        raise CancelledError(messages.PAPER_STOPPED())
-    layers = record.decision.delivery.layers
-    digested = [layer for layer in layers if layer.digest]
-    lists = [Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested]
-    if record.images:
-        cells = ((image.name, image.path, image.date, image.size) for image in record.images)
-        rows = ("\t".join("" if cell is None else str(cell) for cell in row) for row in cells)
-        lists.append(text_digest(tr("list of orthoimages"), rows))
-    return (*lists, *files)
+    paths = local_states(path for mosaic in mosaics for path in mosaic.paths)
+    digested = [layer for layer in record.decision.delivery.layers if layer.digest]
+    return (
+        *(Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested),
+        *([list_digest(record.images)] if record.images else []),
+        *file_digests([*paths, *filter(None, [record.rules])], run.goes_on),
+    )
 
 
 def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
@@ -123,43 +114,44 @@ def _sink(
         return None, None
 
 
-def scanned_losses(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
+def _loss_pictures(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
     """The pictures of losses that a scan wrote; others are told."""
-    losses: list[ScannedLoss] = []
-    for ref in refs:
-        try:
-            if loss := scanned_loss(ref):
-                losses.append(loss)
-            else:
-                run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
-        except RasterError as error:
-            run.tell(error.message.as_warning())
-    return losses
+    pictures = []
+    for ref, picture in _readable(run, refs, loss_picture):
+        if picture is None:
+            run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
+        else:
+            pictures.append(picture)
+    return pictures
 
 
 def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
     """The mosaics that pictures can be cut from."""
-    mosaics = []
+    shown = []
+    for ref, picture in _readable(run, refs, loss_picture):
+        if picture is None:
+            shown.append(ref)
+        else:
+            run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
+    return tuple(mosaic for _, mosaic in _readable(run, shown, describe_mosaic))
+
+
+def _readable(
+    run: Run, refs: Sequence[RasterRef], read: Callable[[RasterRef], Value]
+) -> Iterator[tuple[RasterRef, Value]]:
+    """What is read of rasters; those that can't be read are told."""
     for ref in refs:
         try:
-            if scanned_loss(ref):
-                run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
-                continue
-            mosaics.append(describe_mosaic(ref))
+            yield ref, read(ref)
         except RasterError as error:
             run.tell(error.message.as_warning())
-    return tuple(mosaics)
 
 
-def _write_defects(
-    run: Run, decision: Decision, defects: Sequence[Defect], maker: DefectPictures | None,
-    pictures: dict[int, DefectPicture],
-) -> dict[str, Any]:
-    """The layer; fills in the pictures by the failures' numbers, for the report too."""
+def _write_defects(run: Run, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> dict[str, Any]:
+    """The layer of failures, with the pictures by their numbers."""
     layout = column_fields(DEFECT_COLUMNS), QgsWkbTypes.Type.MultiLineString
-    sink, destination = _sink(run, DEFECTS, tr("Failures"), decision, *layout)
+    sink, destination = _sink(run, DEFECTS, tr("Failures"), record.decision, *layout)
     if sink is None:
-        _cut_pictures(run, defects, maker, pictures)
         return {}
     file = _file_of(str(destination))
     folder = Path(QgsProcessingUtils.generateTempFilename("pictures")) if file is None else (
@@ -167,14 +159,12 @@ def _write_defects(
     )
     paths: dict[int, str] = {}
     try:
-        _cut_pictures(run, defects, maker, pictures)
-        save_pictures(folder, pictures, paths, () if maker is None else maker.paths)
+        save_pictures(folder, pictures, paths, [path for mosaic in record.mosaics for path in mosaic.ref.paths])
     except SettingsError as error:
         run.tell(error.message.as_warning())
-    finally:  # a layer without a failure would say that there are none, also where the run was stopped
-        if file is not None:
-            paths = {number: f"{folder.name}/{Path(path).name}" for number, path in paths.items()}
-        run.write(sink, defect_features(defects, paths))
+    if file is not None:
+        paths = {number: f"{folder.name}/{Path(path).name}" for number, path in paths.items()}
+    run.write(sink, defect_features(record.defects, paths))
     run.style(destination, "defects")
     return {DEFECTS: destination}
 
@@ -186,12 +176,10 @@ def _file_of(destination: str) -> Path | None:
 
 
 def _cut_pictures(
-    run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: dict[int, DefectPicture]
+    run: Run, defects: Sequence[Defect], maker: DefectPictures, pictures: dict[int, DefectPicture]
 ) -> None:
     """Cut the pictures of the longest failures. Raises CancelledError when they are not wanted any more."""
     shown = defects[:MOST_PICTURES]
-    if maker is None or not shown:
-        return
     for done, defect in enumerate(shown):
         if not run.goes_on(done / len(shown)):
             raise CancelledError(messages.PAPER_STOPPED())

@@ -4,16 +4,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from datetime import date, datetime
+from datetime import datetime
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery.errors import Message, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, tr
-from ..measure import messages
 
 TITLE, CONTRACT, PRODUCER, CLIENT = "TITLE", "CONTRACT", "PRODUCER", "CLIENT"
 DELIVERY, DELIVERY_DATE = "DELIVERY", "DELIVERY_DATE"
@@ -46,35 +44,16 @@ def add_head(algorithm: SeamInspectorAlgorithm) -> None:
         algorithm.addDescribed(common.remembered_text(name, tr(title)), tr(help_text))
 
 
-def check_head(run: Run) -> None:
-    """Raise SettingsError for a date that is none."""
-    for fault in _faults(run):
-        raise SettingsError(fault)
-
-
-def _faults(run: Run) -> Iterator[Message]:
-    value = run.text(DELIVERY_DATE).strip()
-    if value and _day(value) is None:
-        yield messages.DATE_IS_NONE(parameter=DELIVERY_DATE, value=value)
-
-
-def _day(value: str) -> date | None:
-    for form in _DATES:
-        with suppress(ValueError):
-            return datetime.strptime(re.split("[T ]", value.strip())[0], form).date()
-    return None
-
-
 def iso_date(value: str) -> str:
     """Date as all on paper are written, 2026-11-23; what is no date as it is."""
-    day = _day(value)
-    return value if day is None else day.isoformat()
+    for form in _DATES:
+        with suppress(ValueError):
+            return datetime.strptime(re.split("[T ]", value.strip())[0], form).date().isoformat()
+    return value
 
 
 def stated_head(run: Run) -> dict[str, str]:
-    """What the run was given, which the form offers again the next time. A model's steps are not checked before they
-    run: what is wrong is told then, and costs nothing that was measured."""
-    run.tell(*(fault.as_warning() for fault in _faults(run)))
+    """What the run was given, which the form offers again the next time."""
     common.remember({name: run.text(name) for name in _TEXTS if name in run.parameters})
     return {name: run.text(name).strip() for name in _TEXTS}
 
@@ -92,13 +71,11 @@ def add_paper(algorithm: SeamInspectorAlgorithm) -> None:
     ))
     algorithm.addDescribed(common.layers(common.SOURCES, tr("Sources"), optional=True), tr(
         "The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those "
-        "that the scan wrote into its picture of losses."
+        "that were scanned."
     ))
     algorithm.addDescribed(*common.source_index())
     algorithm.addDescribed(common.layers(LOSS, tr("Picture of losses"), optional=True), tr(
-        "As the scan wrote it; one for each sheet if they were scanned separately, in the order of SEAMS. The XML "
-        "refers to it. It also says with which orthoimages and settings the seams were measured, if their layer does "
-        "not."
+        "As the scan of the whole mosaic wrote it: the XML refers to it."
     ), advanced=True)
     algorithm.addDescribed(common.features(RADIOMETRY, tr("Radiometry"), common.TABLE, optional=True), tr(
         "The table that 'Check radiometry' made of the sheets: its result is shown on the cover beside the decision, "

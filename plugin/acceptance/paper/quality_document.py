@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import uuid
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,21 +19,21 @@ from ...imagery.reference_systems import extent_on
 from ...toolkit.pages.templates import environment, system_code, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import AcceptanceOutcome, Decision, PlanOutcome, RuleOutcome
+from ..measure.decision import AcceptanceOutcome, Decision, RuleOutcome
 from ..measure.delivery import extent_of
 from ..measure.inspection_plan import plan_sentence
 from .inspection_record import InspectionRecord, how_measured
 from .paper_head import head_rows
-from .words import CHECKS, failing_sentence, outcome_title, share
+from .words import CHECKS, failing_sentence, outcome_title
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
 """Units of measure by their address; ``ONE`` for counts and fractions of 1."""
 
 ACCURACY, USABILITY = "DQ_QuantitativeAttributeAccuracy", "DQ_UsabilityElement"
-CONFIDENCE, REPRESENTATIVITY = "DQ_Confidence", "DQ_Representativity"
+REPRESENTATIVITY = "DQ_Representativity"
 """Classes of the standard. Grey values are a coverage's attributes, and lost detail an error of theirs; whether a
-delivery keeps to its rules is usability; how sure the figures are, and how much was looked at, is metaquality."""
+delivery keeps to its rules is usability; how much was looked at is metaquality."""
 
 FULL, SAMPLE, DERIVED = "DQ_FullInspection", "DQ_SampleBasedInspection", "DQ_AggregationDerivation"
 """How a figure was found."""
@@ -58,9 +58,8 @@ class Evaluation:
 class Quantity:
     """A result in numbers."""
 
-    values: tuple[float, ...]
+    value: float
     unit: str
-    meaning: str = ""  # meaning of the values where they are several
     sheet: str = ""  # that it is of; empty for all
 
 
@@ -82,10 +81,8 @@ class QualityElement:
     name: str
     description: str
     evaluation: Evaluation
-    quantities: tuple[Quantity, ...] = ()
-    conformance: Conformance | None = None
-    has_coverage: bool = False  # whether the picture of losses is a result of it
-    about: str = ""  # the code of the element that it tells the quality of; for metaquality
+    conformance: Conformance | None
+    quantities: Sequence[Quantity] = ()
 
 
 def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
@@ -94,27 +91,23 @@ def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
     yield QualityElement(
         USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery meets the rules."),
         Evaluation(DERIVED, tr("All rules together: the delivery is accepted if none of them fails.")),
-        conformance=Conformance(
-            decision.rules.name, " ".join(map(sentence, decision.sentences)), decision.accepted
-        ),
+        Conformance(decision.rules.name, " ".join(map(sentence, decision.sentences)), decision.accepted),
     )
     outcomes = {outcome.check: outcome for outcome in decision.outcomes}
+    kinds = {rules.MEASURED_SHARE: REPRESENTATIVITY, rules.SAMPLING: USABILITY}
     for code, check in CHECKS.items():
-        kind, evaluation = _found_by(code, decision)
-        if quantities := _quantities(decision, code):
+        outcome, quantities = outcomes.get(code), [*_quantities(decision, code)]
+        if quantities or outcome is not None:
             yield QualityElement(
-                kind, code, check.word, tr(check.description), evaluation, quantities, _conformance(outcomes.get(code)),
-                has_coverage=code == rules.KEPT and record.loss is not None, about=_about(code, decision),
+                kinds.get(code, ACCURACY), code, check.word, tr(check.description), _evaluation(code, decision),
+                None if outcome is None else _conformance(outcome), quantities,
             )
-    if decision.plan is not None:
-        yield _risk(decision.plan, _found_by(rules.SAMPLING, decision)[1])
     yield from _checked_beside(record)
 
 
-def _found_by(code: str, decision: Decision) -> tuple[str, Evaluation]:
-    """The class of a figure, and how it was found."""
+def _evaluation(code: str, decision: Decision) -> Evaluation:
     if code == rules.MEASURED_SHARE:
-        return REPRESENTATIVITY, Evaluation(DERIVED, tr("From the results of all pieces of seam."))
+        return Evaluation(DERIVED, tr("From the results of all pieces of seam."))
     if code == rules.SAMPLING and decision.plan is not None:
         plan = decision.plan.plan
         pieces = tr("{count} pieces of seam of {sheets} sheets")
@@ -122,45 +115,22 @@ def _found_by(code: str, decision: Decision) -> tuple[str, Evaluation]:
             sentence(plan_sentence(plan)), filled(pieces, count=plan.lot_size, sheets=len(decision.sheets)),
             f"{plan.sample_size} / {plan.lot_size}",
         )
-        words = tr("Each piece of seam of the sample.")
-        return USABILITY, Evaluation(SAMPLE, words, f"{plan.standard}, {_SAMPLING}", sample)
+        return Evaluation(SAMPLE, tr("Each piece of seam of the sample."), f"{plan.standard}, {_SAMPLING}", sample)
     kept = tr(
         "Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it "
         "(wavelet decomposition)."
     )
-    if decision.by_observer and code != rules.KEPT:
-        eye = tr("Each piece of seam: what the operator saw in its window.")
-        return ACCURACY, Evaluation(FULL, f"{eye} {failing_sentence(decision)}")
-    return ACCURACY, Evaluation(FULL, f"{kept} {failing_sentence(decision)}", _PROCEDURE)
+    return Evaluation(FULL, f"{kept} {failing_sentence(decision)}", _PROCEDURE)
 
 
-def _quantities(decision: Decision, code: str) -> tuple[Quantity, ...]:
+def _quantities(decision: Decision, code: str) -> Iterator[Quantity]:
     """A figure of all sheets together, then that of each sheet that has one."""
-    if code == rules.SAMPLING:
-        return () if decision.plan is None else (Quantity((decision.plan.nonconforming,), ONE),)
+    if code == rules.SAMPLING and decision.plan is not None:
+        yield Quantity(decision.plan.nonconforming, ONE)
     scale, unit = {rules.KEPT: (1, ONE), rules.LONGEST_FAILURE: (1, METRES)}.get(code, (100, PER_CENT))
-    values = ((row.name, CHECKS[code].figure(row)) for row in (decision.whole, *decision.sheets))
-    return tuple(Quantity((scale * value,), unit, sheet=name) for name, value in values if value is not None)
-
-
-def _about(code: str, decision: Decision) -> str:
-    """The figure that another one tells the quality of: what was measured, that of all pieces."""
-    all_pieces = "acceptance" if decision.longest_failure_m is None else rules.LONGEST_FAILURE
-    return all_pieces if code == rules.MEASURED_SHARE else ""
-
-
-def _risk(plan_outcome: PlanOutcome, inspected: Evaluation) -> QualityElement:
-    risks = plan_outcome.characteristic
-    words = tr(
-        "Producer's risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: "
-        "the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer's risk)."
-    )
-    figures = 100 * risks.producers_risk, 100 * risks.limiting_quality
-    return QualityElement(
-        CONFIDENCE, "sampling_risk", tr("risks of the plan of sampling"),
-        filled(words, good=share(risks.good_quality, 1), risk=share(risks.consumers_risk, 1)), inspected,
-        (Quantity(figures, PER_CENT, tr("producer's risk; limiting quality")),), about=rules.SAMPLING,
-    )
+    for row in (decision.whole, *decision.sheets):
+        if (value := CHECKS[code].figure(row)) is not None:
+            yield Quantity(scale * value, unit, row.name)
 
 
 def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
@@ -170,23 +140,22 @@ def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
             USABILITY, "files", tr("completeness and form of the files"),
             tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
             Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")),
-            (Quantity((len(record.faults),), ONE),),
             Conformance(tr("form of the delivery"), _said(record.faults) or tr("No findings"), not record.faults),
+            [Quantity(len(record.faults), ONE)],
         )
     if record.radiometry:
         rejected, undecided = map(record.rated, (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
-        failed_by = dict.fromkeys(source for image in (*rejected, *undecided) for source in image.failed_by)
-        words = ("; ".join((outcome_title(image.outcome), *image.failed_by)) for image in (*rejected, *undecided))
-        images = _said(zip((image.name for image in (*rejected, *undecided)), words))
+        others = [*rejected, *undecided]
+        failed_by = dict.fromkeys(source for image in others for source in image.failed_by)
+        words = _said((image.name, "; ".join((outcome_title(image.outcome), *image.failed_by))) for image in others)
         yield QualityElement(
-            ACCURACY, "radiometry", tr("radiometry"),
-            tr("Images beyond the limits of radiometry, and those for which it is unknown."),
+            ACCURACY, "radiometry", tr("radiometry"), tr("Images beyond the limits of radiometry."),
             Evaluation(FULL, tr("All pixels of each image ('Check radiometry').")),
-            (Quantity((len(rejected), len(undecided)), ONE, tr("images rejected; images undecided")),),
             Conformance(
-                "; ".join(failed_by) or tr("limits of radiometry"), images or tr("All images are accepted."),
+                "; ".join(failed_by) or tr("limits of radiometry"), words or tr("All images are accepted."),
                 False if rejected else None if undecided else True,
             ),
+            [Quantity(len(rejected), ONE)],
         )
 
 
@@ -194,9 +163,7 @@ def _said(each: Iterable[tuple[str, str]]) -> str:
     return " ".join(f"{name}: {words}." for name, words in each)
 
 
-def _conformance(outcome: RuleOutcome | None) -> Conformance | None:
-    if outcome is None:
-        return None
+def _conformance(outcome: RuleOutcome) -> Conformance:
     clause = sentence(outcome.sentence)
     return Conformance(outcome.source, f"{clause[:1].upper()}{clause[1:].rstrip('.')}.", outcome.passed)
 
@@ -230,8 +197,7 @@ def quality_document(record: InspectionRecord) -> str:
         report=Path(record.report).name if record.report else "",
         elements=list(quality_elements(record)),
         loss=record.loss,
-        loss_bands=record.loss_bands,
-        loss_path=whole_path(record.loss.ref.path) if record.loss else "",
+        loss_path=whole_path(record.loss.raster.ref.path) if record.loss else "",
         software=how.software,
         steps=[f"{name}: {value}" for name, value in how.settings if value],
         sources=_sources(record),

@@ -46,7 +46,9 @@ SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
 def sheet_features(decision: Decision) -> Iterator[QgsFeature]:
     """In the order of ``decision.sheets``; a sheet of which no place is known has no outline."""
     rings = decision.delivery.sheet_rings()
-    findings = {sheet.name: sheet.findings for sheet in decision.delivery.outlines}
+    findings: dict[str, tuple[str, ...]] = {}
+    for sheet in decision.delivery.outlines:
+        findings[sheet.name] = (*findings.get(sheet.name, ()), *sheet.findings)
     rows = [
         _DecidedSheet(figures, outcome, findings.get(figures.name, ()))
         for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)

@@ -97,8 +97,6 @@ def _beside(value: float, limit: float, decimals: int) -> str:
 
 
 def failing_sentence(decision: Decision) -> str:
-    if decision.by_observer:
-        return tr("A piece of seam fails where the operator saw a loss in its window, whatever it kept.")
     least = f"{formatted(100 * decision.rules.least_kept, '.6g')}\u00a0%"
     return filled(tr("A piece of seam fails where it keeps less than {least} of the detail."), least=least)
 

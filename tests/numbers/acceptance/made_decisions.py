@@ -56,10 +56,10 @@ def decided(
     return decide(Delivery(tuple(own), UTM, tuple(windows)), rules(sampling=sampling))
 
 
-def window_on(decision: Decision, piece: int, window_id: str = "1", **said: str) -> SeenWindow:
+def window_on(decision: Decision, piece: int, cause: str, *remarks: str) -> SeenWindow:
     """A window of 40 m around the middle of a piece."""
     x, y = decision.delivery.pieces[piece].middle
-    return SeenWindow(window_id, (x - 20, y - 20, x + 20, y + 20), **said)
+    return SeenWindow((x - 20, y - 20, x + 20, y + 20), cause, remarks)
 
 
 def with_windows(decision: Decision, *windows: SeenWindow) -> Decision:

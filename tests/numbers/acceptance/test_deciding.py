@@ -8,20 +8,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.acceptance.measure.acceptance_rules import LONGEST_FAILURE, SamplingRule
-from seam_inspector.plugin.acceptance.measure.deciding import MOST_OF_RUN, decide
+from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.measure.delivery import (
     DeliveredLayer,
     DeliveredPiece,
     Delivery,
     Seal,
-    SeenWindow,
     SheetOutline,
     SheetState,
 )
+from seam_inspector.plugin.acceptance.measure.ruling import MOST_OF_RUN
+from seam_inspector.plugin.acceptance.measure.scanned_files import file_doubts
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.file_identity import FileState, states_text
-from seam_inspector.plugin.imagery.seam_totals import SOURCE_FILES, PieceState
+from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES, PieceState
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 
@@ -145,7 +146,7 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     rest = seam([0.95] * 97, start=(30, 0), number=3)
     found = decide(delivery(unclear, rest), rules(run=None))
     assert (found.outcome, found.whole.failed_m) == (UNDECIDED, 30)  # by value, as anybody adds it up
-    assert "a verdict on the pieces whose intervals include the limit (30 m, pieces: 3)" in told(found)
+    assert "an operator's look at the pieces whose intervals include the limit (30 m, pieces: 3)" in told(found)
     assert found.outcomes[0].low < 0.02 < found.whole.failed_share < found.outcomes[0].high
     assert decide(delivery(sure(unclear), rest), rules(run=None)).outcome is REJECTED
     row = [replace(item, kept_low=0.6, kept_high=0.79) for item in seam([0.69] * 8)]  # one that passed would break it
@@ -286,21 +287,6 @@ def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
         decide(delivery(seam([0.9] * 40)), rules(None, None, sampling=SAMPLING), lot_size=10)
 
 
-def test_an_observer_decides_where_he_is_asked_to() -> None:
-    words = [("visible", ""), ("unsure", "visible"), ("invisible", "visible"), ("unsure", "")]
-    windows = tuple(
-        SeenWindow(str(place), (10.0 * place, -1, 10.0 * place + 10, 1), observer=one, observer_2=two)
-        for place, (one, two) in enumerate(words)
-    )
-    made = replace(delivery(seam([None, 0.9, 0.1, 0.9, 0.9])), windows=windows)
-    found = decide(made, rules(), by_observer=True)
-    failed, passed, lacking = PieceState.FAILED, PieceState.PASSED, PieceState.NOT_MEASURED
-    assert [piece.state for piece in found.pieces] == [failed, failed, passed, lacking, lacking]
-    assert found.longest_failure_m == 20
-    assert "the operator saw a loss" in told(found)
-    assert str(found.sentences[0]).startswith("Rejected by the observers' verdicts and 'contract'")
-
-
 @pytest.mark.parametrize(
     ("row", "longest", "outcome"),
     [
@@ -344,13 +330,15 @@ def test_a_layer_without_the_seal_of_its_scan_is_not_accepted() -> None:
 
 @pytest.mark.parametrize("kept", [0.95, 0.3])
 def test_two_scans_of_one_mosaic_decide_nothing(kept: float) -> None:
-    """Each metre counts twice; some lie on others where sheets meet."""
-    given = delivery(sure(seam([kept] * 20)))
-    metres = sum(piece.length_m for piece in given.pieces)
-    assert decide(replace(given, doubled_m=0.05 * metres), rules()).outcome is not UNDECIDED
-    found = decide(replace(given, doubled_m=0.5 * metres), rules())
-    assert found.outcome is UNDECIDED
-    assert "lie on others" in str(found.sentences[0])
+    """Each metre would count twice; a layer that is given under two names counts once."""
+    files = {MOSAIC_FILES: states_text([("/m.tif", FileState(1, 0, "d"))])}
+    first, second = (DeliveredLayer(name, Seal.WHOLE, 0.0, files, digest=name) for name in "ab")
+    pieces = delivery(sure(seam([kept] * 20)))
+    for layers, count in ((first, second), 2), ((first, replace(first, name="b")), 0):
+        doubts = replace(file_doubts(layers, (), ()), gone=())
+        found = decide(replace(pieces, layers=layers, files=doubts), rules())
+        assert (found.outcome is UNDECIDED) is bool(count)
+        assert ("different scans of one mosaic are given: 2 (a, b)" in str(found.sentences[0])) is bool(count)
 
 
 def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
@@ -366,7 +354,6 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
         ("sheets of which nothing was measured: 1 (b)", delivery(seam([0.95] * 100), unknown)),
         ("missing in the mosaic that was scanned: 1 (x)", with_sheet(sound, SheetState.LEFT_OUT)),
         ("whose pixels can't all be read: 1 (x)", with_sheet(sound, SheetState.DAMAGED)),
-        ("which nobody has checked: 1 (x)", with_sheet(sound, SheetState.OVERLAPS)),
     ):  # fmt: skip
         found = decide(one, rules())
         assert found.outcome is UNDECIDED

@@ -21,9 +21,9 @@ def test_pieces_without_a_break_are_one_defect_the_longest_first() -> None:
 def test_cause_and_remarks_come_from_the_windows_on_it() -> None:
     plain = decided(failed=[(0, 10), (0, 11)])
     seen = with_windows(
-        plain, window_on(plain, 11, "7", cause="blur", remark="kerb gone"),
-        window_on(plain, 10, "3", cause="feathering", remark="kerb gone", remark_2="<b>"),
-        window_on(plain, 30, "9", cause="gamma", remark="elsewhere"),
+        plain, window_on(plain, 11, "blur", "kerb gone"),
+        window_on(plain, 10, "feathering", "kerb gone", "<b>"),
+        window_on(plain, 30, "gamma", "elsewhere"),
     )  # fmt: skip
     (one,) = defects_of(seen)
     assert one.worst.piece.number == 10

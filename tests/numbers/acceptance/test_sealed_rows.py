@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 from osgeo import osr
-from seam_inspector.plugin.acceptance.measure.delivered_rows import LayerDoubts, make_delivery, overlap
-from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, DeliveredPiece, Seal
+from seam_inspector.plugin.acceptance.measure.delivered_rows import ScannedLayer, make_delivery, read_layers
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, Seal
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.seam_totals import SYSTEM, sealed_notes
 
@@ -26,10 +26,7 @@ def rows() -> Rows:
 
 
 def read(held: Rows, notes: Mapping[str, str], wkt: str = "") -> DeliveredLayer:
-    doubts = LayerDoubts("a")
-    for row, line in held:
-        doubts.piece("a", row, line, 25.0 * bool(len(line)))
-    return doubts.layer(notes, wkt)
+    return read_layers([ScannedLayer("a", held, wkt, notes)])[0].layers[0]
 
 
 def sealed(**notes: str) -> dict[str, str]:
@@ -48,7 +45,6 @@ def test_a_piece_that_lost_its_line_is_missed(line: np.ndarray) -> None:
     held[1] = held[1][0], line
     found = read(held, sealed())
     assert (found.seal, found.lacking_m) == (Seal.BROKEN, 25)
-    assert read(held, {}).lacking_m == 25  # of an export too, once
 
 
 def test_rows_of_which_none_is_a_piece_are_refused() -> None:
@@ -92,7 +88,7 @@ def test_a_layer_in_another_reference_system_is_not_what_the_scan_left() -> None
     zone, other = (crs_wkt(code) for code in (32633, 32634))
     notes = sealed(**{SYSTEM: zone})
     assert [read(rows(), notes, wkt).seal for wkt in (zone, other, "")] == [
-        Seal.WHOLE, Seal.OTHER_SYSTEM, Seal.OTHER_SYSTEM
+        Seal.WHOLE, Seal.BROKEN, Seal.BROKEN
     ]
 
 
@@ -102,27 +98,7 @@ def crs_wkt(code: int) -> str:
     return str(system.ExportToWkt())
 
 
-def piece(number: int, first_m: float, last_m: float, y: float = 0.0, length: object = None) -> DeliveredPiece:
-    line = np.array([(first_m, y), ((first_m + last_m) / 2, y), (last_m, y)])
-    made = LayerDoubts(f"sheet {number}").piece(f"sheet {number}", {"length": length}, line, last_m - first_m)
-    assert made is not None
-    return made
-
-
 @pytest.mark.parametrize(("written", "told"), [(0.5, 0.5), (7.0, 7.0), (0.0, 5.0), (-3.0, 5.0), (None, 5.0)])
 def test_a_length_that_is_none_is_that_of_the_line(written: float | None, told: float) -> None:
-    assert piece(0, 0.0, 5.0, length=written).length_m == told
-
-
-@pytest.mark.parametrize("shared_m", [6.0, 8.0])
-def test_what_lies_on_another_piece_counts_once(shared_m: float) -> None:
-    """Two of 10 m that share some of their line, others beside them, which share none."""
-    pieces = [piece(0, 0.0, 10.0), piece(1, 10.0 - shared_m, 20.0 - shared_m), piece(2, 0.0, 10.0, 40.0),
-              piece(3, 25.0, 35.0)]  # fmt: skip
-    found = overlap(pieces)
-    assert found[0] == pytest.approx(shared_m, abs=1.5)
-    assert set(found[1]) == {"sheet 0", "sheet 1"}
-
-
-def test_pieces_that_follow_each_other_share_nothing() -> None:
-    assert overlap([piece(number, 10.0 * number, 10.0 * number + 10.0) for number in range(6)]) is None
+    row = {"kept_1": 0.9, "length": written, "geometry": "LINESTRING (0 0, 5 0)"}
+    assert make_delivery({"a": [row]}, "").pieces[0].length_m == told

@@ -116,6 +116,6 @@ def test_a_sample_of_several_scans_says_what_they_say_together() -> None:
     scans = [DeliveredLayer("a", Seal.WHOLE, 0.0, said(unread=unread, unexplained=unread, **dict.fromkeys(
         ("unexplained_border", "unseen_metres", "hidden_metres", "unchanged_metres"), "12.5"))) for unread in "12"]
     united = DeliveredLayer("sample", Seal.WHOLE, 0.0, united_settings(scans))
-    assert (united.unread, united.unexplained, united.unseen_m) == (2, 2, 25)
     ground = SeenGround.of_settings(united.settings)
+    assert (ground.unread, ground.border_m) == (2, 25)
     assert (ground.unseen_m, ground.hidden_m, ground.unchanged_m, ground.unexplained) == (25, 25, 25, 2)

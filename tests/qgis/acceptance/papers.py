@@ -1,10 +1,12 @@
 """What the tests of a decision on paper share."""
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, Seal
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
@@ -27,3 +29,9 @@ def record_of(decision: Decision, **also: object) -> InspectionRecord:
     """With where each sheet was read from."""
     seams = tuple((name, f"/deliveries/{name}.gpkg") for name in decision.delivery.sheets)
     return InspectionRecord(decision, seams, **also)  # type: ignore[arg-type]
+
+
+def scanned_with(decision: Decision, wavelet: str) -> Decision:
+    """What was decided, of a layer that says how it was measured."""
+    layer = DeliveredLayer("seams", Seal.WHOLE, 0.0, {"wavelet": wavelet, "levels": "3"})
+    return replace(decision, delivery=replace(decision.delivery, layers=(layer,)))

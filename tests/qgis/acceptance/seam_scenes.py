@@ -65,7 +65,7 @@ def file(made: QgsVectorLayer, path: Path) -> str:
 
 def decide(*layers: QgsVectorLayer | str, **parameters: Any) -> Run:
     """A decision on layers of seams, without papers that nobody asks for."""
-    papers = dict.fromkeys(("DEFECTS", "REPORT", "QUALITY", "CHART"))
+    papers = dict.fromkeys(("DEFECTS", "REPORT", "QUALITY"))
     return run("acceptmosaic", SEAMS=list(layers), **{**papers, **parameters})
 
 

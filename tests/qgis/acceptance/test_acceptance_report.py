@@ -13,7 +13,7 @@ from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionR
 
 from tests.numbers.acceptance.made_decisions import decided
 from tests.pages import Outline, outline
-from tests.qgis.acceptance.papers import ground, record_of
+from tests.qgis.acceptance.papers import ground, record_of, scanned_with
 
 FAILED = [(0, 3), (0, 4), (1, 20)]
 
@@ -27,7 +27,7 @@ def page_of(path: Path, record: InspectionRecord) -> Outline:
 
 def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path) -> None:
     decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
-    page = page_of(tmp_path, record_of(decision, scan={"wavelet": "coif3", "levels": "3"}))
+    page = page_of(tmp_path, record_of(scanned_with(decision, "coif3")))
     text = page.words[page.words.index("Rejected") :]  # after the page's looks
     share, longest = 100 * (decision.whole.failed_share or 0), decision.longest_failure_m
     places = [text.index(words) for words in (

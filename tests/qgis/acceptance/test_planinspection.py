@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from qgis.core import QgsVectorLayer
 
-from tests.qgis.acceptance.seam_scenes import UTM33, seams, straight
+from tests.qgis.acceptance.seam_scenes import seams
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import Scene, layer, line
 
@@ -51,7 +51,7 @@ def test_the_sample_is_decided_on() -> None:
     made = seams([0.5] * 200 + [P] * 800)
     planned = plan(made, PLAN="iso2859", AQL="1.0")  # its layer lives as long
     sample = planned.layer()
-    parameters = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None}
+    parameters = {"DEFECTS": None, "REPORT": None, "QUALITY": None}
     outcome = run("acceptmosaic", SEAMS=[sample], PLAN="iso2859", AQL="1.0", **parameters)
     failed = sum(feature["kept_1"] < 0.7 for feature in sample.getFeatures())
     assert outcome.results["ACCEPTED"] == 0
@@ -66,46 +66,6 @@ def test_the_sample_is_decided_on() -> None:
     assert not any("without a break: " in text for text in (*judged.log.infos, *outcome.log.infos))
 
 
-def test_a_sample_that_an_operator_judged_is_decided_on(scene: Scene) -> None:
-    seam = layer("LineString", [line((200, 0), (300, 256)), line((400, 0), (400, 256))])
-    given = {"PLAN": "count", "COUNT": 8, "MOSAIC": str(scene.mosaic), "SIDE": 6.4, "PIECE": 5}
-    drawn, shown = plan(seam, **given), plan(seam, UNIT="windows", **given)
-    assert [row["station"] for row in shown.rows()] == pytest.approx(
-        [row["station"] + row["length"] / 2 for row in drawn.rows()]
-    )  # the same pieces
-    words = ["visible", "invisible", "", "visible", "invisible", "invisible", "unsure", "invisible"]
-    outlines = [feature.geometry() for feature in shown.features()]
-    judged = layer("Polygon", outlines, window_id=("integer", list(range(8))), observer=("string", words))
-    wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, "CHART": None, "JUDGE": "observer", "MIN_MEASURED": 50}
-    outcome = run("acceptmosaic", SEAMS=[drawn.layer()], WINDOWS=judged, **wanted)
-    lengths = [row["length"] for row in drawn.rows()]
-    failed = sum(length for length, word in zip(lengths, words) if word == "visible")
-    assert outcome.results["ACCEPTED"] == 0
-    assert outcome.results["FAILED_METRES"] >= failed
-    assert_refused("acceptmosaic", "give WINDOWS", SEAMS=[drawn.layer()], **wanted)
-
-
-def test_plain_seamlines_are_cut() -> None:
-    made = layer("LineString", [straight(0, 1000), straight(0, 250, 30)])
-    outcome = plan(made, PLAN="count", COUNT=1000, PIECE=25)
-    assert numbers(outcome)[2] == 50
-    rows = outcome.rows()
-    assert [row["length"] for row in rows] == pytest.approx([25 / 0.9996] * 50)  # on the ground, amid a zone of UTM
-    assert {row["kept_1"] for row in rows} == {None}
-    stations = sorted(row["station"] for row in rows if row["seam_id"] == "1")
-    assert stations == pytest.approx([25 / 0.9996 * n for n in range(40)])
-    for row, feature in zip(rows, outcome.features()):
-        assert feature.geometry().length() == pytest.approx(row["length"] * 0.9996)
-
-
-def test_a_field_of_sheets() -> None:
-    lines = [straight(25 * number, 25) for number in range(100)]
-    fields = {"kept_1": ("double", [P] * 100), "tile": ("string", ["a"] * 80 + ["b"] * 20)}
-    made = layer("LineString", lines, UTM33, **fields)
-    rows = plan(made, PLAN="count", COUNT=10, SHEET_FIELD="tile").rows()
-    assert sorted(row["sheet"] for row in rows) == ["a"] * 8 + ["b"] * 2
-
-
 def test_bad_input_is_refused(scene: Scene) -> None:
     made = seams([P] * 10)
     for parameters, words in (
@@ -117,8 +77,13 @@ def test_bad_input_is_refused(scene: Scene) -> None:
         assert_refused("planinspection", words, **{"SEAMS": [made], **parameters})
     assert_sentence(plan(made, LOT_SIZE=5).complaint, "The lot size is 5 and the layers hold 10")
     assert_sentence(plan(seams([P])).complaint, "at least 2")
-    assert_sentence(plan(layer("LineString", [])).complaint, "layers of seams are empty")
-    wide = plan(layer("LineString", [line((200, 0), (300, 256))]), UNIT="windows", MOSAIC=str(scene.mosaic), PIECE=5)
+    bare, empty, short = layer("LineString", []), *(
+        layer("LineString", lines, kept_1=("double", [P] * len(lines)))
+        for lines in ([], [line((200, 0), (300, 256)), line((300, 256), (350, 256))])
+    )
+    assert_refused("planinspection", "has no field 'kept_1'", SEAMS=[bare])
+    assert_sentence(plan(empty).complaint, "layers of seams are empty")
+    wide = plan(short, UNIT="windows", MOSAIC=str(scene.mosaic))
     assert_sentence(wide.complaint, "smaller than a window of 1024 px, the power of two that spans 100 m")
 
 

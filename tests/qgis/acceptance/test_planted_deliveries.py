@@ -47,7 +47,7 @@ def decide(folder: Path, *layers: QgsVectorLayer | str, **more: Any) -> Run:
     folder.mkdir(parents=True, exist_ok=True)
     papers = {
         "REPORT": str(folder / "decision.html"), "QUALITY": str(folder / "quality.xml"),
-        "DEFECTS": str(folder / "failures.gpkg"), "CHART": None,
+        "DEFECTS": str(folder / "failures.gpkg"),
     }  # fmt: skip
     return run("acceptmosaic", **{"SEAMS": list(layers), **papers, **more})
 

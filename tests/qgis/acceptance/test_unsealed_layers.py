@@ -75,7 +75,7 @@ def other_system(path: Path) -> None:
         (sql("DELETE FROM seams WHERE kept_1 < 0.7"), CHANGED),
         (sql("UPDATE seams SET level = 'stretch' WHERE kept_1 < 0.7"), CHANGED),
         (stripped, UNSEALED), (without_failures, UNSEALED), (other_settings, CHANGED),
-        (other_system, "another reference system than their scan gave them: 1 (seams)"),
+        (other_system, CHANGED),
     ],
 )
 def test_a_layer_that_was_changed_is_not_accepted(

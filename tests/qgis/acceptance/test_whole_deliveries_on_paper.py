@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 from qgis.core import QgsGeometry
 from seam_inspector.plugin.acceptance.measure.deciding import decide
-from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.measure.delivery import SheetOutline
 from seam_inspector.plugin.acceptance.paper.decision_map import decision_map
-from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
 
-from tests.numbers.acceptance.made_decisions import decided, window_on
+from tests.numbers.acceptance.made_decisions import decided
 from tests.numbers.acceptance.public_schemas import NAMESPACES, faults
 from tests.pages import outline
 from tests.qgis.acceptance.papers import record_of
@@ -63,24 +61,6 @@ def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     assert (np.abs(drawn - [213, 94, 0]).sum(axis=2) < 60).any()  # failures in their colour
     assert drawn.shape[1] / drawn.shape[0] == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of the seams
     assert plain.shape[1] / plain.shape[0] == pytest.approx(1, rel=0.1)  # no higher than a page
-
-
-def judged() -> Decision:
-    """Sound pieces, of which an operator saw one lost."""
-    plain = decided(["sheet_1"])
-    words = ["visible"] + ["invisible"] * 39
-    windows = tuple(window_on(plain, text, str(text), observer=word) for text, word in enumerate(words))
-    return decide(replace(plain.delivery, windows=windows), plain.rules, by_observer=True)
-
-
-def test_what_an_operator_decided_is_not_said_to_be_the_limit_s(tmp_path: Path) -> None:
-    decision = judged()
-    assert decision.whole.failed_count
-    page = page_of(tmp_path, record_of(decision))
-    for papers in (page.words, quality_document(record_of(decision))):
-        assert "the operator saw a loss in its window" in papers
-        assert "keeps less than" not in papers
-        assert "70\u00a0%" not in papers
 
 
 def test_a_sample_is_not_the_delivery(tmp_path: Path) -> None:

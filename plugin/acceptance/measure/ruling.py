@@ -1,0 +1,160 @@
+"""Figures held against the rules: what keeps a rule, breaks it or leaves it open, and what would decide it then.
+
+A rule is kept or broken where nothing that is not known could turn it round:
+
+- Shares of the measured metres stand for all of them where as much was measured as the rules ask for. With less a share
+  is too large only where it would be so with all else sound, and kept where it would be with all else lost.
+- Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
+  end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
+- A row of pieces that were not measured may be a failure: longer than one may be, it leaves that rule open. So does a
+  piece that passed and is much longer than a failure may be: it can hold one and keep enough as a whole.
+"""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+from ...imagery.errors import Message, Stated
+from ...imagery.seam_totals import PieceState
+from . import messages
+from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
+from .decision import DecidedPiece, MetreFigures, RuleOutcome
+from .measured_pieces import ends_within, known_within, measured_with, surely_failed_m
+
+MOST_AT_ENDS = 0.2
+"""Share of the metres that may fail, which the ends of failures inside of pieces may leave open: with more the pieces
+are too coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
+MOST_OF_RUN = 1.5
+"""Times the longest failure that is allowed: how long a piece of a scan with such a PIECE may be. A longer one averages
+a failure with what is sound beside it. Where no piece may fail its length does not matter."""
+_SPARE = 0.05  # of the metres, by which forecasts of what will be measured may be too large
+
+
+@dataclass(frozen=True, eq=False)
+class Ruling:
+    """Figures that are held against the rules."""
+
+    figures: MetreFigures
+    pieces: Sequence[DecidedPiece]
+    longest: Sequence[DecidedPiece]  # those of its longest failure, or all
+    rules: AcceptanceRules
+
+    def outcomes(self) -> list[RuleOutcome]:
+        """Outcomes of the rules in their order, those of sampling apart."""
+        return [self._outcome(rule) for rule in self.rules.rules]
+
+    def _outcome(self, rule: AcceptanceRule) -> RuleOutcome:
+        figures = self.figures
+        if not figures.measured_m:
+            value = figures.measured_share if rule.check == MEASURED_SHARE else None
+            nothing = messages.NOTHING_WAS_MEASURED()
+            return RuleOutcome(rule.check, value, rule.limit, rule.is_least, None, rule.source, nothing)
+        value, low, high = {
+            MEASURED_SHARE: self._measured, FAILED_SHARE: self._failed, LONGEST_FAILURE: self._longest,
+        }[rule.check]()
+        passes = {rule.passes(low), rule.passes(high)}
+        passed = passes.pop() if len(passes) == 1 else None
+        if rule.check == MEASURED_SHARE:  # with less the delivery is neither good nor bad
+            passed = passed or None
+        sentence = self._sentence(rule, passed, value, low, high)
+        return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
+
+    def _measured(self) -> tuple[float, float, float]:
+        value = self.figures.measured_share
+        return value, value, value
+
+    def _failed(self) -> tuple[float, float, float]:
+        """The share, and between what it may lie."""
+        figures = self.figures
+        within = math.hypot(known_within(self.pieces, self.rules.least_kept), self._open_ends())
+        least = self.rules.rule(MEASURED_SHARE)
+        enough = least is None or least.passes(figures.measured_share)
+        open_m, of_m = (0.0, figures.measured_m) if enough else (figures.not_measured_m, figures.judged_m)
+        low, high = max(figures.failed_m - within, 0.0), min(figures.failed_m + within, figures.measured_m)
+        return figures.failed_m / figures.measured_m, low / of_m, min((high + open_m) / of_m, 1.0)
+
+    def _longest(self) -> tuple[float, float, float]:
+        """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
+        longest, failures = self.figures.longest_failure_m or 0.0, dict[Optional[int], list[DecidedPiece]]()
+        for decided in self.longest:
+            if decided.state is PieceState.FAILED:
+                failures.setdefault(decided.run, []).append(decided)
+        sure = max((surely_failed_m(run, self.rules.least_kept) for run in failures.values()), default=0.0)
+        return longest, min(sure, longest), max(longest, self.figures.longest_unknown_m, self._hiding_m())
+
+    def _hiding_m(self) -> float:
+        """Length of the longest piece that passed, where it can hide a failure longer than one may be, else 0; m."""
+        limit = self.rules.limit(LONGEST_FAILURE)
+        passed = (decided.piece.length_m for decided in self.pieces if decided.state is PieceState.PASSED)
+        longest = max(passed, default=0.0)
+        return longest if limit is not None and 0 < MOST_OF_RUN * limit < longest else 0.0
+
+    def _open_ends(self) -> float:
+        """What the ends of failures leave open, where that is much of what may fail; m."""
+        within = ends_within(self.pieces)
+        return within if within > MOST_AT_ENDS * self._allowed_m() else 0.0
+
+    def _allowed_m(self) -> float:
+        return (self.rules.limit(FAILED_SHARE) or 0.0) * self.figures.measured_m
+
+    def _sentence(self, rule: AcceptanceRule, passed: bool | None, value: float, low: float, high: float) -> Message:
+        limit, shown = Stated(rule.limit), Stated(value, rule.limit) if passed is False else value
+        if rule.check == MEASURED_SHARE:
+            return messages.MEASURED(value=value, limit=limit)
+        if passed is not None:
+            return messages.SHARE_FAILED(value=shown, limit=limit) if rule.check == FAILED_SHARE else (
+                messages.RUN_FAILED(value=shown, limit=limit)
+            )
+        if rule.check == FAILED_SHARE:
+            return messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high)
+        if not rule.passes(value):
+            return messages.RUN_OPEN(value=value, limit=limit, low=low, high=high)
+        return messages.RUN_IN_PIECE(value=value, limit=limit, metres=high) if high == self._hiding_m() else (
+            messages.RUN_UNKNOWN(value=value, limit=limit, metres=high)
+        )
+
+    def advice(self, outcomes: Sequence[RuleOutcome], is_part: bool, has_sources: bool) -> Message | None:
+        """What would decide most of what is open; None for nothing. ``is_part``: whether the pieces are a sample;
+        ``has_sources``: whether they were measured against orthoimages."""
+        figures, is_open = self.figures, {outcome.check: outcome for outcome in outcomes if outcome.passed is None}
+        if is_part and LONGEST_FAILURE in is_open:
+            return messages.WOULD_GIVE_SCAN()
+        if not figures.judged_m:
+            return messages.WOULD_LOOK()
+        if figures.not_measured_m and (MEASURED_SHARE in is_open or not figures.measured_m):
+            return self._would_measure(has_sources)
+        longest = is_open.get(LONGEST_FAILURE)
+        if longest is not None and (longest.value or 0.0) <= longest.limit:
+            if self._hiding_m():
+                return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
+            return messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
+        within = self._open_ends()
+        if FAILED_SHARE in is_open and within > known_within(self.pieces, self.rules.least_kept):
+            return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
+        if (count := sum(decided.is_unclear for decided in self.pieces)) and is_open:
+            return messages.WOULD_TELL_APART(count=count, metres=figures.unclear_m)
+        return None
+
+    def _typical_m(self) -> float:
+        return float(np.median([decided.piece.length_m for decided in self.pieces]))
+
+    def _would_measure(self, has_sources: bool) -> Message:
+        """The shortest pieces that would measure as much as is wanted, where they are short enough for the rules."""
+        least, lacking = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m
+        wanted = max(least * self.figures.judged_m - self.figures.measured_m, 0.0)
+        if not has_sources:
+            return messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
+        longest = MOST_OF_RUN * (self.rules.limit(LONGEST_FAILURE) or math.inf)
+        typical = self._typical_m()
+        lengths = [times * typical for times in (2, 4) if times * typical <= longest] or [typical]
+        shares = {length: measured_with(self.pieces, self.rules.least_kept, length) for length in lengths}
+        enough = [length for length, share in shares.items() if share >= min(least + _SPARE, 1.0)]
+        piece = min(enough, default=lengths[-1])
+        share = shares[piece]
+        return messages.WOULD_MEASURE(wanted=wanted, lacking=lacking, piece=piece, share=share) if enough else (
+            messages.WOULD_LOOK_THERE(wanted=wanted, lacking=lacking, piece=piece, share=share)
+        )
