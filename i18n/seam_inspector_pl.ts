@@ -534,12 +534,12 @@
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="39"/>
         <source>{count} changed since</source>
         <translation>zmienione od kontroli: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="50"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="40"/>
         <source>{count} windows selected: {verdicts}.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
@@ -654,7 +654,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="100"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="113"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -719,22 +719,22 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="216"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="190"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="219"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="193"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="191"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -744,52 +744,52 @@
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="46"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="142"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="144"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="46"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="142"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="144"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="137"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="75"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="256"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="230"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="257"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="231"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
         <source>Measures the selected windows again.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
@@ -804,12 +804,12 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="263"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="237"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="264"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="238"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -899,62 +899,57 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="107"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="161"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="207"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="179"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="212"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="186"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="96"/>
-        <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
-        <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="203"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="208"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="180"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="213"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="186"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -1134,7 +1129,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="74"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -1149,12 +1144,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="196"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="173"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="197"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="174"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -3333,7 +3328,7 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="51"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="150"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
@@ -4408,14 +4403,9 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="150"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
-        <source>kept</source>
-        <translation>zachow.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
@@ -5218,7 +5208,7 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="143"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -5353,37 +5343,37 @@
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="266"/>
+        <location filename="../plugin/seams/desk/judging.py" line="264"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="274"/>
+        <location filename="../plugin/seams/desk/judging.py" line="272"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="276"/>
+        <location filename="../plugin/seams/desk/judging.py" line="274"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="146"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="51"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="148"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="144"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="136"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="148"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="140"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
@@ -5548,174 +5538,94 @@
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="224"/>
-        <source>{metres} m</source>
-        <translation>{metres} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="260"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="261"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="265"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="266"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="270"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="271"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="275"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="279"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="280"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="190"/>
-        <source>kept from</source>
-        <translation>zach. od</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="191"/>
-        <source>Lower end of the 95 % interval of what is kept along the seam.</source>
-        <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
-        <source>kept to</source>
-        <translation>zach. do</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="196"/>
-        <source>Upper end of the 95 % interval of what is kept along the seam.</source>
-        <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="201"/>
-        <source>Width of the band along the seam in which detail was lost.</source>
-        <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="229"/>
-        <source>sharpness</source>
-        <translation>ostrość</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="230"/>
-        <source>Sharpness of the whole window against the composite of its sources.</source>
-        <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="234"/>
-        <source>added</source>
-        <translation>dodane</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="235"/>
-        <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
-        <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
-        <source>explained</source>
-        <translation>wyjaśnione</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="240"/>
-        <source>Share of the pixels whose detail the given sources explain.</source>
-        <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="179"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="54"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="287"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="31"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="288"/>
-        <source>Number of the seam that the window was placed on.</source>
-        <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="291"/>
-        <source>station</source>
-        <translation>pikietaż</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="292"/>
-        <source>How far along its seam the window lies.</source>
-        <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="143"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="50"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="147"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="52"/>
+        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="148"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="260"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="234"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="261"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="235"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="59"/>
-        <source>As there is room</source>
-        <translation>Według miejsca</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/mosaic_scans.py" line="77"/>
@@ -5855,17 +5765,12 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
-        <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict is not based on it.</source>
-        <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="215"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -8140,7 +8045,6 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="200"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -8534,7 +8438,7 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="68"/>
+        <location filename="../plugin/seams/desk/judging.py" line="66"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
@@ -8739,7 +8643,7 @@
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="160"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="154"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
@@ -8759,22 +8663,22 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="174"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="168"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="265"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="207"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="270"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="208"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -8794,12 +8698,12 @@
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="160"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="170"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="164"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
@@ -8968,11 +8872,6 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="211"/>
-        <source>visibility</source>
-        <translation>widoczność</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/layer_styles.py" line="51"/>
         <source>visibility at 2x (JND)</source>
         <translation>widoczność w powiększeniu 2× (JND)</translation>
@@ -9057,34 +8956,9 @@
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="205"/>
-        <source>feather width</source>
-        <translation>szerokość wtapiania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="207"/>
-        <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
-        <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="220"/>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="221"/>
-        <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
-        <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="180"/>
-        <source>All that changed the contrast, the largest loss first.</source>
-        <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="231"/>
-        <source>{length} px</source>
-        <translation>{length} px</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="111"/>
@@ -9107,7 +8981,7 @@
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="220"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="180"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
@@ -9621,11 +9495,6 @@
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
-        <source>A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
-        <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je. Prawy przycisk na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="85"/>
         <source>No change from one source to another is found in the window; the verdict is based on sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
@@ -9646,17 +9515,17 @@
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="197"/>
         <source>loss (m2)</source>
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="246"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="155"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
@@ -10565,11 +10434,6 @@
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
-        <source>How many times the loss along the seam exceeds what an eye just notices side by side at 2x (just noticeable differences, JND).</source>
-        <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/report/mending_report.py" line="27"/>
         <source>mended</source>
         <translation>naprawione</translation>
@@ -11125,7 +10989,7 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="79"/>
+        <location filename="../plugin/seams/desk/judging.py" line="77"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
     </message>
@@ -11577,12 +11441,12 @@
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="70"/>
+        <location filename="../plugin/seams/desk/judging.py" line="68"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="69"/>
+        <location filename="../plugin/seams/desk/judging.py" line="67"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
@@ -11607,7 +11471,7 @@
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="252"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="200"/>
         <source>code of the reason</source>
         <translation>kod powodu</translation>
     </message>
@@ -11927,14 +11791,9 @@
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="295"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="217"/>
         <source>origin</source>
         <translation>pochodzenie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="296"/>
-        <source>Whether the window was drawn, placed along the seams, or is a worst place of a scan.</source>
-        <translation>Czy okno narysowano, rozmieszczono wzdłuż linii, czy jest najgorszym miejscem ze skanowania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
@@ -12107,12 +11966,12 @@
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Wykresy są z okna wokół niego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="72"/>
+        <location filename="../plugin/seams/desk/judging.py" line="70"/>
         <source>{judged} of {count} judged</source>
         <translation>{judged} z {count} ocenione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="72"/>
+        <location filename="../plugin/seams/desk/judging.py" line="70"/>
         <source>{left} to go</source>
         <translation>zostało {left}</translation>
     </message>
@@ -12304,11 +12163,6 @@
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="60"/>
-        <source>The usual columns, as many as there is room for.</source>
-        <translation>Zwykłe kolumny, tyle, na ile jest miejsce.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="381"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source.</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej.</translation>
@@ -12496,6 +12350,16 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
         <source>{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with {bad} ({limiting:.1%}) are accepted</source>
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
+        <source>Detail at level 1 in the mosaic as a multiple of the least sharp source&apos;s.</source>
+        <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="61"/>
+        <source>A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them.</source>
+        <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je.</translation>
     </message>
 </context>
 </TS>

@@ -30,8 +30,6 @@ class JudgingSettings:
 
     operator: int = 1  # 1 or 2: who judges
     is_blind: bool = False  # whether the tool's verdict, and the other operator's, is hidden
-    search: str = ""  # what the table is filtered by
-    shown: str = ""  # name of the kind of windows that the table shows; empty: all
     window: int = 0  # number of the window that was looked at last; 0: none
 
 

@@ -50,7 +50,6 @@ class JudgingDesk(QObject):
         self.bar = JudgeBar(session, self.model)
         self.model.changed.connect(self._follow)
         windows.orderChanged.connect(self.bar.refresh)
-        windows.filterChosen.connect(self._keep_filter)
         session.inputsChanged.connect(self._hide_on_map)
         session.loss_view.changed.connect(self._hide_loss)
         self._follow()
@@ -67,18 +66,11 @@ class JudgingDesk(QObject):
 
     def _follow(self) -> None:
         """The operator or what is hidden changed."""
-        model, settings = self.model, self.model.settings
-        self._windows.operator = model.operator
-        allowed = frozenset((_NUMBER, *model.operator)) if model.is_blind else None
-        self._windows.set_blind(allowed)
-        self._windows.set_filter(settings.search, settings.shown)
+        model = self.model
+        self._windows.show_for(model.operator, model.is_blind)
         self._hide_loss()
         self._hide_on_map()
         self.bar.refresh()
-
-    def _keep_filter(self) -> None:
-        search, shown = self._windows.filter()
-        self.model.change(search=search, shown=shown)
 
     # What the map tells
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
 from qgis.gui import QgsFilterLineEdit
-from qgis.PyQt.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QModelIndex, QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
@@ -22,21 +22,17 @@ from qgis.PyQt.QtWidgets import (
 
 from ....imagery.errors import SettingsError, cell_text
 from ....imagery.statistics import Operator
-from ....toolkit.desk.widgets import is_confirmed, single_shot
+from ....toolkit.desk.widgets import is_confirmed
 from ....toolkit.translation import filled, sentence, tr
-from .kind_box import KindBox
-from .window_columns import TableColumn
-from .windows_filter import window_filter
-from .windows_model import WindowsModel
-from .windows_table import WindowsTable
+from .window_columns import WINDOW_ID, TableColumn
+from .windows_filter import KindBox, window_filter
+from .windows_table import WindowsModel, WindowsTable
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
 _WIDE_LETTERS = 60  # the count of windows has room beside the search
-_TYPED_MS = 500  # without a letter: what is searched for stands
-_SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
 
 
 class WindowsPanel(QWidget):
@@ -44,7 +40,6 @@ class WindowsPanel(QWidget):
 
     zoomRequested = pyqtSignal(int)  # feature id of the window to be looked at
     orderChanged = pyqtSignal()  # other windows are shown, or in another order
-    filterChosen = pyqtSignal()
 
     def __init__(
         self, session: Session, parent: QWidget | None = None, confirm: Callable[[QWidget, str], bool] = is_confirmed
@@ -60,12 +55,10 @@ class WindowsPanel(QWidget):
         self._verdicts = KindBox(self)
         self._problem = QLabel(self)
         self._problem.setTextFormat(Qt.TextFormat.PlainText)
-        self._filter_time = single_shot(self, self.filterChosen, _TYPED_MS)
         self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self)
         self.table.setToolTip(
-            tr("A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them. A right click "
-               "on the headings chooses columns, a drag moves them.")
+            tr("A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them.")
         )
         self.table.setAccessibleName(tr("Windows"))
         self._search.setShowSearchIcon(True)
@@ -84,7 +77,7 @@ class WindowsPanel(QWidget):
         self.table.zoomRequested.connect(self._zoom)
         self.table.removeRequested.connect(self._remove)
         self.table.customContextMenuRequested.connect(self._show_menu)
-        self._windows.layoutChanged.connect(self._tell_order)
+        self._windows.modelReset.connect(self._take_order)
         session.windowsChanged.connect(self._take_windows)
         session.selectionChanged.connect(self._take_selection)
         self._take_windows()
@@ -93,33 +86,15 @@ class WindowsPanel(QWidget):
         """The order before the operator sorted otherwise."""
         self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
 
-    def set_blind(self, allowed: frozenset[str] | None) -> None:
-        """Show these columns and no others, and offer nothing that tells what was found; None: show all."""
-        self.table.set_blind(allowed)
-        self._allowed = allowed
-        if allowed is not None and self._windows.sorted_by.field not in allowed:
-            self.sort_by_number()  # another order would tell
-        self._verdicts.set_blind(allowed is not None)
-        self._filter()
-
-    def filter(self) -> tuple[str, str]:
-        """What is searched for, and the name of the kind of windows that is shown."""
-        return self._search.text(), self._verdicts.kind()
-
-    def set_filter(self, search: str, kind: str) -> None:
-        """Filter as it was before."""
-        if (search, kind) != self.filter():
-            self._search.setText(search)
-            self._verdicts.show_kind(kind)
-
-    @property
-    def operator(self) -> Operator:
-        """Whose verdicts the filter asks for."""
-        return self._verdicts.operator
-
-    @operator.setter
-    def operator(self, operator: Operator) -> None:
+    def show_for(self, operator: Operator, is_blind: bool) -> None:
+        """Filter by this operator's verdicts; while he is blind, show and offer nothing that tells what was found."""
         self._verdicts.operator = operator
+        self._allowed = allowed = frozenset((WINDOW_ID.name, *operator)) if is_blind else None
+        self.table.set_blind(allowed)
+        if allowed is not None and self._windows.sorted_by.name not in allowed:
+            self.sort_by_number()  # another order would tell
+        self._verdicts.set_blind(is_blind)
+        self._filter()
 
     def copy(self, *_: object) -> None:
         """The selected rows to the clipboard."""
@@ -141,13 +116,12 @@ class WindowsPanel(QWidget):
         with self._following():
             problem, query = "", None
             try:
-                query = window_filter(self._search.text(), self._windows.levels, self._allowed, self._session.windows())
+                query = window_filter(self._search.text(), self._allowed, self._session.windows())
             except SettingsError as error:  # which leaves no window out
                 problem = sentence(error.message)
             self._windows.set_filter(test for test in (query, self._verdicts.test()) if test is not None)
         self._problem.setText(problem)
         self._problem.setVisible(bool(problem))
-        self._filter_time.start()
 
     @contextmanager
     def _following(self) -> Iterator[None]:
@@ -158,9 +132,11 @@ class WindowsPanel(QWidget):
         selected = self._selected_numbers()
         with self._unmoved():
             yield
-        top = -1 if anchor is None else self._windows.row_numbered(anchor)
-        if top >= 0 and top != self.table.rowAt(0):
-            self.table.scrollTo(self._windows.index(top, 0), QAbstractItemView.ScrollHint.PositionAtTop)
+        rows = [] if anchor is None else [row.window_id for row in self._windows.windows()]
+        if anchor in rows and rows.index(anchor) != self.table.rowAt(0):
+            self.table.scrollTo(
+                self._windows.index(rows.index(anchor), 0), QAbstractItemView.ScrollHint.PositionAtTop
+            )
         self._show_selection(selected)
         self._describe()
         self.orderChanged.emit()
@@ -174,12 +150,8 @@ class WindowsPanel(QWidget):
     def _show_selection(self, before: set[int]) -> None:
         """Select what the session has selected, and bring it into sight where it was not selected ``before``."""
         rows = sorted(row for row in map(self._windows.row_of, self._session.selected()) if row >= 0)
-        selection = self.table.selectionModel()
         with self._unmoved():
-            if rows != self.table.selected_rows():
-                selection.select(self.table.rows_selection(rows), _SELECT_ROWS)
-            if rows and selection.currentIndex().row() not in rows:
-                selection.setCurrentIndex(self._windows.index(rows[0], 0), QItemSelectionModel.SelectionFlag.NoUpdate)
+            self.table.select_rows(rows)
         fresh = [row for row in rows if self._windows.windows()[row].window_id not in before]
         if fresh and not any(map(self.table.is_in_sight, rows)):
             self.table.scrollTo(self._windows.index(fresh[0], 0), QAbstractItemView.ScrollHint.PositionAtCenter)
@@ -204,13 +176,15 @@ class WindowsPanel(QWidget):
                 if len(fids) == 1:
                     self.zoomRequested.emit(fids[0])
 
-    def _tell_order(self, *_: object) -> None:
+    def _take_order(self) -> None:
+        """The operator sorted the windows."""
         if not self._is_following:
+            self._show_selection(set())
             self.orderChanged.emit()
 
     def _describe(self) -> None:
         """How many windows are left by the filter, and what an empty table says."""
-        shown, count = self._windows.rowCount(), self._windows.count
+        shown, count = self._windows.rowCount(), len(self._windows.all_windows())
         has_room = self.width() > _WIDE_LETTERS * self.fontMetrics().averageCharWidth()  # the judge bar says it, too
         self._count.setVisible(self._windows.is_filtered and count > 0 and has_room)
         self._count.setText(filled(tr("{shown} of {count}"), shown=shown, count=count))
