@@ -429,12 +429,7 @@
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="115"/>
-        <source>significant loss below</source>
-        <translation>istotna strata poniżej</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="138"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="129"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -464,19 +459,9 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="102"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="239"/>
         <source>limit</source>
         <translation>granica</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="128"/>
-        <source>Click to show this curve</source>
-        <translation>Kliknij, aby pokazać tę krzywą</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="128"/>
-        <source>Click to hide this curve</source>
-        <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/inspection_record.py" line="129"/>
@@ -659,37 +644,37 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="221"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="195"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="197"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="235"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="209"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="215"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="217"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="222"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="245"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="219"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -954,7 +939,7 @@
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="64"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="58"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
@@ -984,12 +969,12 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="65"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="61"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="65"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="61"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
@@ -1074,22 +1059,22 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="138"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="129"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="146"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="137"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="148"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="139"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="151"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="142"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
@@ -1104,14 +1089,9 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="125"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="116"/>
         <source>composite</source>
         <translation>kompozycja</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="131"/>
-        <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
-        <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, z tonacją wyrównaną do ortofotomapy</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
@@ -4278,7 +4258,7 @@
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="144"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="135"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
@@ -4661,11 +4641,6 @@
     <message>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="104"/>
-        <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
-        <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="53"/>
@@ -5378,7 +5353,7 @@
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="202"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
@@ -11391,27 +11366,27 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="51"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="47"/>
         <source>Save the chart as a picture (PNG or SVG)</source>
         <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="67"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="63"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="84"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="80"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="87"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="83"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="80"/>
+        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="76"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
@@ -12143,12 +12118,7 @@
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="51"/>
-        <source>Click an entry to hide its curve or to show it again</source>
-        <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="237"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="211"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
@@ -12360,6 +12330,16 @@
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="61"/>
         <source>A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them.</source>
         <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="207"/>
+        <source>and {count} more</source>
+        <translation>i {count} więcej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="67"/>
+        <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
+        <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
 </context>
 </TS>

@@ -136,7 +136,7 @@ def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: 
         assert report[f"{place}_judge_whole"], place
         contrasts = report[f"{place}_contrasts"]
         kinds = {words.split()[0] for words in contrasts}
-        assert kinds >= {"heading", "label", "button"} | ({"legend"} if "images" not in place else set())
+        assert kinds >= {"heading", "label", "button"}
         assert {words: ratio for words, ratio in contrasts.items() if ratio < READABLE} == {}, place
     if name != "scaled":
         assert report["low_window"][1] <= 700

@@ -14,8 +14,6 @@ from ..measure.window_records import COMPOSITE, REFERENCES
 if TYPE_CHECKING:
     from ..measure.window.window_result import WindowCurves
 
-Key = tuple[bool, str]
-"""What tells a curve from others, and stays from window to window: whether it is the mosaic's, and its name."""
 Point = tuple[int, int]
 """A curve's index and a component's."""
 _LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
@@ -36,11 +34,6 @@ class ChartCurve:
     is_reference: bool = False  # whether the verdict is taken against it alone, and not against the sources
 
     @property
-    def key(self) -> Key:
-        """What it is known by."""
-        return self.is_mosaic, self.label
-
-    @property
     def values(self) -> tuple[float, ...]:
         """Levels 1..R, then the background; NaN for a constant clip."""
         return (*self.detail, self.background)
@@ -52,14 +45,12 @@ class Chart:
 
     curves: tuple[ChartCurve, ...]
     max_ratio: float  # the limit of a significant loss at level 1, relative to the least sharp source
-    hidden: frozenset[Key] = frozenset()  # curves that are not drawn, but count for limit and scale
 
 
 def numbered(curves: Sequence[ChartCurve]) -> list[tuple[int, ChartCurve]]:
     """The curves with their numbers among the sources."""
-    sources = [curve for curve in curves if not (curve.is_mosaic or curve.is_composite)]
-    places = {curve.key: number for number, curve in enumerate(sources)}
-    return [(places.get(curve.key, 0), curve) for curve in curves]
+    are_sources = [not (curve.is_mosaic or curve.is_composite) for curve in curves]
+    return [(sum(are_sources[:place]), curve) for place, curve in enumerate(curves)]
 
 
 def least_of_sources(curves: Sequence[ChartCurve], component: int) -> float | None:

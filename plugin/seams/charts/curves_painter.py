@@ -3,14 +3,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Union
+from typing import NamedTuple, Union
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
-from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
+from ...imagery.errors import printable
 from ...toolkit.charts.chart_painter import PT, ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle, source_look
-from ...toolkit.translation import formatted, tr
+from ...toolkit.translation import filled, formatted, tr
 from .chart_curves import Chart, ChartCurve, Point, numbered, share_range, share_ticks, significance_limit
 
 PenStyle = Union[Qt.PenStyle, tuple[float, ...]]
@@ -38,7 +39,7 @@ def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, 
     return colour, _PENS[line]
 
 
-def curve_pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
+def _pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
     """Pen of a curve; its width in px."""
     pen = QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin)
     if isinstance(dashes, tuple):
@@ -46,19 +47,6 @@ def curve_pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
     else:
         pen.setStyle(dashes)
     return pen
-
-
-def paint_piece(
-    painter: QPainter, box: QRectF, colour: QColor, dashes: PenStyle, width: float, radius: float
-) -> None:
-    """A piece of a line with one of its points, for a legend; sizes in heights of the box."""
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(curve_pen(colour, dashes, width * box.height()))
-    painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()))
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(colour)
-    painter.drawEllipse(box.center(), radius * box.height(), radius * box.height())
-    painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 class CurvesPainter(ChartPainter):
@@ -77,7 +65,7 @@ class CurvesPainter(ChartPainter):
         self._lay_out()
         self.places = {
             (index, component): self._place(component, share)
-            for index, curve in enumerate(chart.curves) if curve.key not in chart.hidden
+            for index, curve in enumerate(chart.curves)
             for component, share in enumerate(curve.values) if share > 0
         }  # fmt: skip
         """Places of the points that can be seen, by curve and component."""
@@ -110,7 +98,7 @@ class CurvesPainter(ChartPainter):
         self._paint_frame(painter)
         curves = [
             (index, *curve_look(curve, number, self.style))
-            for index, (number, curve) in enumerate(numbered(self.chart.curves)) if curve.key not in self.chart.hidden
+            for index, (number, curve) in enumerate(numbered(self.chart.curves))
         ]  # fmt: skip
         curves.sort(key=lambda curve: self.chart.curves[curve[0]].is_mosaic)
         self._paint_limit(painter)
@@ -163,7 +151,7 @@ class CurvesPainter(ChartPainter):
     ) -> None:
         is_mosaic = self.chart.curves[index].is_mosaic
         width, radius = ((2.6, 3.0) if is_mosaic else (1.2, 2.0))
-        painter.setPen(curve_pen(colour, dashes, (width + wider) * PT * self.style.scale))
+        painter.setPen(_pen(colour, dashes, (width + wider) * PT * self.style.scale))
         for piece in self._pieces(index):
             painter.drawPolyline(QPolygonF(piece))
         painter.setPen(Qt.PenStyle.NoPen)
@@ -186,3 +174,67 @@ class CurvesPainter(ChartPainter):
                 piece = []
         if piece:
             yield piece
+
+
+_SHOWN_CHARACTERS = 14  # of a name in the legend, elided in its middle, so that two of them fit into a narrow dock
+_MOST_ACROSS = 4  # names in a row; more are hard to scan
+_MOST_OF_ROOM = 0.35  # that the legend takes
+_PIECE_LINES = 1.6  # length of a line's piece, in lines of the font
+
+
+class LegendEntry(NamedTuple):
+    """A name in the legend, and what stands before it."""
+
+    name: str
+    colour: str
+    dashes: PenStyle = Qt.PenStyle.SolidLine
+    width: float = 0.11  # of its line, and the radius of its point, in lines of the font
+    radius: float = 0.19
+
+
+class LegendedCurves(CurvesPainter):
+    """A ``Chart`` above the legend of its curves."""
+
+    def __init__(
+        self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont, point: Point | None = None
+    ) -> None:
+        metrics, self.entries = QFontMetricsF(font), _entries(chart, style)
+        widest = max((metrics.horizontalAdvance(entry.name) for entry in self.entries), default=0.0)
+        least = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth()) + (_PIECE_LINES + 1) * metrics.height()
+        across = max(1, min(int(room.width() // least), len(self.entries), _MOST_ACROSS))
+        rows = max(1, min(-(-len(self.entries) // across), int(_MOST_OF_ROOM * room.height() / metrics.height())))
+        if (beyond := len(self.entries) - across * rows) > 0:
+            more = filled(tr("and {count} more"), count=beyond + 1)
+            self.entries[across * rows - 1 :] = [LegendEntry(more, style.background)]
+        self._across = across
+        self._legend = QRectF(room)
+        self._legend.setTop(room.bottom() - (rows + 0.3) * metrics.height())
+        super().__init__(chart, room.adjusted(0, 0, 0, -self._legend.height()), style, font, point)
+
+    def _paint(self, painter: QPainter) -> None:
+        super()._paint(painter)
+        painter.fillRect(self._legend, QColor(self.style.background))
+        line, width = self.line, self._legend.width() / self._across
+        for place, entry in enumerate(self.entries):
+            row, column = divmod(place, self._across)
+            left, middle = self._legend.left() + column * width + line / 3, self._legend.top() + (row + 0.5) * line
+            end = left + _PIECE_LINES * line
+            painter.setPen(_pen(QColor(entry.colour), entry.dashes, entry.width * line))
+            painter.drawLine(QPointF(left, middle), QPointF(end, middle))
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(entry.colour))
+            painter.drawEllipse(QPointF((left + end) / 2, middle), entry.radius * line, entry.radius * line)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QColor(self.style.text))
+            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideMiddle, width - (end - left) - line)
+            painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
+
+
+def _entries(chart: Chart, style: ChartStyle) -> list[LegendEntry]:
+    entries = []
+    for number, curve in numbered(chart.curves):
+        size = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
+        entries.append(LegendEntry(printable(curve.label), *curve_look(curve, number, style), *size))
+    if significance_limit(chart.curves, chart.max_ratio) is not None:
+        entries.append(LegendEntry(tr("limit"), style.limit, Qt.PenStyle.SolidLine, 0.15, 0.0))
+    return entries

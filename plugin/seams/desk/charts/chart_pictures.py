@@ -1,32 +1,28 @@
 """Pictures of the desk's charts on white paper, and the button that saves one."""
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 from qgis.core import Qgis, QgsApplication
 from qgis.PyQt.QtCore import QRectF, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QFontMetricsF, QPainter
+from qgis.PyQt.QtGui import QColor, QPainter
 from qgis.PyQt.QtWidgets import QFileDialog, QToolButton, QWidget
 
 from ....imagery.atomic_files import replacing
-from ....imagery.errors import SettingsError, printable
+from ....imagery.errors import SettingsError
 from ....toolkit.charts.chart_painter import chart_image, chart_svg, paper_font
 from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.widgets import check_chosen_file
 from ....toolkit.translation import filled, sentence, tr
-from ...charts.chart_curves import Chart, numbered, significance_limit
-from ...charts.curves_painter import CurvesPainter, PenStyle, curve_look, paint_piece
+from ...charts.chart_curves import Chart
+from ...charts.curves_painter import LegendedCurves
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
 _CURVES_SIZE, _PROFILE_SIZE = (700, 420), (560, 340)  # px of a picture
 _DOTS = 3  # a side of each pixel
-_TITLE_PX = 15
-_LETTERS_PX, _LEGEND_PX = 13.9, 11.1  # 10 and 8 points
-_GAP_PX = 8
-_PIECE_PX = 26, 16  # width and height of a line's piece in the legend of a picture
+_LETTERS_PX = 13.9  # 10 points
 
 
 @dataclass(frozen=True)
@@ -89,54 +85,20 @@ class PictureButton(QToolButton):
 
 
 def curves_picture(name: str, chart: Chart, title: str) -> ChartPicture:
-    """Curves as they are shown."""
-    return ChartPicture(name, CurvesPicture(chart, title).paint, _CURVES_SIZE)
+    """Curves as they are shown, with their title, on white paper."""
+    room = QRectF(0, 0, *_CURVES_SIZE)
+    curves = LegendedCurves(chart, room.adjusted(0, 1.8 * _LETTERS_PX, 0, 0), PAPER, paper_font(_LETTERS_PX))
+
+    def paint(painter: QPainter) -> None:
+        curves.paint(painter)
+        painter.setPen(QColor(PAPER.text))
+        painter.setFont(curves.font)
+        painter.drawText(QRectF(0, 0, room.width(), 2 * _LETTERS_PX), Qt.AlignmentFlag.AlignCenter, title)
+
+    return ChartPicture(name, paint, _CURVES_SIZE)
 
 
 def profile_picture(name: str, shown: ShownProfile) -> ChartPicture:
     """A seam profile as it is shown."""
     painter = ProfilePainter(shown, QRectF(0, 0, *_PROFILE_SIZE), PAPER, paper_font(12))
     return ChartPicture(name, painter.paint, _PROFILE_SIZE)
-
-
-class CurvesPicture:
-    """Curves as they are shown, hidden ones left out, with title and legend, on white paper."""
-
-    def __init__(self, chart: Chart, title: str) -> None:
-        self._title, self._title_font, self._font = title, paper_font(_TITLE_PX), paper_font(_LEGEND_PX)
-        self._title_font.setBold(True)
-        self.entries: list[tuple[str, str, PenStyle, tuple[float, float]]] = []
-        """Entries of the legend: name, colour and dashes of the line, its width and the radius of its points."""
-        for number, curve in numbered(chart.curves):
-            if curve.key not in chart.hidden:
-                size = (0.22, 0.26) if curve.is_mosaic else (0.1, 0.17)
-                self.entries.append((printable(curve.label), *curve_look(curve, number, PAPER), size))
-        if significance_limit(chart.curves, chart.max_ratio) is not None:
-            self.entries.append((tr("significant loss below"), PAPER.limit, Qt.PenStyle.SolidLine, (0.17, 0.0)))
-        widest = max((QFontMetricsF(self._font).horizontalAdvance(name) for name, *_ in self.entries), default=0.0)
-        width, height = _CURVES_SIZE
-        self._legend = QRectF(0, 0, min(widest + _PIECE_PX[0] + 2 * _GAP_PX, width / 2), 1.05 * _PIECE_PX[1])
-        self._legend.moveRight(width)
-        room = QRectF(0, 1.6 * _TITLE_PX, self._legend.left(), height - 1.6 * _TITLE_PX)
-        self._chart = CurvesPainter(chart, room, PAPER, paper_font(_LETTERS_PX))
-
-    def paint(self, painter: QPainter) -> None:
-        """On ``_CURVES_SIZE`` px."""
-        self._chart.paint(painter)
-        axes = self._chart.axes
-        painter.setPen(QColor(PAPER.text))
-        painter.setFont(self._title_font)
-        title = axes.adjusted(-axes.width(), 0, axes.width(), 0)  # whatever its length, above their middle
-        title.setCoords(title.left(), 0, title.right(), 2 * _TITLE_PX)
-        painter.drawText(title, Qt.AlignmentFlag.AlignCenter, self._title)
-        painter.setFont(self._font)
-        row = QRectF(self._legend)
-        row.moveTop(axes.center().y() - len(self.entries) * row.height() / 2)
-        for name, colour, dashes, size in self.entries:
-            piece = QRectF(row.left(), row.top(), *_PIECE_PX)
-            paint_piece(painter, piece, QColor(colour), dashes, *size)
-            painter.setPen(QColor(PAPER.text))
-            words = row.adjusted(_PIECE_PX[0] + _GAP_PX, 0, 0, 0)
-            fitting = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, math.ceil(words.width()))
-            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, fitting)
-            row.translate(0, row.height())

@@ -13,7 +13,7 @@ from ....toolkit.charts.chart_painter import ChartPainter
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.painting import painting
 from ...charts.chart_curves import Chart, Point
-from ...charts.curves_painter import CurvesPainter
+from ...charts.curves_painter import LegendedCurves
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
 if TYPE_CHECKING:
@@ -69,11 +69,11 @@ class CurvesChart(ChartWidget):
         self.chart: Chart | None = None  # what is seen
         self.point: Point | None = None  # what the mouse points at
 
-    def painter(self) -> CurvesPainter | None:
+    def painter(self) -> LegendedCurves | None:
         if self.chart is None:
             return None
         room, font = QRectF(self.rect()), self.font()
-        return CurvesPainter(self.chart, room, chart_style(self), font, self.point)
+        return LegendedCurves(self.chart, room, chart_style(self), font, self.point)
 
     def show_chart(self, chart: Chart) -> None:
         """Paint a chart, at which nobody points yet; nothing happens when it is there already."""

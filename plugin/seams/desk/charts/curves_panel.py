@@ -5,24 +5,20 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QWidget
 
 from ....toolkit.desk.chart_panel import ChartPanel
-from ....toolkit.desk.theme import chart_style
-from ....toolkit.desk.widgets import ClippedLabel, plain_tip, single_shot
+from ....toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip, single_shot
 from ....toolkit.translation import BAND_ORDER, band_title, filled, sentence, tr
 from ...charts.chart_curves import (
     Chart,
     ChartCurve,
-    Key,
     bands_of,
     point_words,
-    significance_limit,
     window_curves,
 )
 from .chart_pictures import PictureButton, curves_picture
 from .chart_widgets import CurvesChart
-from .curves_legend import CurvesLegend
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,7 +29,6 @@ if TYPE_CHECKING:
 
 _TOGETHER_MS = 150  # changes that come within this time are drawn once
 _PATIENCE_MS = 400  # that a chart of another window stays as it is while the next one is measured
-_MAX_LEGEND_SHARE = 0.3  # of the panel
 
 
 class CurvesPanel(ChartPanel):
@@ -42,7 +37,6 @@ class CurvesPanel(ChartPanel):
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._hidden: set[Key] = set()
         self._colours: dict[str, int] = {}
         self._band = ""  # the user's choice, kept while other windows lack it
         self._idle_text = ""
@@ -69,15 +63,10 @@ class CurvesPanel(ChartPanel):
         self._save.notified.connect(self._session.messageRaised)
         self._chart = CurvesChart()
         self._chart.pointed.connect(self._show_point)
-        self._legend = CurvesLegend()
-        self._legend.toggled.connect(self._on_toggled)
-        self._drawn = QWidget()
-        layout = QVBoxLayout(self._drawn)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self._chart, 1)
-        layout.addWidget(self._legend)
-        self._pages.addWidget(self._drawn)
+        self._chart.setToolTip(rich_tip(tr(
+            "The composite is what a hard cut of the sources along the seam, levelled to the mosaic's tone, would have. On "
+            "or below the limit a loss is significant by curves.")))
+        self._pages.addWidget(self._chart)
         self._status = ClippedLabel(1)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         tools = QHBoxLayout()
@@ -85,13 +74,11 @@ class CurvesPanel(ChartPanel):
         tools.addStretch()
         tools.addWidget(self._save)
         self._lay_out(tools, self._status)
-        self.setTabOrder(self._save, self._legend)
 
     # when to draw
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit_legend()
         self._show_point()
 
     def _refresh_soon(self) -> None:
@@ -127,7 +114,7 @@ class CurvesPanel(ChartPanel):
 
     @property
     def _shows_chart(self) -> bool:
-        return bool(self._pages.currentWidget() is self._drawn)
+        return bool(self._pages.currentWidget() is self._chart)
 
     def _wait_for_curves(self, words: str) -> None:
         """The chart before stays meanwhile, faint when it takes long."""
@@ -154,13 +141,8 @@ class CurvesPanel(ChartPanel):
         return tuple(window_curves(result, band, self._colours, self._session.inputs.reference))
 
     def _draw(self, result: WindowCurves, curves: tuple[ChartCurve, ...]) -> None:
-        hidden = frozenset(self._hidden & {curve.key for curve in curves})
-        chart = Chart(curves, self._session.inputs.max_ratio, hidden)
-        style = chart_style(self._legend)  # one sheet with it
-        has_limit = significance_limit(curves, chart.max_ratio) is not None
-        self._legend.show_curves(curves, hidden, style, has_limit)
-        self._pages.setCurrentWidget(self._drawn)  # first, or its parts find their sizes after they are drawn
-        self._fit_legend()
+        chart = Chart(curves, self._session.inputs.max_ratio)
+        self._pages.setCurrentWidget(self._chart)
         self._dimmer.stop()
         self._chart.setEnabled(True)
         self._chart.show_chart(chart)
@@ -178,18 +160,10 @@ class CurvesPanel(ChartPanel):
         self._save.offer(None)
         self._show_point()
 
-    def _fit_legend(self) -> None:
-        most = int(_MAX_LEGEND_SHARE * self._pages.height())
-        self._legend.setFixedHeight(self._legend.height_within(self._pages.width(), most))
-
     # what the user does
 
     def _on_band_chosen(self, index: int) -> None:
         self._band = self._bands.itemData(index)
-        self._refresh_now()
-
-    def _on_toggled(self, key: Key) -> None:
-        self._hidden ^= {key}
         self._refresh_now()
 
     def _show_point(self, *_: object) -> None:
