@@ -644,37 +644,37 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="195"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="196"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="198"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="209"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="210"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="215"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="216"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="218"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="223"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="219"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="220"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -844,7 +844,7 @@
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="25"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="34"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
@@ -854,7 +854,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="342"/>
+        <location filename="../plugin/seams/desk/dock.py" line="344"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -5353,7 +5353,7 @@
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="203"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
@@ -5443,22 +5443,22 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="60"/>
+        <location filename="../plugin/seams/desk/dock.py" line="59"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="319"/>
+        <location filename="../plugin/seams/desk/dock.py" line="321"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="328"/>
+        <location filename="../plugin/seams/desk/dock.py" line="330"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="325"/>
+        <location filename="../plugin/seams/desk/dock.py" line="327"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5508,7 +5508,7 @@
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="26"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="35"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
@@ -11736,12 +11736,12 @@
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="63"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="63"/>
         <source>Undo {step}</source>
         <translation>Cofnij: {step}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="64"/>
         <source>Redo {step}</source>
         <translation>Ponów: {step}</translation>
     </message>
@@ -12118,7 +12118,7 @@
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="211"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="212"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>

@@ -1,4 +1,4 @@
-"""What listens to the keys of the desk.
+"""What listens to the keys of the desk, and undo and redo, which QGIS has the same keys for.
 
 QGIS has shortcuts of its own on some of these keys, and Qt does nothing where two compete for one. So keys are taken
 where they arrive, at the widget that has the focus, before anybody makes a shortcut of them.
@@ -6,19 +6,67 @@ where they arrive, at the widget that has the focus, before anybody makes a shor
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any
 
+from qgis.core import QgsApplication
 from qgis.gui import QgsMapCanvas, QgsMapTool
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
-from qgis.PyQt.QtWidgets import QAbstractItemView, QApplication, QDockWidget, QWidget
+from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtWidgets import QAbstractItemView, QAction, QApplication, QDockWidget, QMainWindow, QWidget
 
 from ...toolkit.desk.keyboard import FocusFilter, HeldKeys, is_keyboard_free
-from .keys import JUDGING, KEYS, MAP, MAP_AND_TABLE
-from .windows.undo_actions import UndoActions
+from ...toolkit.translation import filled, tr
+from .keys import JUDGING, KEYS, MAP, MAP_AND_TABLE, keys_for
 from .windows.windows_table import WindowsTable
 
 _EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
 _PLACES = {MAP: ("map",), MAP_AND_TABLE: ("map", "table")}  # of the focus; other keys work in the rest of the desk too
 _MODIFIERS = {"Ctrl": Qt.KeyboardModifier.ControlModifier, "Shift": Qt.KeyboardModifier.ShiftModifier}
+
+
+class UndoActions(QObject):
+    """Undo and redo of the windows, for buttons and keys."""
+
+    def __init__(self, stack: Any, window: QMainWindow, parent: QObject) -> None:
+        """``stack``: a QUndoStack."""
+        super().__init__(parent)
+        self._stack = stack
+        self.undo = QAction(QgsApplication.getThemeIcon("/mActionUndo.svg"), tr("Undo"), self)
+        self.redo = QAction(QgsApplication.getThemeIcon("/mActionRedo.svg"), tr("Redo"), self)
+        self.undo.triggered.connect(stack.undo)
+        self.redo.triggered.connect(stack.redo)
+        self.actions = {"undo": self.undo, "redo": self.redo}  # actions by the names of their keys
+        self._of_qgis = {name: window.findChild(QAction, f"mAction{name.title()}") for name in self.actions}
+        stack.indexChanged.connect(self.refresh)
+        self.refresh()
+
+    def close(self) -> None:
+        """Follow no steps any more."""
+        self._stack.indexChanged.disconnect(self.refresh)
+
+    def meant(self, name: str, key: str, is_ours: bool) -> QAction | None:
+        """The action that a key is for; None where QGIS takes it itself, or there is nothing to do.
+
+        ``is_ours``: windows are meant whatever layer is active; else what the active layer has to undo comes first.
+        """
+        action, of_qgis = self.actions[name], self._of_qgis[name]
+        if is_ours:
+            return action
+        if of_qgis is not None and of_qgis.isEnabled():
+            return None if QKeySequence(key) in of_qgis.shortcuts() else of_qgis
+        return action if action.isEnabled() else None
+
+    def refresh(self, *_: object) -> None:
+        """What can be undone and done again, and by which name."""
+        stack = self._stack
+        for name, action, step, word, words in (
+            ("undo", self.undo, stack.undoText(), tr("Undo"), tr("Undo {step}")),
+            ("redo", self.redo, stack.redoText(), tr("Redo"), tr("Redo {step}")),
+        ):
+            action.setEnabled(bool(step))
+            action.setText(filled(words, step=step) if step else word)
+            shown = (QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys_for(name))
+            action.setToolTip(f"{action.text()} ({', '.join(shown)})")
 
 
 class DeskKeys(QObject):

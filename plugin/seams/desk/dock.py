@@ -28,7 +28,7 @@ from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from .accept_page import AcceptPage
 from .charts.profile_panel import CurvesAndProfile
-from .desk_keys import DeskKeys
+from .desk_keys import DeskKeys, UndoActions
 from .dock_body import DockBody
 from .images.images_panel import ImagesPanel
 from .inputs.inputs_panel import InputsPanel
@@ -43,7 +43,6 @@ from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, ScanMessage, uncover
 from .report_writer import ReportWriter
 from .session import Session
-from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
 
 
@@ -91,7 +90,7 @@ class InspectionDock(ToolDock):
         self.layout_of_judging.action.toggled.connect(self.flicker.hide)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
         self.scans.scanned.connect(self._findings.show)
-        self.steps = UndoActions(self.session, iface.mainWindow(), self)
+        self.steps = UndoActions(self.session.steps, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
             {**self.judging.key_actions(), "layout": _triggered(self.layout_of_judging.action),
@@ -118,6 +117,7 @@ class InspectionDock(ToolDock):
         self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.zoomRequested.connect(self.zoom_to)
         self.judging.model.stepped.connect(self.zoom_to)
+        self._is_blind = False
         self.judging.model.changed.connect(self._hide_findings)
         self._hide_findings()
         self._enable_actions()
@@ -277,7 +277,9 @@ class InspectionDock(ToolDock):
         is_blind = self.judging.model.is_blind
         self._tab_widget.setTabVisible(0, not is_blind)
         allow(self.lost.action, tr("Results are hidden while you judge blind.") if is_blind else "")
-        self.steps.keep_steps(is_blind)
+        if is_blind and not self._is_blind:
+            self.session.steps.clear()
+        self._is_blind = is_blind
         self._name_window()
 
     def _name_window(self) -> None:

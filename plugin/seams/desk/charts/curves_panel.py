@@ -64,8 +64,9 @@ class CurvesPanel(ChartPanel):
         self._chart = CurvesChart()
         self._chart.pointed.connect(self._show_point)
         self._chart.setToolTip(rich_tip(tr(
-            "The composite is what a hard cut of the sources along the seam, levelled to the mosaic's tone, would have. On "
-            "or below the limit a loss is significant by curves.")))
+            "The composite is what a hard cut of the sources along the seam, levelled to the mosaic's tone, would "
+            "have. On or below the limit a loss is significant by curves."
+        )))
         self._pages.addWidget(self._chart)
         self._status = ClippedLabel(1)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)

@@ -160,6 +160,8 @@ _GIVING_WAY = (
     "cause",
 )  # fmt: skip
 """Columns without room, the first that go first; verdict, loss and observer always stay."""
+_BEFORE_CAUSES = _GIVING_WAY[:3]  # that go before causes are cut short
+_CAUSE_LETTERS = 12  # that causes have beyond their heading then
 
 
 class WindowsTable(QTableView):
@@ -255,7 +257,8 @@ class WindowsTable(QTableView):
         sizes = {place: self._least(column) for place, column in enumerate(COLUMNS) if column.name in names}
         room = self.viewport().width()
         for name in _GIVING_WAY:
-            if sum(sizes.values()) <= room:
+            causes = _CAUSE_LETTERS * metrics.averageCharWidth() if name in _BEFORE_CAUSES else 0
+            if sum(sizes.values()) + causes <= room:
                 break
             sizes = {place: size for place, size in sizes.items() if COLUMNS[place].name != name}
         spare = room - sum(sizes.values())
