@@ -964,7 +964,7 @@
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="191"/>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="176"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
@@ -5468,39 +5468,34 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="318"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="306"/>
         <source>no source has pixels there</source>
         <translation>żaden ortoobraz nie ma tam pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="323"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="311"/>
         <source>{counted} or more</source>
         <translation>{counted} lub więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="325"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="313"/>
         <source>{share:.0f} % of the mosaic is empty there</source>
         <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="326"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="314"/>
         <source>{share:.1f} % of the mosaic is empty there</source>
         <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="87"/>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="85"/>
         <source>Look where the sources have pixels</source>
         <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="175"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="174"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="220"/>
-        <source>{metres:.1f} m aside, where it can be judged; Ctrl places it here</source>
-        <translation>{metres:.1f} m obok, gdzie można je ocenić; z Ctrl tutaj</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/map/lost_detail.py" line="191"/>
@@ -8727,7 +8722,7 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="315"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="303"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>

@@ -12,7 +12,6 @@ from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.translation import sentence
 from ..jobs import ScanOrder
-from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
 from .inputs.block_cache import BlockCache
@@ -90,16 +89,6 @@ class SessionInputs(QObject):
         """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
         block = self.block()
         return block.mosaic.grid if block is not None else None
-
-    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
-        """The nearest window of that size that can be judged, its middle on a seam; None where none is near."""
-        grid = self.mosaic_grid()
-        if grid is None:
-            return None
-        xmin, ymin, xmax, ymax = grid.window_extent(window)
-        reach, spacing = SEARCHED_SIDES * max(xmax - xmin, ymax - ymin), FEWEST_PX * grid.pixel_width
-        middle = (xmin + xmax) / 2, (ymin + ymax) / 2
-        return self._coverage.nearest(window, self._seams.index.points(*middle, reach, spacing) if on_seam else None)
 
     @property
     def live(self) -> LiveWindow | None:

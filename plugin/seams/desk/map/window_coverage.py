@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-import numpy as np
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import RasterError
@@ -22,7 +21,6 @@ from ...measure.inputs.valid_cells import (
     CellGrid,
     ValidCells,
     is_mosaic_enough,
-    nearest_judgeable,
     takes_part,
     valid_cells,
 )
@@ -103,19 +101,6 @@ class WindowCoverage(QObject):
                     self._advance(source)
         known = self._known.get(mosaic.ref)
         return Coverage(sources, unread, None if known is None else 1 - known.share(cells))
-
-    def nearest(self, window: PixelWindow, along: np.ndarray | None = None) -> PixelWindow | None:
-        """The nearest window of that size that can be judged; None where none is near, or it is not known yet.
-
-        ``along``: points of the map that its middle has to lie on.
-        """
-        if self._block is None or (mosaic := self._known.get(self._block.mosaic.ref)) is None:
-            return None
-        grid = self._block.mosaic.grid
-        if along is not None:
-            along = (along - (grid.left, grid.top)) / (grid.pixel_width, -grid.pixel_height)
-        nearest = nearest_judgeable(CellGrid.of(grid), mosaic, window, along)
-        return nearest if nearest is not None and self.at(nearest).can_be_judged else None
 
     def close(self) -> None:
         """Read no more."""

@@ -1,7 +1,6 @@
 """The map tool that places windows: click for a standard one, drag for a rectangle."""
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -203,25 +202,14 @@ class WindowTool(DrawingTool):
         seam_point = self._session.seam_point_near(*point, self._seam_reach())
         centre = seam_point or point
         try:
-            return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point, True)
+            return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point)
         except SeamInspectorError as error:
             return _Draft((*centre, *centre), None, sentence(error.message), OutlineTone.REFUSED)
 
-    def _accepted(
-        self, grid: Grid, window: PixelWindow, seam_point: Point | None = None, may_move: bool = False
-    ) -> _Draft:
-        """With ``may_move`` a window that can't be judged goes to the nearest place that can be, where that is near."""
+    def _accepted(self, grid: Grid, window: PixelWindow, seam_point: Point | None = None) -> _Draft:
         coverage = self._session.coverage(window)
-        text, tone = described(grid, window, coverage), OutlineTone.GOOD
-        if not coverage.can_be_judged:
-            tone, is_here = OutlineTone.DOUBTFUL, not may_move or self._is_new
-            near = None if is_here else self._session.nearest_judgeable(window, seam_point is not None)
-            if near is not None and is_near(window, near):
-                note = tr("{metres:.1f} m aside, where it can be judged; Ctrl places it here")
-                text = f"{described(grid, near, self._session.coverage(near))}\n"
-                text += filled(note, metres=metres_apart(grid, window, near))
-                return _Draft(grid.window_extent(near), near, text, OutlineTone.GOOD, seam_point and middle(grid, near))
-        return _Draft(grid.window_extent(window), window, text, tone, seam_point)
+        tone = OutlineTone.GOOD if coverage.can_be_judged else OutlineTone.DOUBTFUL
+        return _Draft(grid.window_extent(window), window, described(grid, window, coverage), tone, seam_point)
 
     def _on_mosaic(self, point: QgsPointXY) -> Point | None:
         """A point of the map in the mosaic's reference system; None when it has no place there."""
@@ -326,20 +314,3 @@ def described(grid: Grid, window: PixelWindow, coverage: Coverage) -> str:
             "{share:.1f} % of the mosaic is empty there")
         parts.append(filled(share, share=100 * coverage.missing))
     return ", ".join(parts)
-
-
-def metres_apart(grid: Grid, first: PixelWindow, other: PixelWindow) -> float:
-    """Between two windows of one size."""
-    across = (other.column - first.column) * grid.pixel_width * grid.metres_x
-    return math.hypot(across, (other.row - first.row) * grid.pixel_height * grid.metres_y)
-
-
-def is_near(first: PixelWindow, other: PixelWindow) -> bool:
-    """Whether two windows of one size overlap or touch."""
-    return abs(other.column - first.column) <= first.width and abs(other.row - first.row) <= first.height
-
-
-def middle(grid: Grid, window: PixelWindow) -> tuple[float, float]:
-    """The point of the map in the middle of a window."""
-    xmin, ymin, xmax, ymax = grid.window_extent(window)
-    return (xmin + xmax) / 2, (ymin + ymax) / 2

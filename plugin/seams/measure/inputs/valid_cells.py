@@ -15,8 +15,6 @@ from ....imagery.reference_systems import same_coordinates, transform_points
 MOST_CELLS = 4096  # along a side of the mosaic
 FEWEST_PX = 4  # side of a cell: as many samples as placing windows takes
 MOST_READ = 500_000  # cells at once, of each four pixels are read
-SEARCHED_SIDES = 6  # of a window, as far as another place is looked for
-MOST_SEARCHED = 800  # cells along a side of what is searched: some 10 ms
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,41 +140,3 @@ def takes_part(share: float) -> bool:
 def is_mosaic_enough(share: float) -> bool:
     """Whether a window can be judged in which the mosaic has that share of its pixels."""
     return share >= 1 - imagery_limits.MAX_INVALID_SHARE
-
-
-def nearest_judgeable(
-    cell_grid: CellGrid, mosaic: ValidCells, window: PixelWindow, along: np.ndarray | None = None
-) -> PixelWindow | None:
-    """The window of that size nearest to one where the mosaic has all its pixels; None where none is within six
-    sides of it.
-
-    ``along``: (n, 2) points of the map, columns and rows of the mosaic, that its middle has to lie on.
-    """
-    step = cell_grid.step
-    high, wide = -(-window.height // step), -(-window.width // step)
-    thin = max(1, -(-2 * SEARCHED_SIDES * max(high, wide) // MOST_SEARCHED))  # of a large window every so many-th cell
-    row, column = round(window.row / step), round(window.column / step)
-    top, left = max(row - SEARCHED_SIDES * high, 0), max(column - SEARCHED_SIDES * wide, 0)
-    bottom, right = row + (SEARCHED_SIDES + 1) * high, column + (SEARCHED_SIDES + 1) * wide
-    part = mosaic.valid[top:bottom:thin, left:right:thin]
-    high, wide = -(-high // thin), -(-wide // thin)
-    if part.shape[0] < high or part.shape[1] < wide:
-        return None
-    sums = np.pad(np.cumsum(np.cumsum(~part, axis=0, dtype=np.int32), axis=1, dtype=np.int32), ((1, 0), (1, 0)))
-    fits = sums[high:, wide:] - sums[:-high, wide:] - sums[high:, :-wide] + sums[:-high, :-wide] == 0
-    if along is None:
-        rows, columns = np.nonzero(fits)
-        corners = np.column_stack([(columns * thin + left) * step, (rows * thin + top) * step])
-    else:
-        corners = np.round(along - (window.width / 2, window.height / 2)).astype(np.int64)
-        at = np.round((corners / step - (left, top)) / thin).astype(np.int64)
-        inside = (at >= 0).all(axis=1) & (at < fits.shape[::-1]).all(axis=1)
-        corners, at = corners[inside], at[inside]
-        corners = corners[fits[at[:, 1], at[:, 0]]]
-    limits = cell_grid.grid.columns - window.width, cell_grid.grid.rows - window.height
-    corners = corners[(corners >= 0).all(axis=1) & (corners <= limits).all(axis=1)]
-    if not len(corners):
-        return None
-    apart = np.hypot(*(corners - (window.column, window.row)).T)
-    best = corners[int(np.argmin(apart))]
-    return PixelWindow(int(best[0]), int(best[1]), window.width, window.height)

@@ -10,7 +10,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
-from seam_inspector.plugin.seams.measure.inputs.valid_cells import CellGrid, ValidCells, nearest_judgeable, valid_cells
+from seam_inspector.plugin.seams.measure.inputs.valid_cells import CellGrid, ValidCells, valid_cells
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
@@ -79,26 +79,6 @@ def test_a_raster_that_says_of_no_pixel_that_it_is_none_is_not_read(
     monkeypatch.setattr(OpenRaster, "read", lambda *_: pytest.fail("read"))
     expected = true_shares(np.ones((200, 150), bool), 0, 0)
     assert shares(cells_of(path, mosaic), mosaic) == pytest.approx(expected, abs=0.02)
-
-
-def test_the_nearest_place_is_the_nearest_of_all_by_all_pixels(make_raster: MakeRaster, hole: np.ndarray) -> None:
-    pixels = np.where(hole, np.maximum(orthoimage((400, 400)), 1), 0).astype(np.uint8)
-    raster = describe_mosaic(RasterRef(make_raster("holes.tif", pixels, nodata=0)))
-    cells, grid = cells_of(raster.ref.path, raster), CellGrid.of(raster.grid)
-    window = PixelWindow(100, 150, 64, 64)
-    found = nearest_judgeable(grid, cells, window)
-    assert hole[found.row : found.row + 64, found.column : found.column + 64].mean() > 0.999
-    best = min(
-        np.hypot(column - 100, row - 150)
-        for row in range(0, 337, 4) for column in range(0, 337, 4)
-        if hole[row : row + 64, column : column + 64].all()
-    )
-    assert np.hypot(found.column - 100, found.row - 150) <= best + 1
-    along = np.array([[300.0, float(row)] for row in range(0, 400, 4)])
-    on_line = nearest_judgeable(grid, cells, window, along)
-    assert on_line.column + 32 == 300
-    assert hole[on_line.row : on_line.row + 64, on_line.column : on_line.column + 64].mean() > 0.999
-    assert nearest_judgeable(grid, cells, PixelWindow(0, 0, 512, 512)) is None
 
 
 @pytest.mark.release

@@ -27,7 +27,6 @@ class FakeSession(QObject):
         self.seam_x: float | None = None
         self.source_count, self.unread = 3, 0
         self.missing: float | None = 0.0
-        self.judgeable: PixelWindow | None = None
         self.hovered: tuple[PixelWindow, bool] | None = None
         """The window under the mouse, and whether its curves follow."""
         self.added: list[PixelWindow] = []
@@ -54,9 +53,6 @@ class FakeSession(QObject):
 
     def coverage(self, window: PixelWindow) -> Coverage:
         return Coverage(self.source_count, self.unread, self.missing)
-
-    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
-        return self.judgeable
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         return (self.seam_x, y) if self.seam_x is not None and abs(x - self.seam_x) <= reach else None
