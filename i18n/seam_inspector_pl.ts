@@ -679,27 +679,27 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="128"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="75"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="132"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="139"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="291"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="245"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="301"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="255"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
@@ -779,12 +779,12 @@
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="129"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="133"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -5218,102 +5218,92 @@
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="49"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="310"/>
         <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
         <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="57"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="168"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="89"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="282"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
-        <source>First operator</source>
-        <translation>Pierwszy operator</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="331"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="149"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="95"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="59"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="332"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="66"/>
-        <source>Blind</source>
-        <translation>W ciemno</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="67"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="328"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="332"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="331"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="334"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="136"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="136"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="140"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="87"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="142"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="89"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="145"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="92"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="271"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="225"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="369"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="392"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -5735,7 +5725,7 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
@@ -8413,7 +8403,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="88"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="282"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -9455,12 +9445,12 @@
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="117"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
         <source>Why?</source>
         <translation>Dlaczego?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="120"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="67"/>
         <source>What the sentence is based on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
@@ -10359,12 +10349,12 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="370"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="393"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="150"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="96"/>
         <source>Somebody else judges the same windows without seeing results or earlier verdicts.</source>
         <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
     </message>
@@ -10374,7 +10364,7 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="311"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="265"/>
         <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
         <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
     </message>
@@ -11406,7 +11396,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="81"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="329"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -11921,17 +11911,17 @@
         <translation>Badania i ich arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
         <source>Judge here</source>
         <translation>Oceń tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
         <source>Makes a window on this piece of seam, and inspects it.</source>
         <translation>Tworzy okno na tym odcinku linii mozaikowania i mierzy je.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="286"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="240"/>
         <source>By the scan, this piece of seam: {finding} The charts are of the window around it.</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Wykresy są z okna wokół niego.</translation>
     </message>
