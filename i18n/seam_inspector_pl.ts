@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="154"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="153"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="339"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="50"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="337"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -529,47 +529,47 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="183"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="183"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="215"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="219"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="221"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="150"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="154"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="240"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -579,12 +579,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="240"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="245"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -594,37 +594,37 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="252"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="277"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -644,37 +644,37 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="196"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="195"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="198"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="197"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="210"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="209"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="216"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="215"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="218"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="217"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="222"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="220"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="219"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -804,82 +804,82 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="186"/>
+        <location filename="../plugin/seams/desk/dock.py" line="188"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="186"/>
+        <location filename="../plugin/seams/desk/dock.py" line="188"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="191"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="191"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="207"/>
+        <location filename="../plugin/seams/desk/dock.py" line="209"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="207"/>
+        <location filename="../plugin/seams/desk/dock.py" line="209"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="34"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="82"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="239"/>
+        <location filename="../plugin/seams/desk/dock.py" line="241"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="344"/>
+        <location filename="../plugin/seams/desk/dock.py" line="346"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="318"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="335"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="334"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="49"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="336"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="51"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="338"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
@@ -939,7 +939,7 @@
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="58"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="57"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
@@ -964,27 +964,27 @@
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="176"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="182"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="196"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="196"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="132"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="131"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="178"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -1094,12 +1094,12 @@
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="183"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -1114,12 +1114,12 @@
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="64"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="351"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="350"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
@@ -3326,17 +3326,17 @@
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="58"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="77"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="63"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="82"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="71"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="90"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
@@ -3682,7 +3682,7 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="70"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="151"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3691,27 +3691,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="93"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="174"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="112"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="193"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="113"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="194"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="195"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="140"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="221"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4134,12 +4134,12 @@
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_charts.py" line="42"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="245"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_charts.py" line="41"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="244"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4210,7 +4210,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="154"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="153"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4233,7 +4233,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="221"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="220"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4283,7 +4283,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="214"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4358,27 +4358,27 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="44"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="63"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="45"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="64"/>
         <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="126"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="207"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="127"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="208"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_charts.py" line="44"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="247"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
@@ -4388,42 +4388,42 @@
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="348"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="323"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="323"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="323"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="55"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="342"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="341"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="57"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="344"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="347"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -4678,22 +4678,22 @@
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="193"/>
+        <location filename="../plugin/seams/desk/dock.py" line="195"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="193"/>
+        <location filename="../plugin/seams/desk/dock.py" line="195"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="200"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="200"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4773,52 +4773,52 @@
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="33"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="320"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="324"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="324"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="354"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="70"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="357"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="45"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="332"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="71"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="358"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="353"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="69"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="356"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="71"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="358"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -5188,32 +5188,32 @@
         <translation>niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="58"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="77"/>
         <source>found: {cause}</source>
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="170"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="101"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="182"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="103"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="184"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="225"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="223"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5333,27 +5333,27 @@
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="136"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="142"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="140"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="146"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="202"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/compared_layer.py" line="61"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="75"/>
         <source>Cut the composite</source>
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="208"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="207"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -5403,57 +5403,57 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="91"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="90"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="113"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="112"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="143"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="142"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="147"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="149"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="148"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="168"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="167"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="59"/>
+        <location filename="../plugin/seams/desk/dock.py" line="61"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="321"/>
+        <location filename="../plugin/seams/desk/dock.py" line="323"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="330"/>
+        <location filename="../plugin/seams/desk/dock.py" line="332"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="327"/>
+        <location filename="../plugin/seams/desk/dock.py" line="329"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="42"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="173"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
@@ -5478,7 +5478,7 @@
         <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="85"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="91"/>
         <source>Look where the sources have pixels</source>
         <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
     </message>
@@ -5488,12 +5488,12 @@
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="191"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="322"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="35"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="83"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
@@ -5593,17 +5593,17 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="174"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="178"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="259"/>
         <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
@@ -5735,7 +5735,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="279"/>
+        <location filename="../plugin/seams/desk/dock.py" line="281"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -6875,17 +6875,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="127"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="126"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="128"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="127"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="132"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="131"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -8363,12 +8363,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="218"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="218"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -8461,7 +8461,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="136"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="217"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -8707,7 +8707,7 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="214"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -8841,7 +8841,7 @@
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="61"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="80"/>
         <source>visibility at 2x (JND): {value:.1f}</source>
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
@@ -9425,22 +9425,22 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="202"/>
+        <location filename="../plugin/seams/desk/dock.py" line="204"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="229"/>
         <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="230"/>
         <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
@@ -9967,17 +9967,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="151"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="154"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="150"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -10214,7 +10214,7 @@
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="91"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="172"/>
         <source>Main cause in the whole window: {cause}.</source>
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
@@ -10359,7 +10359,7 @@
         <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="34"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="218"/>
         <source>Judge</source>
         <translation>Oceń</translation>
     </message>
@@ -11199,17 +11199,17 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="345"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="175"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="193"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="324"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -11351,47 +11351,47 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="47"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="182"/>
         <source>Save the chart as a picture (PNG or SVG)</source>
         <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="63"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="198"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="80"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="215"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="83"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="218"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="76"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="211"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="240"/>
+        <location filename="../plugin/seams/desk/dock.py" line="242"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/compared_layer.py" line="58"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="72"/>
         <source>Open a source</source>
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="125"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="124"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="223"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
@@ -11411,12 +11411,12 @@
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="36"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="220"/>
         <source>Judge window after window: hides QGIS&apos;s panels and what lies over the mosaic (J); again: shows them as before</source>
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/flicker.py" line="115"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="277"/>
         <source>hard cut: reading ...</source>
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
@@ -11656,12 +11656,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -11681,22 +11681,22 @@
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="169"/>
+        <location filename="../plugin/seams/desk/session.py" line="168"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="169"/>
+        <location filename="../plugin/seams/desk/session.py" line="168"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="186"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="186"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
@@ -11721,12 +11721,12 @@
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="63"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="111"/>
         <source>Undo {step}</source>
         <translation>Cofnij: {step}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="64"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="112"/>
         <source>Redo {step}</source>
         <translation>Ponów: {step}</translation>
     </message>
@@ -11836,77 +11836,77 @@
         <translation>zachowano {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="192"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="279"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="245"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="245"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="249"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>All settings ...</source>
         <translation>Wszystkie ustawienia...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="249"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Sampling plans, rules from a file, who judges, and all outputs.</source>
         <translation>Plany próbkowania, reguły z pliku, kto ocenia i wszystkie wyniki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="263"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="350"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="263"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="350"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="265"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="352"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="265"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="352"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="268"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="355"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="268"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="355"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="121"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="208"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="148"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="235"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="240"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="327"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="240"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="327"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -12098,22 +12098,22 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="235"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="322"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="212"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="211"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="203"/>
+        <location filename="../plugin/seams/desk/dock.py" line="205"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="237"/>
+        <location filename="../plugin/seams/desk/dock.py" line="239"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -12322,7 +12322,7 @@
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="67"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="66"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>

@@ -27,12 +27,11 @@ from ..tables.window_layer import boxed_windows, style_if_plain
 from . import messages
 from .inputs.project_inputs import Inputs
 from .session_inputs import SessionInputs
-from .window_home import WindowHome
+from .window_home import WindowHome, WindowsMosaic
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults
 from .windows.window_steps import WindowSteps, words_of
 from .windows.window_watch import WindowWatch
-from .windows.windows_mosaic import WindowsMosaic
 
 
 class Session(SessionInputs):

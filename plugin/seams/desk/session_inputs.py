@@ -16,8 +16,7 @@ from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
-from .map.live_windows import LiveWindows
-from .map.window_coverage import Coverage, SeamFinder, WindowCoverage
+from .map.under_mouse import Coverage, LiveWindows, SeamFinder, WindowCoverage
 
 
 class LossView(QObject):

@@ -27,10 +27,9 @@ from ..measure import limits, messages
 from ..measure.window_records import SEAM, WindowRecord
 from ..window_summary import judged_words
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
-from .flagged_windows import CHART_MM, WindowSections
+from .flagged_windows import CHART_MM, WindowSections, anchor, window_rows
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
 from .report_request import ReportRequest
-from .window_words import anchor, window_rows
 
 MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
 OVERVIEW_SIDE_PX = 900  # of the sketch's background, 170 mm wide

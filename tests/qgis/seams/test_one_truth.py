@@ -18,7 +18,7 @@ from seam_inspector.plugin.seams.measure.limits import MIN_MISREGISTRATION_PX
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.report.window_words import window_rows
+from seam_inspector.plugin.seams.report.flagged_windows import window_rows
 from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.seams.window_summary import (
     is_lost_along_the_seam,

@@ -17,8 +17,7 @@ from ...charts.chart_curves import (
     point_words,
     window_curves,
 )
-from .chart_pictures import PictureButton, curves_picture
-from .chart_widgets import CurvesChart
+from .chart_widgets import CurvesChart, PictureButton, curves_picture
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -12,8 +12,7 @@ from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import ClippedLabel, single_shot
 from ....toolkit.translation import filled, tr
 from ...charts.profile_painter import bin_words, level_colour, summary_words
-from .chart_pictures import PictureButton, profile_picture
-from .chart_widgets import ProfileChart
+from .chart_widgets import PictureButton, ProfileChart, profile_picture
 from .curves_panel import CurvesPanel
 
 if TYPE_CHECKING:

@@ -26,9 +26,8 @@ from ....toolkit.desk.widgets import ClippedLabel, set_map_system, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
 from ...words import LOSS_OPACITY, loss_rgba
-from ..map.compared_layer import Compared, ComparedLayer, looks_alike
-from ..map.lost_detail import placed_picture
-from ..map.picture_overlay import PictureOverlay, rgba_image
+from ..map.hard_cut import Compared, ComparedLayer, looks_alike
+from ..map.lost_detail import PictureOverlay, placed_picture, rgba_image
 from ..map.window_outline import WindowOutline
 from ..map.window_view import WindowView
 

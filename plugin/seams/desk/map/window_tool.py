@@ -21,7 +21,7 @@ from ...measure import messages
 from ...measure.inputs.valid_cells import is_mosaic_enough
 from ...measure.planning.window_placing import window_side_px
 from ...measure.window_records import WindowRecord
-from .window_coverage import Coverage
+from .under_mouse import Coverage
 from .window_outline import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:

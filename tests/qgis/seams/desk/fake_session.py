@@ -6,7 +6,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.seams.desk.map.window_coverage import Coverage
+from seam_inspector.plugin.seams.desk.map.under_mouse import Coverage
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 

@@ -9,9 +9,8 @@ import pytest
 from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.seams.desk import accepting
-from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
-from seam_inspector.plugin.seams.desk.accepting import suggested_files
+from seam_inspector.plugin.seams.desk import accept_page
+from seam_inspector.plugin.seams.desk.accept_page import AcceptPage, suggested_files
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
 from tests.numbers.synthetic import write_raster
@@ -76,7 +75,7 @@ def test_nothing_is_left_in_the_profile_or_where_nothing_can_be_written(
     monkeypatch.setattr(QgsApplication, "qgisSettingsDirPath", lambda: f"{profile}/")
     assert delivery.suggested()["REPORT"].parent == delivery.folder
     monkeypatch.setattr(Path, "home", lambda: tmp_path)
-    monkeypatch.setattr(accepting.os, "access", lambda path, mode: Path(path) != delivery.folder)
+    monkeypatch.setattr(accept_page.os, "access", lambda path, mode: Path(path) != delivery.folder)
     assert delivery.suggested()["REPORT"].parent == tmp_path
 
 

@@ -9,8 +9,13 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay
-from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
+from seam_inspector.plugin.seams.desk.map.lost_detail import (
+    LossLegend,
+    LossOverlay,
+    PictureOverlay,
+    PlacedPicture,
+    rgba_image,
+)
 
 from tests.qgis.seams.desk.profile.profile_desk import (
     SEAM_COLUMN,

@@ -1,19 +1,19 @@
-"""What of mosaic and sources has pixels where a window is being placed, read coarsely once in the background."""
+"""The window under the mouse: what of mosaic and sources has pixels there, the seams, and its curves while it moves."""
 from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import RasterError
 from ....imagery.grids import PixelWindow
-from ....imagery.raster_pool import RasterPool
+from ....imagery.raster_pool import RasterPool, ReadingLanes
 from ....imagery.rasters import Raster, RasterRef
-from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job
+from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job, LatestOnly
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
@@ -26,8 +26,14 @@ from ...measure.inputs.valid_cells import (
 )
 from ...measure.planning.window_placing import SeamIndex
 from ...measure.source_images import Source
-from ...measure.window.inspection import Block
+from ...measure.window.explained_window import LiveWindow, live_profile, read_live
+from ...measure.window.inspection import Block, window_request
+from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow
+from ...measure.window.window_request import WindowRequest
 from ..inputs.block_cache import BlockCache
+
+if TYPE_CHECKING:
+    from ...measure.profile.seam_profile import SeamProfile
 
 _TOGETHER_MS = 200
 
@@ -178,3 +184,113 @@ class SeamFinder:
     def _take(self, turn: object, seams: Any) -> None:
         if turn is self._turn:
             self.index = seams
+
+
+_REST_MS = 60  # a mouse that stays this long may be about to click
+_IDLE_MS = 20_000  # after that the files are closed and the pixels forgotten
+_NO_NUMBER = 0
+
+
+class LiveWindows(QObject):
+    """Three threads, each busy with what was asked for last: curves, seam profiles, and windows measured ahead.
+
+    ``measure`` is how a single window is to be measured: what was measured ahead is there at once.
+    """
+
+    changed = pyqtSignal()  # there is another live window, or more is known of it, or there is none any more
+    failed = pyqtSignal(object)  # a Message
+
+    def __init__(self, block: BlockCache, parent: QObject) -> None:
+        super().__init__(parent)
+        self._block = block
+        self._lanes = ReadingLanes()
+        self.measure = MeasuredAhead(self._lanes)
+        self._current: LiveWindow | None = None
+        self._hovered: PixelWindow | None = None
+        self._curves = LatestOnly("seam-inspector-live-curves", self)
+        self._curves.arrived.connect(self._take_pixels)
+        self._profiles = LatestOnly("seam-inspector-live-profile", self, rest=1.0)  # the curves go first
+        self._profiles.arrived.connect(self._take_profile)
+        self._ahead = LatestOnly("seam-inspector-ahead", self)
+        for worker in (self._curves, self._profiles, self._ahead):
+            worker.failed.connect(self.failed)
+        self._rest = single_shot(self, self._measure_ahead, _REST_MS)
+        self._idle = single_shot(self, self.let_go, _IDLE_MS)
+
+    @property
+    def current(self) -> LiveWindow | None:
+        """The window that is being moved, as far as it is known."""
+        return self._current
+
+    def hover(self, window: PixelWindow, is_live: bool) -> None:
+        """The window under the mouse; ``is_live`` when its curves are to be seen while it moves."""
+        if window == self._hovered and (self._current is not None or not is_live):
+            return
+        self._hovered = window
+        self._rest.start()
+        self.stay_open()
+        if is_live:
+            request = self._request(window)
+            if request is not None:
+                self._curves.ask(partial(read_live, request, self._lanes))
+        elif self._current is not None:
+            self._stop()
+
+    def leave(self) -> None:
+        """The mouse is elsewhere."""
+        self._rest.stop()
+        self._hovered = None
+        self._stop()
+
+    def stay_open(self, *_: object) -> None:
+        """Somebody is at work: the files are used for a while longer."""
+        self._idle.start()
+
+    def let_go(self) -> None:
+        """Close all files and forget their pixels: what they hold may change."""
+        self._idle.stop()
+        self._ahead.forget()
+        self.measure.forget()
+        self._lanes.let_go()
+
+    def close(self) -> None:
+        """Nothing is measured any more."""
+        self.leave()
+        for worker in (self._curves, self._profiles, self._ahead):
+            worker.close()
+        self.let_go()
+        self._lanes.close()
+
+    def _stop(self) -> None:
+        self._curves.forget()
+        self._profiles.forget()
+        if self._current is not None:
+            self._current = None
+            self.changed.emit()
+
+    def _request(self, window: PixelWindow) -> WindowRequest | None:
+        block = self._block.silent()
+        if block is None:
+            return None
+        return window_request(block, _NO_NUMBER, block.mosaic.grid.window_extent(window), self._block.settings())
+
+    def _measure_ahead(self) -> None:
+        request = self._request(self._hovered) if self._hovered is not None else None
+        if request is not None:
+            self._ahead.ask(partial(self._without_result, request))
+
+    def _without_result(self, request: WindowRequest) -> None:
+        self.measure(request)
+
+    def _take_pixels(self, pixels: MeasuredWindow) -> None:
+        window, before = pixels.request.window, self._current
+        assert window is not None
+        profile = before.profile if before is not None else None
+        self._current = LiveWindow(window, pixels.clips, pixels.request.mosaic.ground_sample_distance, profile)
+        self._profiles.ask(lambda: (live_profile(pixels),))
+        self.changed.emit()
+
+    def _take_profile(self, profiles: tuple[SeamProfile | None]) -> None:
+        if self._current is not None:
+            self._current = replace(self._current, profile=profiles[0])
+            self.changed.emit()
