@@ -4718,22 +4718,22 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="101"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="96"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="103"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="98"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="129"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="123"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="130"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="124"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4753,22 +4753,22 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="232"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="206"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="306"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="280"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="306"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="280"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="308"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="282"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
@@ -5588,7 +5588,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="77"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="72"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -11951,12 +11951,12 @@
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="234"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="208"/>
         <source>No significant loss on {metres} m of seams.</source>
         <translation>Brak istotnej straty na {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="236"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="210"/>
         <source>Significant loss on {failed} of {metres} m of seams.</source>
         <translation>Istotna strata na {failed} z {metres} m linii.</translation>
     </message>

@@ -23,7 +23,7 @@ from ..measure.window.inspection import WindowRequest
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..tables import window_layer
-from ..tables.window_layer import boxed_windows, style_if_plain
+from ..tables.window_layer import boxed_windows, style_once
 from . import messages
 from .inputs.project_inputs import Inputs
 from .session_inputs import SessionInputs
@@ -65,7 +65,7 @@ class Session(SessionInputs):
             (project.readProject, self._load),
             (project.cleared, self._load),
             (project.writeProject, self._save),
-            (project.layersAdded, self._layers_added),
+            (project.layersAdded, self._layers_changed),
             (project.layersWillBeRemoved, self._forget_layers),
             (project.layersRemoved, self._layers_changed),
         )
@@ -335,10 +335,9 @@ class Session(SessionInputs):
         if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
             self._forget_windows()
             self._watch.watch(layer)
-            if self._watch.layer is not None:
-                style_if_plain(self._watch.layer)
-                if self._watch.path is not None:
-                    self._home.hold(self._watch.path)
+            if self._watch.layer is not None and self._watch.path is not None:
+                style_once(self._watch.layer)
+                self._home.hold(self._watch.path)
         super()._layers_changed()
 
     def _follow_block(self) -> None:

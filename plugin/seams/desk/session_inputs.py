@@ -15,7 +15,7 @@ from ..jobs import ScanOrder
 from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
 from .inputs.block_cache import BlockCache
-from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
+from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
 from .map.under_mouse import Coverage, LiveWindows, SeamFinder, WindowCoverage
 
 
@@ -52,7 +52,6 @@ class SessionInputs(QObject):
         self._seams = SeamFinder(block, self._opening)
         self._coverage = WindowCoverage(self)
         self._live = LiveWindows(block, self)
-        self._places = LayerPlaces(project)
         self._layers = InputsWatch(project, self)
         for signal, slot in (
             (self._coverage.changed, self.coverageChanged),
@@ -139,19 +138,9 @@ class SessionInputs(QObject):
         self._block.forget()
         self._seams.forget()
         self._block.inputs = load_inputs(self._project)
-        self._places.load()
         self._layers_changed()
 
-    def _layers_added(self, *_: object) -> None:
-        """One that was removed may be back, under another id."""
-        inputs = self._places.found_again(self.inputs)
-        if inputs != self.inputs:
-            self.set_inputs(inputs)
-        else:
-            self._layers_changed()
-
     def _layers_changed(self, *_: object) -> None:
-        self._places.note(self.inputs)
         self._block.refresh()
         self._layers.follow(self.inputs)
         self._follow_block()

@@ -21,7 +21,6 @@ from qgis.core import (
     QgsProject,
     QgsProviderRegistry,
     QgsSingleSymbolRenderer,
-    QgsSymbol,
     QgsVectorLayer,
     QgsWkbTypes,
 )
@@ -239,27 +238,10 @@ def is_in_file(layer: QgsVectorLayer) -> bool:
 _STYLED = "seam_inspector/styled"  # custom property of the layer: its looks are its user's from now on
 
 
-def style_if_plain(layer: QgsVectorLayer) -> None:
-    """Show verdicts where QGIS has filled the windows with some colour, as it does in a layer that is added anew.
-
-    Once for each layer: what its user makes of it then is his.
-    """
+def style_once(layer: QgsVectorLayer) -> None:
+    """Show verdicts in a windows file that was added anew, where QGIS has filled the windows with some colour."""
     if not layer.customProperty(_STYLED):
         layer.setCustomProperty(_STYLED, True)
-        if _is_plain(layer):
+        if isinstance(layer.renderer(), QgsSingleSymbolRenderer):
             load_style(layer, "windows")
             layer.triggerRepaint()
-
-
-def _is_plain(layer: QgsVectorLayer) -> bool:
-    """Whether it looks as QGIS makes all polygons look, but for their colour."""
-    renderer, default = layer.renderer(), QgsSymbol.defaultSymbol(QgsWkbTypes.GeometryType.PolygonGeometry)
-    if not isinstance(renderer, QgsSingleSymbolRenderer) or layer.labelsEnabled() or layer.opacity() < 1:
-        return False
-    symbol = renderer.symbol().clone()
-    symbol.setColor(default.color())
-    return _look(symbol) == _look(default)
-
-
-def _look(symbol: QgsSymbol) -> tuple[float, list[tuple[str, dict[str, str]]]]:
-    return symbol.opacity(), [(layer.layerType(), layer.properties()) for layer in symbol.symbolLayers()]
