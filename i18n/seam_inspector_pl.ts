@@ -959,7 +959,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="93"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="79"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
@@ -11701,22 +11701,22 @@
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="121"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="66"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="84"/>
         <source>copying {count} windows</source>
         <translation>skopiowanie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="100"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="141"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>

@@ -331,7 +331,7 @@ class InspectionDock(ToolDock):
         allow(judge, "" if judge.isChecked() or any(row.is_compared for row in windows) else unset or uninspected)
         unscanned = "" if self.scans.worst_layer() else tr("No scan has found such places yet: scan the mosaic first.")
         allow(self.worst, unset or unscanned)
-        self._offer_stop(self.session.can_stop)
+        self._offer_stop(self.session.is_busy)
         allow(self.report, "" if any(row.verdict for row in windows) else uninspected)
 
     def _repaint_windows(self) -> None:

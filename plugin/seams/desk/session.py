@@ -95,7 +95,6 @@ class Session(SessionInputs):
     def close(self) -> None:
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
         self._connections.close()
-        self._new.abandon()
         super().close()
         for part in (self._background, self._results, self._watch):
             part.close()
@@ -147,8 +146,9 @@ class Session(SessionInputs):
         self._watch.select(fids)
 
     def add_window(self, window: PixelWindow) -> None:
-        """Add one window, or take the one that is there already; where there is a file for it, at once."""
-        self._new.draw(window)
+        """Add one window, or take the one that is there already."""
+        with self._raised():
+            self._new.draw(window)
 
     def take_places(self, worst: QgsVectorLayer) -> None:
         """Add the worst places of a scan, inspect them, and tell ``placesTaken``."""
@@ -238,12 +238,7 @@ class Session(SessionInputs):
 
     @property
     def is_busy(self) -> bool:
-        """Whether windows are being made, placed or inspected."""
-        return self._background.is_busy or self._new.is_busy
-
-    @property
-    def can_stop(self) -> bool:
-        """Whether there is work that ``stop`` ends."""
+        """Whether windows are being placed or inspected, which ``stop`` ends."""
         return self._background.is_busy
 
     def is_pending(self, fid: int) -> bool:
@@ -357,7 +352,6 @@ class Session(SessionInputs):
 
     def _forget_windows(self) -> None:
         """What is of the window layer so far; nothing of it may reach another one."""
-        self._new.abandon()
         self._background.abandon()
         self._watch.watch(None)
         self._results.forget()

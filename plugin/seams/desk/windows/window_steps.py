@@ -54,22 +54,12 @@ class ValuesStep:
 class PresenceStep:
     """Windows come, or go."""
 
-    def __init__(self, numbers: Sequence[int] = ()) -> None:
-        """Windows with these ``numbers`` are to go; without any, others ``come``."""
-        self._numbers, self._is_adding = list(numbers), not numbers
+    def __init__(self, numbers: Sequence[int], is_adding: bool) -> None:
+        self._numbers, self._is_adding = list(numbers), is_adding
         self._away: list[QgsFeature] = []
-        self.is_undone = False
-
-    def come(self, layer: QgsVectorLayer, features: Sequence[QgsFeature], words: str) -> list[int]:
-        """Add windows, as a part of the step, and return their numbers. Raises WindowLayerError."""
-        window_layer.write(layer, WindowChange(added=features), words)
-        numbers = [int(window["window_id"]) for window in features]
-        self._numbers += numbers
-        return numbers
 
     def apply(self, watch: WindowWatch, layer: QgsVectorLayer, is_undone: bool, words: str) -> list[int]:
         """Numbers of the windows that came. Raises WindowLayerError."""
-        self.is_undone = is_undone
         if self._is_adding != is_undone:
             back = [window for window in self._away if watch.numbered(int(window["window_id"])) is None]
             window_layer.write(layer, WindowChange(added=back), words)
@@ -117,11 +107,19 @@ class WindowSteps(QObject):
         before: Values = {numbers[fid]: held for fid, held in window_layer.held_values(layer, numbers, names).items()}
         self.do(ValuesStep(before, {number: values[fid] for fid, number in numbers.items()}), words)
 
+    def add(self, features: Sequence[QgsFeature], words: str) -> list[int]:
+        """Windows come, whose numbers are returned. Raises WindowLayerError."""
+        layer, numbers = self._watch.writable(), [int(window["window_id"]) for window in features]
+        assert layer is not None
+        window_layer.write(layer, WindowChange(added=features), words)
+        self.note(PresenceStep(numbers, is_adding=True), words)
+        return numbers
+
     def remove(self, fids: Iterable[int], words: str) -> None:
         """Windows go. Raises WindowLayerError."""
         rows = [row for row in map(self._watch.row, fids) if row is not None]
         if rows:
-            self.do(PresenceStep([row.window_id for row in rows]), words)
+            self.do(PresenceStep([row.window_id for row in rows], is_adding=False), words)
 
     def _apply(self, step: Step, is_undone: bool, words: str) -> list[int]:
         layer = self._watch.writable()
