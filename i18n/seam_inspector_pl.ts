@@ -964,7 +964,7 @@
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/under_mouse.py" line="182"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="56"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
@@ -5458,32 +5458,7 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="306"/>
-        <source>no source has pixels there</source>
-        <translation>żaden ortoobraz nie ma tam pikseli</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="311"/>
-        <source>{counted} or more</source>
-        <translation>{counted} lub więcej</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="313"/>
-        <source>{share:.0f} % of the mosaic is empty there</source>
-        <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="314"/>
-        <source>{share:.1f} % of the mosaic is empty there</source>
-        <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/under_mouse.py" line="91"/>
-        <source>Look where the sources have pixels</source>
-        <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="174"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="170"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
@@ -8712,7 +8687,7 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="303"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="300"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
@@ -12325,6 +12300,11 @@
         <location filename="../plugin/seams/desk/charts/curves_panel.py" line="66"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="302"/>
+        <source>no source lies there</source>
+        <translation>nie leży tam żaden ortoobraz</translation>
     </message>
 </context>
 </TS>

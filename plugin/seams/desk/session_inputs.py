@@ -16,7 +16,7 @@ from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
-from .map.under_mouse import Coverage, LiveWindows, SeamFinder, WindowCoverage
+from .map.under_mouse import LiveWindows, SeamFinder
 
 
 class LossView(QObject):
@@ -39,7 +39,6 @@ class SessionInputs(QObject):
     """Follows the project's layers. Everything that reads pixels runs in tasks."""
 
     inputsChanged = pyqtSignal()
-    coverageChanged = pyqtSignal()
     liveChanged = pyqtSignal()
     messageRaised = pyqtSignal(str, int)
 
@@ -50,11 +49,9 @@ class SessionInputs(QObject):
         self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
         self._block = block = BlockCache(project, self._opening, self)
         self._seams = SeamFinder(block, self._opening)
-        self._coverage = WindowCoverage(self)
         self._live = LiveWindows(block, self)
         self._layers = InputsWatch(project, self)
         for signal, slot in (
-            (self._coverage.changed, self.coverageChanged),
             (self._live.changed, self.liveChanged),
             (block.opened, self._follow_block),
             (self._layers.layersChanged, self._files_changed),
@@ -66,7 +63,7 @@ class SessionInputs(QObject):
     def close(self) -> None:
         """Stop all work, and let go of the layers; once is enough."""
         self._layers.close()
-        for part in (self._live, self._coverage, self._opening):
+        for part in (self._live, self._opening):
             part.close()
 
     @property
@@ -109,10 +106,6 @@ class SessionInputs(QObject):
         """What a scan of the mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
         return self._block.scan_order()
 
-    def coverage(self, window: PixelWindow) -> Coverage:
-        """How many sources lie over a window, as far as is known."""
-        return self._coverage.at(window)
-
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within reach; None where there is none, or while they are being found."""
         return self._seams.index.nearest(x, y, reach)
@@ -148,13 +141,11 @@ class SessionInputs(QObject):
     def _follow_block(self) -> None:
         """There may be another block, or none any more."""
         self._seams.refresh()
-        self._coverage.follow(self.block())
         self.inputsChanged.emit()
 
     def _files_changed(self) -> None:
         self._live.let_go()
         self._block.refresh(anew=True)
-        self._coverage.follow(None)  # what lies in the files may be something else
         self._follow_block()
 
     def _forget_layers(self, ids: list[str]) -> None:

@@ -1,153 +1,27 @@
-"""The window under the mouse: what of mosaic and sources has pixels there, the seams, and its curves while it moves."""
+"""What lies under the mouse: seams, and a window whose curves follow while it moves."""
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.errors import RasterError
 from ....imagery.grids import PixelWindow
-from ....imagery.raster_pool import RasterPool, ReadingLanes
-from ....imagery.rasters import Raster, RasterRef
-from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job, LatestOnly
+from ....imagery.raster_pool import ReadingLanes
+from ....toolkit.background_tasks import BackgroundTasks, LatestOnly
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
-from ...measure.inputs.valid_cells import (
-    CellGrid,
-    ValidCells,
-    is_mosaic_enough,
-    takes_part,
-    valid_cells,
-)
 from ...measure.planning.window_placing import SeamIndex
-from ...measure.source_images import Source
 from ...measure.window.explained_window import LiveWindow, live_profile, read_live
-from ...measure.window.inspection import Block, window_request
+from ...measure.window.inspection import window_request
 from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow
 from ...measure.window.window_request import WindowRequest
 from ..inputs.block_cache import BlockCache
 
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import SeamProfile
-
-_TOGETHER_MS = 200
-
-
-@dataclass(frozen=True)
-class Coverage:
-    """What is known of a window before it is inspected."""
-
-    sources: int  # how many take part; of those not read yet none is counted
-    unread: int = 0  # sources over the window of which that is not known yet
-    missing: float | None = None  # share of the mosaic's pixels that lack; None while that is not known
-
-    @property
-    def can_be_judged(self) -> bool:
-        """Whether nothing speaks against it, as far as is known."""
-        is_whole = self.missing is None or is_mosaic_enough(1 - self.missing)
-        return is_whole and bool(self.sources or self.unread)
-
-
-class WindowCoverage(QObject):
-    """The mosaic is read first, then the sources, those under the mouse before others."""
-
-    changed = pyqtSignal()  # more is known
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._background = BackgroundTasks(self)
-        self._teller = single_shot(self, self.changed, _TOGETHER_MS)
-        self._queue: deque[Source] = deque()  # a deque may be changed by two threads
-        self._known: dict[RasterRef, ValidCells | None] = {}
-        self._block: Block | None = None
-        self._turn = 0
-        self._is_started = False
-
-    def follow(self, block: Block | None) -> None:
-        """These are mosaic and sources now; after None there may be something else in their files."""
-        before, self._block = self._block, block
-        if before == block:
-            return
-        if before is None or block is None or before.mosaic != block.mosaic:
-            self._known = {}
-        self._turn += 1
-        self._queue.clear()  # which ends the task that reads from it
-        self._is_started = False
-
-    def _start(self, block: Block) -> None:
-        """Only when somebody asks: who places no window need not wait for a large mosaic to be read."""
-        if self._is_started:
-            return
-        self._is_started = True
-        wanted = (Source(block.mosaic.ref, block.mosaic.extent), *block.sources)
-        self._queue = deque(source for source in wanted if source.ref not in self._known)
-        if self._queue:
-            job = _reading_job(block.mosaic, self._queue)
-            self._background.start(tr("Look where the sources have pixels"), job, partial(self._take, self._turn))
-
-    def at(self, window: PixelWindow) -> Coverage:
-        """What is known of a window; what is not is read next."""
-        if self._block is None:
-            return Coverage(0)
-        self._start(self._block)
-        mosaic, cells = self._block.mosaic, CellGrid.of(self._block.mosaic.grid).cells(window)
-        sources = unread = 0
-        for source in self._block.sources_over(window):
-            if source.ref in self._known:
-                known = self._known[source.ref]
-                sources += known is None or takes_part(known.share(cells))
-            else:
-                unread += 1
-                if mosaic.ref in self._known:  # which comes before all sources
-                    self._advance(source)
-        known = self._known.get(mosaic.ref)
-        return Coverage(sources, unread, None if known is None else 1 - known.share(cells))
-
-    def close(self) -> None:
-        """Read no more."""
-        self._queue.clear()
-        self._teller.stop()
-        self._background.close()
-
-    def _advance(self, source: Source) -> None:
-        try:
-            self._queue.remove(source)
-        except (ValueError, IndexError):  # it is being read
-            return
-        self._queue.appendleft(source)
-
-    def _take(self, turn: int, known_cells: Any) -> None:
-        if turn == self._turn:
-            ref, cells = known_cells
-            self._known[ref] = cells
-            if not self._teller.isActive():
-                self._teller.start()
-
-
-def _reading_job(mosaic: Raster, queue: deque[Source]) -> Job:
-    """Yields the RasterRef of each raster with its ValidCells, or with None when it can't be read."""
-
-    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        count = len(queue)
-        with RasterPool(most=1) as pool:
-            while queue and not cancelled():
-                try:
-                    source = queue.popleft()
-                except IndexError:
-                    return
-                try:
-                    cells: ValidCells | None = valid_cells(pool.open(source.ref), source.extent, mosaic)
-                except RasterError:
-                    cells = None  # the inspection says so where it needs it
-                yield 1 - len(queue) / max(count, 1), (source.ref, cells)
-
-    return job
-
 
 class SeamFinder:
     """Looks for the seams once for each layer of seamlines and mosaic, and when the seamlines are edited."""

@@ -18,10 +18,8 @@ from ....toolkit.desk.tool_dock import DrawingTool, is_drag
 from ....toolkit.layers import transformed_point
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
-from ...measure.inputs.valid_cells import is_mosaic_enough
 from ...measure.planning.window_placing import window_side_px
 from ...measure.window_records import WindowRecord
-from .under_mouse import Coverage
 from .window_outline import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
@@ -69,14 +67,12 @@ class WindowTool(DrawingTool):
         self.canvas().keyReleased.connect(self._key_released)
         self.canvas().viewport().installEventFilter(self)
         self._session.inputsChanged.connect(self._show_draft)
-        self._session.coverageChanged.connect(self._show_draft)
 
     def _listen_no_more(self) -> None:
         super()._listen_no_more()
         self.canvas().keyReleased.disconnect(self._key_released)
         self.canvas().viewport().removeEventFilter(self)
         self._session.inputsChanged.disconnect(self._show_draft)
-        self._session.coverageChanged.disconnect(self._show_draft)
 
     def _clear(self) -> None:
         self._forget()
@@ -207,9 +203,10 @@ class WindowTool(DrawingTool):
             return _Draft((*centre, *centre), None, sentence(error.message), OutlineTone.REFUSED)
 
     def _accepted(self, grid: Grid, window: PixelWindow, seam_point: Point | None = None) -> _Draft:
-        coverage = self._session.coverage(window)
-        tone = OutlineTone.GOOD if coverage.can_be_judged else OutlineTone.DOUBTFUL
-        return _Draft(grid.window_extent(window), window, described(grid, window, coverage), tone, seam_point)
+        block = self._session.block()
+        sources = 0 if block is None else len(block.sources_over(window))
+        tone = OutlineTone.GOOD if sources else OutlineTone.DOUBTFUL
+        return _Draft(grid.window_extent(window), window, described(grid, window, sources), tone, seam_point)
 
     def _on_mosaic(self, point: QgsPointXY) -> Point | None:
         """A point of the map in the mosaic's reference system; None when it has no place there."""
@@ -297,20 +294,10 @@ def _distance(row: WindowRecord, x: float, y: float) -> float:
     return ((xmin + xmax) / 2 - x) ** 2 + ((ymin + ymax) / 2 - y) ** 2
 
 
-def described(grid: Grid, window: PixelWindow, coverage: Coverage) -> str:
-    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``; less while less is known."""
+def described(grid: Grid, window: PixelWindow, sources: int) -> str:
+    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``."""
     width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
     size = tr("{width} x {height} m, {columns} x {rows} px")
     spans = {"width": shown_metres(width), "height": shown_metres(height)}
-    parts = [filled(size, **spans, columns=window.width, rows=window.height)]
-    few = {0: tr("no source has pixels there"), 1: tr("1 source")}
-    counted = few.get(coverage.sources) or filled(tr("{count} sources"), count=coverage.sources)
-    if not coverage.unread:
-        parts.append(counted)
-    elif coverage.sources:
-        parts.append(filled(tr("{counted} or more"), counted=counted))
-    if coverage.missing is not None and not is_mosaic_enough(1 - coverage.missing):
-        share = tr("{share:.0f} % of the mosaic is empty there") if coverage.missing >= 0.01 else tr(
-            "{share:.1f} % of the mosaic is empty there")
-        parts.append(filled(share, share=100 * coverage.missing))
-    return ", ".join(parts)
+    counted = {0: tr("no source lies there"), 1: tr("1 source")}.get(sources) or tr("{count} sources")
+    return ", ".join([filled(size, **spans, columns=window.width, rows=window.height), filled(counted, count=sources)])

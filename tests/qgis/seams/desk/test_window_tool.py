@@ -171,10 +171,10 @@ def test_label_says_why_a_drag_is_no_window(
     assert why in operator.text
 
 
-def test_where_nothing_can_be_judged_the_outline_says_why_and_a_click_makes_it_all_the_same(operator: Operator) -> None:
-    operator.session.missing = 0.25
+def test_where_no_source_lies_the_outline_says_so_and_a_click_makes_it_all_the_same(operator: Operator) -> None:
+    operator.session.source_count = 0
     operator.move(MIDDLE)
-    assert operator.text.endswith("25 % of the mosaic is empty there")
+    assert operator.text.endswith("no source lies there")
     operator.click(MIDDLE)
     assert operator.session.added == [PixelWindow(2048 - 64, 1024 - 64, 128, 128)]
 
