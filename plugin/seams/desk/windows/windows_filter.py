@@ -1,55 +1,73 @@
-"""Windows filtered by their kind, by words, or with QGIS's own expressions: ``kept < 0.7 and cause = 'feathering'``."""
+"""Windows filtered by their kind, by words, or by QGIS's expressions: ``kept_1 < 0.7 and cause = 'feathering'``."""
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import cache, partial
 from operator import attrgetter
-from typing import Any
 
-from qgis.core import QgsExpression, QgsExpressionContext, QgsExpressionContextUtils, QgsFeature, QgsFields
+from qgis.core import (
+    QgsExpression,
+    QgsExpressionContext,
+    QgsExpressionContextUtils,
+    QgsFeatureRequest,
+    QgsVectorLayer,
+)
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from ....imagery.errors import SettingsError
-from ....imagery.limits import MAX_LEVELS
 from ....imagery.statistics import FIRST, UNSURE, VISIBLE
 from ....toolkit.translation import tr
-from ....toolkit.version_differences import field
 from ...measure import messages
-from ...measure.window.window_tables import WindowField, in_filter
 from ...measure.window_records import WindowRecord
 from ...words import CLAIMS, VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import verdict_chip
 
 Test = Callable[[WindowRecord], bool]
 _EXPRESSION = re.compile(r"[<>=()]|\bis\s+(not\s+)?null\b|\bi?like\b|\bbetween\b", re.IGNORECASE)
-_FIELDS = in_filter()
-_EXAMPLES = ("id", "verdict", "kept", "ratio", "cause", "observer", "confidence", "sources")
+_EXAMPLES = ("window_id", "verdict", "kept_1", "loss", "ratio_1", "cause", "observer", "confidence")
 
 
-def window_filter(
-    text: str, allowed: frozenset[str] | None, windows: Sequence[WindowRecord]
-) -> Test | None:
-    """Whether a window matches an expression, or all words of a text; None where the text asks for nothing.
+def is_expression(text: str) -> bool:
+    """Whether a text is an expression, and no words."""
+    return _EXPRESSION.search(text) is not None
+
+
+def window_filter(text: str, layer: QgsVectorLayer | None, allowed: frozenset[str] | None) -> Test | None:
+    """Whether a window matches an expression on the layer as it is now, or all words of a text; None where the text
+    asks for nothing.
 
     ``allowed``: the only fields that a text is about, while others are hidden. Raises SettingsError with a sentence for
     an expression that is wrong, or asks for more.
     """
-    if not _EXPRESSION.search(text):
-        words, words_of = text.casefold().split(), cache(_shown_words)
-        return (lambda row: all(_matches(row, word, allowed, words_of) for word in words)) if words else None
-    test = _expression_test(text, allowed)
-    if windows:
-        test(windows[0])  # what is wrong with its values shows only there
+    if is_expression(text):
+        fids = matching_windows(text, layer, allowed) if layer is not None else set[int]()
+        return lambda row: row.fid in fids
+    words, words_of = text.casefold().split(), cache(_shown_words)
+    return (lambda row: all(_matches(row, word, allowed, words_of) for word in words)) if words else None
 
-    def holds(row: WindowRecord) -> bool:
-        try:
-            return test(row)
-        except SettingsError:  # it can't be said of this window
-            return False
 
-    return holds
+def matching_windows(text: str, layer: QgsVectorLayer, allowed: frozenset[str] | None) -> set[int]:
+    """Feature ids of the windows for which an expression holds. Raises SettingsError."""
+    expression, names = QgsExpression(text), {name.lower(): name for name in layer.fields().names()}
+    if expression.hasParserError():
+        raise _not_understood(expression.parserErrorString())
+    for name in sorted(map(str.lower, expression.referencedColumns())):
+        if allowed is not None and names.get(name) not in allowed:
+            raise SettingsError(messages.FILTER_HIDDEN(word=name, known=", ".join(sorted(allowed))))
+        if name not in names and name != QgsFeatureRequest.ALL_ATTRIBUTES.lower():
+            known = ", ".join(example for example in _EXAMPLES if example in names)
+            raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=known))
+    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
+    expression.prepare(context)
+    if (first := next(layer.getFeatures(), None)) is not None:  # what is wrong with values shows only there
+        context.setFeature(first)
+        expression.evaluate(context)
+        if expression.hasEvalError():
+            raise _not_understood(expression.evalErrorString())
+    request = QgsFeatureRequest(expression, context)
+    return {feature.id() for feature in layer.getFeatures(request)}
 
 
 def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None, words_of: Callable[..., list[str]]) -> bool:
@@ -69,61 +87,9 @@ def _shown_words(verdict: str, cause: str, observer: str) -> list[str]:
     return " ".join((verdict_word(verdict), cause_word(cause), observer_word(observer))).casefold().split()
 
 
-def _expression_test(text: str, allowed: frozenset[str] | None) -> Test:
-    """What an expression says of a window. Fields have their names in the layer, and short ones: ``kept`` is
-    ``kept_1``, ``id`` is ``window_id``. Raises SettingsError, as its answer does."""
-    expression, reads = QgsExpression(text), _reads()
-    if expression.hasParserError():
-        raise _not_understood(expression.parserErrorString())
-    if expression.needsGeometry():
-        raise SettingsError(messages.FILTER_GEOMETRY())
-    asked = {name.lower() for name in expression.referencedColumns()} - {"#!allattributes!#"}
-    for name in sorted(asked):
-        if name not in reads:
-            known = ", ".join(example for example in _EXAMPLES if example in reads)
-            raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=known))
-        if allowed is not None and (name not in _FIELDS or _FIELDS[name].name not in allowed):
-            known = ", ".join(sorted(allowed, key=list(_FIELDS).index))
-            raise SettingsError(messages.FILTER_HIDDEN(word=name, known=known))
-    fields, used = QgsFields(), [(name, read) for name, read in reads.items() if name in asked]
-    for name, _ in used:
-        fields.append(field(name, "text" if name in _FIELDS and _FIELDS[name].kind == "text" else "real"))
-    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(None))
-    context.setFields(fields)
-    expression.prepare(context)
-
-    def holds(row: WindowRecord) -> bool:
-        feature = QgsFeature(fields)
-        feature.setAttributes([None if (value := read(row)) == "" else value for _, read in used])
-        context.setFeature(feature)
-        answer = expression.evaluate(context)
-        if expression.hasEvalError():
-            raise _not_understood(expression.evalErrorString())
-        return bool(answer)
-
-    return holds
-
-
 def _not_understood(error: str) -> SettingsError:
     first = next((line.strip().rstrip(".") for line in error.splitlines() if line.strip()), "")
     return SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=first))
-
-
-def _reads() -> dict[str, Callable[[WindowRecord], Any]]:
-    """How each field is read from a record, by all names it has."""
-    reads: dict[str, Callable[[WindowRecord], Any]] = {}
-    for called, column in _FIELDS.items():
-        reads[called] = partial(_value, column, 1)
-        if column.by_level:
-            reads.update((f"{called}_{level}", partial(_value, column, level)) for level in range(1, MAX_LEVELS + 1))
-    return reads
-
-
-def _value(column: WindowField, level: int, row: WindowRecord) -> Any:
-    if not column.by_level:
-        return row.read(column.read_as)
-    values = getattr(row, column.read_as)
-    return values[level - 1] if level <= len(values) else None
 
 
 _LETTERS = 8  # of the box

@@ -25,7 +25,7 @@ from ....imagery.statistics import Operator
 from ....toolkit.desk.widgets import is_confirmed
 from ....toolkit.translation import filled, sentence, tr
 from .window_columns import WINDOW_ID, TableColumn
-from .windows_filter import KindBox, window_filter
+from .windows_filter import KindBox, is_expression, window_filter
 from .windows_table import WindowsModel, WindowsTable
 
 if TYPE_CHECKING:
@@ -111,12 +111,14 @@ class WindowsPanel(QWidget):
     def _take_windows(self) -> None:
         with self._following():
             self._windows.set_windows(self._session.windows())
+        if is_expression(self._search.text()):
+            self._filter()
 
     def _filter(self, *_: object) -> None:
         with self._following():
             problem, query = "", None
             try:
-                query = window_filter(self._search.text(), self._allowed, self._session.windows())
+                query = window_filter(self._search.text(), self._session.window_layer(), self._allowed)
             except SettingsError as error:  # which leaves no window out
                 problem = sentence(error.message)
             self._windows.set_filter(test for test in (query, self._verdicts.test()) if test is not None)

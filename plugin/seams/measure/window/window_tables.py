@@ -1,8 +1,8 @@
 """The tables of an inspection, one entry per column: its field, and how its value comes from a result; and a window's
 result as bytes that are kept beside the window layer, and back.
 
-The field names are contracts. Of a window's fields also what people call them: layers, records, aliases, plain rows
-and the desk's filter are made of these entries.
+The field names are contracts. Of a window's fields also what people call them: layers, records, aliases
+and plain rows are made of these entries.
 """
 from __future__ import annotations
 
@@ -118,15 +118,13 @@ PAIR_COLUMNS: tuple[Column[PairRow], ...] = (
 
 @dataclass(frozen=True)
 class WindowField(Column):  # of WindowResult; said so typing would keep the plugin when it is unloaded
-    """A column of OUTPUT, and of every window layer: also what it is called, and by the desk's filter."""
+    """A column of OUTPUT, and of every window layer: also what it is called."""
 
     value: Callable[[WindowResult], Any] = lambda result: None
     attribute: str = ""
     """Attribute of a WindowRecord; empty: the name, where the record has one, else it is among its ``others``."""
     title: str = ""
     """What layers call it, with ``{level}`` where it has one; empty where all our layers call it so."""
-    called: tuple[str, ...] = ()
-    """What else the filter calls it."""
     most: float | None = None
     """No measurement is above it, nor below 0; None where any number may be."""
 
@@ -141,7 +139,7 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
 
 
 MEASURED = (
-    WindowField("window_id", "integer", lambda result: result.window_id, called=("id",)),
+    WindowField("window_id", "integer", lambda result: result.window_id),
     WindowField("verdict", "text", lambda result: result.judgement.verdict.value),
     WindowField("reason", "text", lambda result: result.judgement.reason),
     WindowField("sources", "integer", lambda result: result.source_count),
@@ -170,25 +168,25 @@ MEASURED = (
     WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
     WindowField("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
     WindowField("reference", "text", lambda result: result.reference),
-    WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value, called=("paper",)),
+    WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value),
     WindowField("kept", "real", lambda result: result.profile and result.profile.kept, by_level=True, most=MOST_KEPT),
     WindowField("kept_low", "real", lambda result: result.profile and result.profile.low),
     WindowField("kept_high", "real", lambda result: result.profile and result.profile.high),
-    WindowField("band_width", "real", lambda result: result.band_width_m, called=("band",)),
-    WindowField("feather_width", "real", lambda result: result.feather_width_m, called=("feather",)),
+    WindowField("band_width", "real", lambda result: result.band_width_m),
+    WindowField("feather_width", "real", lambda result: result.feather_width_m),
     WindowField("visibility", "real", lambda result: result.visibility, most=MOST_VISIBLE),
     WindowField("misfit", "real", lambda result: result.misfit, title=QT_TR_NOOP("images apart in the mosaic (px)")),
     WindowField(
         "contrast_1", "real", lambda result: result.explanation and result.explanation.contrast,
-        attribute="contrast", called=("contrast",), most=MOST_RATIO,
+        attribute="contrast", most=MOST_RATIO,
     ),
     WindowField(
         "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,
-        attribute="sharpness", called=("sharpness",),
+        attribute="sharpness",
     ),
     WindowField(
         "added_1", "real", lambda result: result.explanation and result.explanation.added,
-        attribute="added", called=("added",),
+        attribute="added",
     ),
     WindowField(
         "explained", "real", lambda result: result.explained,
@@ -204,7 +202,7 @@ MEASURED = (
 
 SAID = (
     WindowField("observer_2", JUDGING_FIELDS["observer_2"], title=QT_TR_NOOP("observer 2")),
-    WindowField("confidence", JUDGING_FIELDS["confidence"], title=QT_TR_NOOP("sure (%)"), called=("sure",)),
+    WindowField("confidence", JUDGING_FIELDS["confidence"], title=QT_TR_NOOP("sure (%)")),
     WindowField("confidence_2", JUDGING_FIELDS["confidence_2"], title=QT_TR_NOOP("sure 2 (%)")),
     WindowField("remark", JUDGING_FIELDS["remark"], title=QT_TR_NOOP("remark")),
     WindowField("remark_2", JUDGING_FIELDS["remark_2"], title=QT_TR_NOOP("remark 2")),
@@ -212,7 +210,7 @@ SAID = (
 """What operators say, there as soon as one of them does."""
 
 PLACED = (
-    WindowField("seam_id", "integer", called=("seam",)),
+    WindowField("seam_id", "integer"),
     WindowField("station", "real"),
     WindowField("origin", "text", title=QT_TR_NOOP("origin")),
 )  # fmt: skip
@@ -220,11 +218,6 @@ PLACED = (
 
 WINDOW_FIELDS: tuple[WindowField, ...] = (*MEASURED, *SAID, *PLACED)
 _ROW_COLUMNS = tuple(column for column in MEASURED if column.name != "observer")
-
-
-def in_filter(fields: Sequence[WindowField] = WINDOW_FIELDS) -> dict[str, WindowField]:
-    """Fields by all names that a filter may call them, those by level without it."""
-    return {name: field for field in fields for name in (field.name, *field.called)}
 
 
 def window_rows(results: Iterable[WindowResult]) -> TableRows:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.statistics import FIRST, Operator
@@ -31,6 +32,7 @@ class WindowsSession(QObject):
         super().__init__()
         self.rows = list(rows or [])
         self.chosen: list[int] = []
+        self.layer: QgsVectorLayer | None = None
         self.inputs = Inputs()
         self.live: LiveWindow | None = None
         self.pending: set[int] = set()
@@ -46,6 +48,9 @@ class WindowsSession(QObject):
     def change(self, fid: int, **values: Any) -> None:
         """Other values of one window."""
         self.put([replace(row, **values) if row.fid == fid else row for row in self.rows])
+
+    def window_layer(self) -> QgsVectorLayer | None:
+        return self.layer
 
     def windows(self) -> list[WindowRecord]:
         return list(self.rows)
