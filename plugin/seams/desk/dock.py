@@ -31,7 +31,7 @@ from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from .accept_page import AcceptPage
-from .charts.profile_panel import CurvesAndProfile
+from .charts.curves_tab import CurvesAndProfile
 from .desk_keys import JUDGING, DeskKeys, UndoActions
 from .images.images_panel import ImagesPanel
 from .inputs.inputs_panel import InputsPanel

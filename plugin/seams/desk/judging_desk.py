@@ -32,7 +32,7 @@ from ...toolkit.layer_styles import label_settings
 from ...toolkit.translation import filled, tr
 from .judge_bar import JudgeBar
 from .judging import Judging
-from .map.window_outline import WindowOutline
+from .map.window_view import WindowOutline
 from .mosaic_scans import worst_layer
 from .windows.windows_panel import WindowsPanel
 

@@ -29,8 +29,7 @@ from .inputs.project_inputs import Inputs
 from .session_inputs import SessionInputs
 from .window_home import WindowHome, WindowsMosaic
 from .windows.new_windows import NewWindows
-from .windows.window_results import WindowResults
-from .windows.window_steps import WindowSteps, words_of
+from .windows.window_results import WindowResults, WindowSteps, words_of
 from .windows.window_watch import WindowWatch
 
 

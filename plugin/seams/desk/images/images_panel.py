@@ -28,8 +28,7 @@ from ...measure.inputs.mosaic_copies import covered_share
 from ...words import LOSS_OPACITY, loss_rgba
 from ..map.hard_cut import Compared, ComparedLayer, looks_alike
 from ..map.lost_detail import PictureOverlay, placed_picture, rgba_image
-from ..map.window_outline import WindowOutline
-from ..map.window_view import WindowView
+from ..map.window_view import WindowOutline, WindowView
 
 if TYPE_CHECKING:
     from ...measure.window.window_request import WindowRequest

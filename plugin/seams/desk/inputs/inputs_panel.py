@@ -25,8 +25,7 @@ from ...measure.limits import DENSITIES
 from ...measure.planning.window_placing import fitting_side_m, window_side_px
 from ...measure.window_records import REFERENCES
 from ...tables.input_layers import CELL_FIELD, LOCATION_FIELD
-from .source_list import SourceList
-from .source_suggestions import Suggesting
+from .sources import SourceList, Suggesting
 
 if TYPE_CHECKING:
     from ..session import Session

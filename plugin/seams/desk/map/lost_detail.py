@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ...measure.profile.seam_profile import ProfileBin
     from ...measure.window.window_result import WindowResult
     from ...measure.window_records import WindowRecord
-    from ..charts.profile_panel import ProfilePanel
+    from ..charts.curves_tab import ProfilePanel
     from ..session import Session
 
 

@@ -20,7 +20,7 @@ from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
 from ...measure.planning.window_placing import window_side_px
 from ...measure.window_records import WindowRecord
-from .window_outline import OutlineTone, WindowOutline
+from .window_view import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
     from ..inputs.project_inputs import Inputs

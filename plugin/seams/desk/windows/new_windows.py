@@ -24,7 +24,7 @@ from ...tables import window_file, window_layer
 from .. import messages as keeping_messages
 from ..inputs.block_cache import BlockCache
 from ..window_home import WindowHome
-from .window_steps import WindowSteps
+from .window_results import WindowSteps
 from .window_watch import WindowWatch
 
 _PLACING = "placing"

@@ -13,7 +13,7 @@ from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves
-from seam_inspector.plugin.seams.desk.charts.curves_panel import CurvesPanel
+from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowCurves, WindowResult

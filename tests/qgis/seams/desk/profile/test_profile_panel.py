@@ -11,7 +11,7 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
-from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
+from seam_inspector.plugin.seams.desk.charts.curves_tab import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
