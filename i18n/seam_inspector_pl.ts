@@ -514,7 +514,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="166"/>
+        <location filename="../plugin/seams/window_summary.py" line="165"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -639,67 +639,67 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="113"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="199"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="198"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="201"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="200"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="213"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="212"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="219"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="218"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="221"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="220"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="226"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="225"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="223"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="222"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="75"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="245"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="226"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="255"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
@@ -779,12 +779,12 @@
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="77"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -804,42 +804,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="188"/>
+        <location filename="../plugin/seams/desk/dock.py" line="187"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="188"/>
+        <location filename="../plugin/seams/desk/dock.py" line="187"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="191"/>
+        <location filename="../plugin/seams/desk/dock.py" line="190"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="191"/>
+        <location filename="../plugin/seams/desk/dock.py" line="190"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="208"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="208"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -849,12 +849,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="241"/>
+        <location filename="../plugin/seams/desk/dock.py" line="240"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="346"/>
+        <location filename="../plugin/seams/desk/dock.py" line="345"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -884,62 +884,62 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="107"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="106"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="161"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="160"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="179"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="186"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="145"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="180"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="179"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="186"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="60"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
@@ -969,12 +969,12 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="196"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="188"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="196"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="188"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
@@ -1124,12 +1124,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="173"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="174"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="173"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -4004,72 +4004,27 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="203"/>
-        <source>Against the composite of the sources:</source>
-        <translation>Względem kompozycji ortoobrazów:</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="205"/>
-        <source>gain {gain}, bias {bias}, gamma {gamma}</source>
-        <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="209"/>
-        <source>contrast at level 1: {percent} %</source>
-        <translation>kontrast na poziomie 1: {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="211"/>
-        <source>sharpness at level 1: {percent} %</source>
-        <translation>ostrość na poziomie 1: {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="212"/>
-        <source>clipped: {percent} %</source>
-        <translation>obcięte: {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="215"/>
-        <source>gains of the colours differ by a factor of {factor}</source>
-        <translation>wzmocnienia barw różnią się {factor} razy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="217"/>
-        <source>shift: {length} px</source>
-        <translation>przesunięcie: {length} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="222"/>
-        <source>half of each source would leave {percent} % at level 1</source>
-        <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="224"/>
-        <source>mixed or unclear: {percent} % of the pixels</source>
-        <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/words.py" line="36"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="236"/>
+        <location filename="../plugin/seams/window_summary.py" line="208"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="238"/>
+        <location filename="../plugin/seams/window_summary.py" line="210"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="240"/>
+        <location filename="../plugin/seams/window_summary.py" line="212"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="242"/>
+        <location filename="../plugin/seams/window_summary.py" line="214"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -4283,7 +4238,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="214"/>
+        <location filename="../plugin/seams/desk/dock.py" line="213"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4383,7 +4338,7 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="150"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
@@ -4428,27 +4383,27 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="44"/>
+        <location filename="../plugin/seams/window_summary.py" line="43"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="44"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="58"/>
+        <location filename="../plugin/seams/window_summary.py" line="57"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="59"/>
+        <location filename="../plugin/seams/window_summary.py" line="58"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -4678,22 +4633,22 @@
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="194"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="200"/>
+        <location filename="../plugin/seams/desk/dock.py" line="199"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="200"/>
+        <location filename="../plugin/seams/desk/dock.py" line="199"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5218,107 +5173,102 @@
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="310"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="286"/>
         <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
         <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="168"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="149"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="282"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="258"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="331"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="307"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="95"/>
-        <source>Second operator</source>
-        <translation>Drugi operator</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="332"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="308"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="328"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="304"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="332"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="308"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="331"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="307"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="334"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="310"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="87"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="84"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="89"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="92"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="89"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="225"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="206"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="392"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="367"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="264"/>
+        <location filename="../plugin/seams/desk/judging.py" line="251"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="272"/>
+        <location filename="../plugin/seams/desk/judging.py" line="259"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="274"/>
+        <location filename="../plugin/seams/desk/judging.py" line="261"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -5343,7 +5293,7 @@
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="206"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="205"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
@@ -5403,32 +5353,27 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="296"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="293"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="318"/>
-        <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
-        <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="348"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="309"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="353"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="314"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="354"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="315"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="373"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="334"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -5438,17 +5383,17 @@
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="323"/>
+        <location filename="../plugin/seams/desk/dock.py" line="322"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="332"/>
+        <location filename="../plugin/seams/desk/dock.py" line="331"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="329"/>
+        <location filename="../plugin/seams/desk/dock.py" line="328"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5473,47 +5418,47 @@
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="180"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="180"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
@@ -5553,12 +5498,12 @@
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -5695,7 +5640,7 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
@@ -5705,7 +5650,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="281"/>
+        <location filename="../plugin/seams/desk/dock.py" line="280"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -8328,12 +8273,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="218"/>
+        <location filename="../plugin/seams/desk/dock.py" line="217"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="218"/>
+        <location filename="../plugin/seams/desk/dock.py" line="217"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -8368,7 +8313,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="282"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="258"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -8697,7 +8642,7 @@
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="182"/>
+        <location filename="../plugin/seams/window_summary.py" line="181"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -8856,7 +8801,7 @@
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="183"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
@@ -8881,7 +8826,7 @@
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
@@ -8891,12 +8836,12 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="132"/>
+        <location filename="../plugin/seams/window_summary.py" line="131"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="404"/>
+        <location filename="../plugin/seams/window_summary.py" line="376"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -8920,12 +8865,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="399"/>
+        <location filename="../plugin/seams/window_summary.py" line="371"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="398"/>
+        <location filename="../plugin/seams/window_summary.py" line="370"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -9390,7 +9335,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="204"/>
+        <location filename="../plugin/seams/desk/dock.py" line="203"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -9410,12 +9355,12 @@
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
         <source>Why?</source>
         <translation>Dlaczego?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="67"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
         <source>What the sentence is based on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
@@ -9445,57 +9390,57 @@
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="155"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="348"/>
+        <location filename="../plugin/seams/window_summary.py" line="320"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="51"/>
+        <location filename="../plugin/seams/window_summary.py" line="50"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="350"/>
+        <location filename="../plugin/seams/window_summary.py" line="322"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="360"/>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="363"/>
+        <location filename="../plugin/seams/window_summary.py" line="335"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="347"/>
+        <location filename="../plugin/seams/window_summary.py" line="319"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="372"/>
+        <location filename="../plugin/seams/window_summary.py" line="344"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="403"/>
+        <location filename="../plugin/seams/window_summary.py" line="375"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="43"/>
+        <location filename="../plugin/seams/window_summary.py" line="42"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
@@ -9932,17 +9877,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="154"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="151"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -10314,14 +10259,9 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="393"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="368"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="96"/>
-        <source>Somebody else judges the same windows without seeing results or earlier verdicts.</source>
-        <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging_desk.py" line="218"/>
@@ -10329,7 +10269,7 @@
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="265"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
         <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
         <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
     </message>
@@ -10414,17 +10354,17 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="82"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>This follows from the mixture of the images, since the ground around is mixed too.</source>
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="79"/>
+        <location filename="../plugin/seams/window_summary.py" line="78"/>
         <source>This follows from the mixture of the images, since there is too little unmixed ground around.</source>
         <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <location filename="../plugin/seams/window_summary.py" line="80"/>
         <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
@@ -10794,62 +10734,62 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="114"/>
+        <location filename="../plugin/seams/window_summary.py" line="113"/>
         <source>Mixing alone would have taken {percent} % there.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="97"/>
+        <location filename="../plugin/seams/window_summary.py" line="96"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="99"/>
+        <location filename="../plugin/seams/window_summary.py" line="98"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <location filename="../plugin/seams/window_summary.py" line="100"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="103"/>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="116"/>
+        <location filename="../plugin/seams/window_summary.py" line="115"/>
         <source>Mixing alone would have taken {percent} % there; the cause of the rest is unclear.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="309"/>
+        <location filename="../plugin/seams/window_summary.py" line="281"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
         <source>{apart} px misfit</source>
         <translation>niedopasowanie {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="308"/>
+        <location filename="../plugin/seams/window_summary.py" line="280"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <location filename="../plugin/seams/window_summary.py" line="304"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="336"/>
+        <location filename="../plugin/seams/window_summary.py" line="308"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="111"/>
+        <location filename="../plugin/seams/window_summary.py" line="110"/>
         <source>The cause of the loss along the seam is unclear.</source>
         <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
     </message>
@@ -10919,22 +10859,22 @@
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="324"/>
+        <location filename="../plugin/seams/window_summary.py" line="296"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="276"/>
+        <location filename="../plugin/seams/window_summary.py" line="248"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="317"/>
+        <location filename="../plugin/seams/window_summary.py" line="289"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="321"/>
+        <location filename="../plugin/seams/window_summary.py" line="293"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -11316,32 +11256,32 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="182"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="174"/>
         <source>Save the chart as a picture (PNG or SVG)</source>
         <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="198"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="190"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="215"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="207"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="218"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="210"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="211"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="203"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="242"/>
+        <location filename="../plugin/seams/desk/dock.py" line="241"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -11361,7 +11301,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="329"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="305"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -11621,12 +11561,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="158"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="158"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -11876,17 +11816,17 @@
         <translation>Badania i ich arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>Judge here</source>
         <translation>Oceń tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>Makes a window on this piece of seam, and inspects it.</source>
         <translation>Tworzy okno na tym odcinku linii mozaikowania i mierzy je.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="240"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="221"/>
         <source>By the scan, this piece of seam: {finding} The charts are of the window around it.</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Wykresy są z okna wokół niego.</translation>
     </message>
@@ -12068,27 +12008,27 @@
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="215"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="214"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="204"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="239"/>
+        <location filename="../plugin/seams/desk/dock.py" line="238"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="381"/>
+        <location filename="../plugin/seams/window_summary.py" line="353"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source.</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="135"/>
+        <location filename="../plugin/seams/window_summary.py" line="134"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -12272,7 +12212,7 @@
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="161"/>
         <source>Detail at level 1 in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
@@ -12287,7 +12227,7 @@
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="70"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="69"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>

@@ -105,7 +105,6 @@ class InspectionDock(ToolDock):
         self._lay_out()
         for choice in self.findChildren(QComboBox):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
-        self.judge.offer_next([self.report, self.accept])
         self.session.placesTaken.connect(self._go_to_worst)
         self.session.stepped.connect(self.zoom_to)
         self.session.mosaicDoubted.connect(self._ask_about_mosaic)

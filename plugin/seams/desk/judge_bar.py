@@ -12,15 +12,12 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
-    QAction,
     QBoxLayout,
     QComboBox,
-    QGridLayout,
     QHBoxLayout,
     QInputDialog,
     QLabel,
     QPushButton,
-    QSizePolicy,
     QSpinBox,
     QToolButton,
     QWhatsThis,
@@ -92,13 +89,8 @@ class JudgeBar(QWidget):
         self._forth = self._arrow(Qt.ArrowType.RightArrow, partial(judging.step, 1), tr("The window after this."))
         self._progress = ClippedLabel(1, self)
         self.confidence, self.remark, self.operators = self._confidence_box(), self._remark_button(), self._choice()
-        self._second = QAction(tr("Second operator"), self)
-        self._second.setToolTip(tr("Somebody else judges the same windows without seeing results or earlier verdicts."))
-        self._second.triggered.connect(judging.begin_second)
-        self._steps: list[QToolButton] = []
         self._lay_out()
         self.set_high(False)
-        self.offer_next([self._second])
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)
@@ -119,17 +111,6 @@ class JudgeBar(QWidget):
             "remark": self.ask_remark,
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
-
-    def offer_next(self, actions: Sequence[QAction]) -> None:
-        """What more can be done once the last window is judged."""
-        for action in actions:
-            button = QToolButton(self)
-            button.setDefaultAction(action)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.setVisible(False)
-            self._steps.append(button)
 
     def follow_pieces(self, pieces: ClickedPieces) -> None:
         """Say what a scan found in the piece of seam that was clicked, and offer a window there."""
@@ -243,11 +224,6 @@ class JudgeBar(QWidget):
             sentence = self._summary()
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
-        is_over = progress.is_done and not selected
-        for button in self._steps:
-            button.setVisible(is_over and (self._judging.is_first or button.defaultAction() is not self._second))
-        for number, button in enumerate(button for button in self._steps if not button.isHidden()):
-            self._next_steps.addWidget(button, *divmod(number, 2))
         self._chip.setVisible(shows_chip)
         self._why.setVisible(bool(tip))
         self._here.setVisible(piece is not None and not selected)
@@ -367,7 +343,7 @@ class JudgeBar(QWidget):
         words.addWidget(self._sentence, 1)
         words.addWidget(self._why)
         words.addWidget(self._here)
-        self._judging_row, self._moving, self._next_steps = QHBoxLayout(), QHBoxLayout(), QGridLayout()
+        self._judging_row, self._moving = QHBoxLayout(), QHBoxLayout()
         for button in (self._visible, self._invisible, self._unsure, self._next):
             self._judging_row.addWidget(button)
         self._judging_row.addStretch()
@@ -381,7 +357,6 @@ class JudgeBar(QWidget):
         for before, after in zip(standing, standing[1:]):
             QWidget.setTabOrder(before, after)
         below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        below.addLayout(self._next_steps)
         below.addLayout(self._buttons)
         self._rows = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._rows.setContentsMargins(0, 0, 0, 0)

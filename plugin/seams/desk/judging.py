@@ -148,19 +148,6 @@ class Judging(QObject):
         return OPERATORS[1] if self._settings.operator == 2 else OPERATORS[0]
 
     @property
-    def is_first(self) -> bool:
-        """Whether it is the first of both operators."""
-        return self.operator == OPERATORS[0]
-
-    def begin_second(self, *_: object) -> None:
-        """The second operator's turn, who is told nothing, from the first window on."""
-        self.change(operator=2, is_blind=True)
-        self._session.select([])
-        self.follow()
-        self._last_place = -1
-        self.go_on()
-
-    @property
     def is_blind(self) -> bool:
         """Whether the tool's verdict and the other operator's are hidden."""
         return self._settings.is_blind

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import hypot, inf
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -116,7 +116,6 @@ class ProfileChart(ChartWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.shown: ShownProfile | None = None  # what is seen
-        self._levels = frozenset({1})
         self.pointed_bin: ProfileBin | None = None  # what the mouse points at
 
     def painter(self) -> ProfilePainter | None:
@@ -127,18 +126,11 @@ class ProfileChart(ChartWidget):
 
     def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
         """Paint a profile; ``pixel_m``: the mosaic's pixel size, ``min_kept``: the limit of a significant loss."""
-        shown = ShownProfile(profile, pixel_m, min_kept, self._levels, ground_left)
+        shown = ShownProfile(profile, pixel_m, min_kept, ground_left=ground_left)
         if shown != self.shown:
             self.shown = shown
             self._point(None)
             self.update()
-
-    def show_levels(self, levels: frozenset[int]) -> None:
-        """Draw these levels from now on."""
-        self._levels = levels
-        if self.shown is not None:
-            self.shown = replace(self.shown, levels=levels)
-        self.update()
 
     def point_at(self, place: QPointF | None) -> None:
         painter = self.painter()

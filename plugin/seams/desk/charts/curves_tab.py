@@ -4,11 +4,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QPixmap, QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QScrollArea, QSplitter, QToolButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
 
 from ....toolkit.desk.chart_panel import ChartPanel
-from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip, single_shot
 from ....toolkit.translation import BAND_ORDER, band_title, filled, sentence, tr
 from ...charts.chart_curves import (
@@ -18,7 +17,7 @@ from ...charts.chart_curves import (
     point_words,
     window_curves,
 )
-from ...charts.profile_painter import bin_words, level_colour, summary_words
+from ...charts.profile_painter import bin_words, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
 if TYPE_CHECKING:
@@ -231,7 +230,7 @@ _SPARE_LINES = 1  # that the dock's sentence may be longer for another window, w
 
 
 class ProfilePanel(ChartPanel):
-    """Chart, levels to choose, and a line of words. Looks anew once it comes into sight."""
+    """Chart and a line of words. Looks anew once it comes into sight."""
 
     followed = pyqtSignal(object)  # the WindowResult whose profile is shown; None for none
 
@@ -241,7 +240,6 @@ class ProfilePanel(ChartPanel):
         self._result: WindowResult | None = None
         self.chart = ProfileChart()
         self.chart.pointed.connect(self._say)
-        self._levels: list[QToolButton] = []
         self._build()
         for signal in (
             session.selectionChanged, session.inputsChanged, session.windowsChanged, session.resultArrived,
@@ -257,7 +255,6 @@ class ProfilePanel(ChartPanel):
     def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
         """Show any place's profile, as while the mouse is dragged; the next ``refresh`` shows the selected window's
         again."""
-        self._fill_levels(len(profile.kept))
         self.chart.show_profile(profile, pixel_m, min_kept, ground_left)
         self._pages.setCurrentWidget(self.chart)
         self._say()
@@ -297,49 +294,13 @@ class ProfilePanel(ChartPanel):
         )
         self._save = PictureButton()
         self._save.notified.connect(self._session.messageRaised)
-        self._tools = QHBoxLayout()
-        self._tools.addStretch()
-        self._tools.addWidget(self._save)
-        self._lay_out(self._tools, self._status)
-        self._fill_levels(3)
-
-    def _fill_levels(self, count: int) -> None:
-        """A button for each level; the finest is pressed at first."""
-        while len(self._levels) > count:
-            self._levels.pop().deleteLater()
-        while len(self._levels) < count:
-            level = len(self._levels) + 1
-            button = QToolButton()
-            button.setText(str(level))
-            button.setCheckable(True)
-            button.setChecked(level == 1)
-            button.setAutoRaise(True)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            tip = tr("Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.")
-            button.setToolTip(filled(tip, level=level))
-            button.toggled.connect(self._choose_levels)
-            self._levels.append(button)
-            self._tools.insertWidget(level - 1, button)
-        for before, after in zip(self._levels, [*self._levels[1:], self._save]):
-            QWidget.setTabOrder(before, after)
-        self._colour_levels()
-
-    def _colour_levels(self) -> None:
-        style, side = chart_style(self), self.fontMetrics().ascent()
-        for level, button in enumerate(self._levels, 1):
-            swatch = QPixmap(side, max(side // 4, 3))
-            swatch.fill(QColor(level_colour(level, style)))
-            button.setIcon(QIcon(swatch))
-
-    def _choose_levels(self) -> None:
-        self.chart.show_levels(
-            frozenset(level for level, button in enumerate(self._levels, 1) if button.isChecked()) or frozenset({1})
-        )
-        self.refresh()
+        tools = QHBoxLayout()
+        tools.addStretch()
+        tools.addWidget(self._save)
+        self._lay_out(tools, self._status)
 
     def _refresh(self) -> None:
         if self.isVisible():
-            self._colour_levels()
             self.refresh()
 
     def _why_nothing(self, selected: list[int]) -> str:

@@ -14,7 +14,7 @@ from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
 from ....toolkit.translation import filled, shown_number, tr
 from ...measure.window_records import SEAM
-from ...window_summary import cause_numbers, explanation_of, named_causes, shown_area, window_sentence, window_why
+from ...window_summary import named_causes, shown_area, window_sentence, window_why
 from ...words import CLAIMS, VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -101,8 +101,7 @@ class TableColumn(NamedTuple):
     def tip(self, row: WindowRecord, result: WindowResult | None = None) -> str:
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
-            explanation = explanation_of(row, result)
-            return rich_tip(cause_sentence(row.cause), *(cause_numbers(explanation) if explanation is not None else ()))
+            return rich_tip(cause_sentence(row.cause))
         if self.name == "ratio" and row.ratio is not None and not row.stale:
             return rich_tip(filled(tr("Ratio at level {level}: {ratio}"), level=1, ratio=shown_number(row.ratio, 4)))
         return window_tip(row, result)

@@ -71,7 +71,7 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     assert 0 < len(dashes) < len(row)
 
 
-def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -> None:
+def test_the_mixture_is_a_quiet_line(panel: ProfilePanel) -> None:
     bins = (replace(PROFILE.bins[0], mixture=0.4), replace(PROFILE.bins[1], mixture=0.1), *PROFILE.bins[2:])
     mixed = replace(PROFILE, bins=bins, feather_width_px=15.0)
     panel.show_profile(mixed, PIXEL, 0.7)
@@ -87,9 +87,6 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
     drawn = panel.chart.grab().toImage()
     panel.show_profile(PROFILE, PIXEL, 0.7)
     assert panel.chart.grab().toImage() != drawn
-    assert not panel.chart.painter().mixture
-    panel.show_profile(mixed, PIXEL, 0.7)
-    panel.chart.show_levels(frozenset({2}))
     assert not panel.chart.painter().mixture
 
 
