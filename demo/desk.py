@@ -242,6 +242,12 @@ class Desk:
         place = QPoint(header.sectionViewportPosition(section) + header.sectionSize(section) // 2, header.height() // 2)
         QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, _NO_KEY, place)
 
+    def headings(self) -> list[str]:
+        """The headings of the windows' table that are seen."""
+        table = self.dock.windows.table
+        places = [place for place in range(table.model().columnCount()) if not table.isColumnHidden(place)]
+        return [str(table.model().headerData(place, Qt.Orientation.Horizontal)) for place in places]
+
     def table(self) -> list[list[str]]:
         """The texts of the windows' table, row by row."""
         model = self.dock.windows.table.model()

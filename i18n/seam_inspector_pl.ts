@@ -704,22 +704,22 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="177"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="195"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="180"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="178"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="60"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -754,29 +754,9 @@
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="62"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="232"/>
-        <source>Zoom to window</source>
-        <translation>Powiększ do okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="233"/>
-        <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
-        <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="234"/>
-        <source>Inspect again</source>
-        <translation>Skontroluj ponownie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="234"/>
-        <source>Measures the selected windows again.</source>
-        <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
@@ -787,16 +767,6 @@
         <location filename="../plugin/seams/desk/judge_bar.py" line="77"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="239"/>
-        <source>Remove</source>
-        <translation>Usuń</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="240"/>
-        <source>Removes the selected windows; undo brings them back.</source>
-        <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/desk/tool_dock.py" line="108"/>
@@ -844,7 +814,7 @@
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="82"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="81"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
@@ -1109,7 +1079,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="61"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -5413,7 +5383,7 @@
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="83"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="82"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
@@ -5486,16 +5456,6 @@
         <location filename="../plugin/seams/desk/windows/windows_filter.py" line="114"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="236"/>
-        <source>Copy rows</source>
-        <translation>Kopiuj wiersze</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="237"/>
-        <source>The selected rows with their headings, for a spreadsheet.</source>
-        <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
@@ -5645,7 +5605,7 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="199"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -11626,12 +11586,12 @@
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="111"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="110"/>
         <source>Undo {step}</source>
         <translation>Cofnij: {step}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="112"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="111"/>
         <source>Redo {step}</source>
         <translation>Ponów: {step}</translation>
     </message>
@@ -11741,77 +11701,77 @@
         <translation>zachowano {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="279"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="263"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="316"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="332"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="316"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
         <source>All settings ...</source>
         <translation>Wszystkie ustawienia...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
         <source>Sampling plans, rules from a file, who judges, and all outputs.</source>
         <translation>Plany próbkowania, reguły z pliku, kto ocenia i wszystkie wyniki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="350"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="334"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="350"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="334"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="352"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="352"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="336"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="355"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="339"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="355"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="339"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="208"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="192"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="235"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="219"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="327"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="311"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="327"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="311"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -12003,7 +11963,7 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="322"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="306"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
@@ -12217,11 +12177,6 @@
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="61"/>
-        <source>A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them.</source>
-        <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/charts/curves_painter.py" line="207"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
@@ -12240,6 +12195,11 @@
         <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>The filter is not understood: {error}. Example: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Filtr jest niezrozumiały: {error}. Przykład: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="55"/>
+        <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
+        <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>
 </context>
 </TS>

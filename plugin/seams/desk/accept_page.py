@@ -43,14 +43,13 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...imagery.errors import RasterError, SettingsError
-from ...imagery.gdal_paths import local_file
+from ...imagery.errors import SettingsError
 from ...imagery.messages import system_reason
 from ...toolkit.background_tasks import hush_end
 from ...toolkit.desk.theme import readable_palette
 from ...toolkit.desk.widgets import plain_tip
 from ...toolkit.layer_styles import load_style
-from ...toolkit.layers import layer_path, layer_ref
+from ...toolkit.layers import layer_path
 from ...toolkit.translation import filled, sentence, tr
 from ..tables.scan_layers import SEAMS, is_picture
 from ..words import verdict_colour
@@ -98,18 +97,13 @@ def decision_values(inputs: Inputs, scans: Sequence[DeliveredScan]) -> dict[str,
 
 
 def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, str]:
-    """Files for what a decision makes, beside the project; where that has none, beside the scan, else the mosaic.
+    """Files for what a decision makes, beside the project.
 
     All have one number, by which none of them takes the place of an earlier one.
     """
-    mosaic, worst = _mosaic_file(project, inputs), worst_layer(project, inputs.mosaic)
-    scan = Path(layer_path(worst)) if worst is not None and layer_path(worst) else None
-    profile = Path(QgsApplication.qgisSettingsDirPath())  # where scans of projects without a file lie, and nobody looks
-    beside = [file.parent for file in (scan, mosaic) if file is not None and file.parent != profile]
-    places = [*([Path(project.homePath())] if project.homePath() else ()), *beside, Path.home()]
-    folder = next((place for place in places if place.is_dir() and os.access(place, os.W_OK)), None)
-    stem = file_stem(project.baseName() or "delivery" if mosaic is None else mosaic.name)
-    return {} if folder is None else _unused({name: folder / f"{stem}_{file}" for name, file in _FILES.items()})
+    mosaic, folder = project.mapLayer(inputs.mosaic), Path(project.homePath() or Path.home())
+    stem = file_stem(project.baseName() or "delivery" if mosaic is None else mosaic.source())
+    return _unused({name: folder / f"{stem}_{file}" for name, file in _FILES.items()})
 
 
 def _unused(files: Mapping[str, Path]) -> dict[str, str]:
@@ -126,16 +120,6 @@ def _unused(files: Mapping[str, Path]) -> dict[str, str]:
 def pictures_beside(failures: Path) -> Path:
     """The folder with the pictures of a layer of failures."""
     return failures.with_name(f"{failures.stem}_pictures")
-
-
-def _mosaic_file(project: QgsProject, inputs: Inputs) -> Path | None:
-    """None for one that is no file of this machine."""
-    layer = project.mapLayer(inputs.mosaic)
-    try:
-        path = local_file(layer_ref(layer).path) if isinstance(layer, QgsRasterLayer) else ""
-    except RasterError:
-        return None
-    return Path(path) if path and os.path.isfile(path) else None
 
 
 _HEAD = ("TITLE", "CONTRACT", "PRODUCER", "CLIENT")
@@ -175,7 +159,7 @@ class AcceptPage(QDialog):
         folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
         beside = suggested_files(self._project, self._inputs)
         self._made = {name: folder / Path(file).name for name, file in beside.items()}
-        self._home = Path(next(iter(beside.values()), str(Path.home()))).parent
+        self._home = Path(next(iter(beside.values()))).parent
         values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
         context, self._feedback = QgsProcessingContext(), _FailureHeard()
         context.setProject(self._project)

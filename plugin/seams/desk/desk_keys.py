@@ -58,7 +58,6 @@ KEYS = (
     KeyLine("Esc, right click", "map, while drawing", "drops the rectangle; ends drawing"),
     KeyLine("Enter, double click", "table", "the window at 2x"),
     KeyLine("Del", "table", "removes the selected windows"),
-    KeyLine("Ctrl+C", "table", "copies the selected rows"),
 )  # fmt: skip
 
 

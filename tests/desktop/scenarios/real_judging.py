@@ -120,7 +120,7 @@ def judge_blind(desk: Desk, shots: Path) -> None:
     desk.wait_for_map()
     desk.screenshot(shots / "judging_blind.png")
     desk.report["second"] = sum(bool(row.observer_2) for row in session.windows())
-    desk.report["blind_columns"] = [column.title() for column in desk.dock.windows.table.visible_columns()]
+    desk.report["blind_columns"] = desk.headings()
     model.change(operator=1, is_blind=False)
 
 

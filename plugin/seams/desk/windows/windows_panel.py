@@ -1,35 +1,29 @@
 """The windows as a sortable, filterable table whose selection is the window layer's."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsApplication
 from qgis.gui import QgsFilterLineEdit
-from qgis.PyQt.QtCore import QModelIndex, QPoint, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
-    QAction,
-    QApplication,
     QHBoxLayout,
     QLabel,
-    QMenu,
     QVBoxLayout,
     QWidget,
 )
 
-from ....imagery.errors import SettingsError, cell_text
+from ....imagery.errors import SettingsError
 from ....imagery.statistics import Operator
 from ....toolkit.desk.widgets import is_confirmed
 from ....toolkit.translation import filled, sentence, tr
-from .window_columns import WINDOW_ID, TableColumn
+from .window_columns import WINDOW_ID
 from .windows_filter import KindBox, is_expression, window_filter
 from .windows_table import WindowsModel, WindowsTable
 
 if TYPE_CHECKING:
-    from ...measure.window_records import WindowRecord
     from ..session import Session
 
 _WIDE_LETTERS = 60  # the count of windows has room beside the search
@@ -58,7 +52,7 @@ class WindowsPanel(QWidget):
         self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self)
         self.table.setToolTip(
-            tr("A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them.")
+            tr("A click goes to a window on the map, Enter once more; Del removes the selected ones.")
         )
         self.table.setAccessibleName(tr("Windows"))
         self._search.setShowSearchIcon(True)
@@ -66,17 +60,14 @@ class WindowsPanel(QWidget):
         self._search.setPlaceholderText(tr("Filter windows"))
         self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
         self._count.setToolTip(tr("How many windows are shown."))
-        self._menu = self._rows_menu()
         self._lay_out()
 
         self._search.textChanged.connect(self._filter)
         self._verdicts.currentIndexChanged.connect(self._filter)
-        self.table.copyRequested.connect(self.copy)
         self.table.selectionModel().selectionChanged.connect(self._lead)
         self.table.doubleClicked.connect(self._zoom_to)
         self.table.zoomRequested.connect(self._zoom)
         self.table.removeRequested.connect(self._remove)
-        self.table.customContextMenuRequested.connect(self._show_menu)
         self._windows.modelReset.connect(self._take_order)
         session.windowsChanged.connect(self._take_windows)
         session.selectionChanged.connect(self._take_selection)
@@ -95,12 +86,6 @@ class WindowsPanel(QWidget):
             self.sort_by_number()  # another order would tell
         self._verdicts.set_blind(is_blind)
         self._filter()
-
-    def copy(self, *_: object) -> None:
-        """The selected rows to the clipboard."""
-        rows = [row for row in map(self._session.row, self.table.selected_fids()) if row is not None]
-        if rows:
-            QApplication.clipboard().setText(copied_rows(self.table.visible_columns(), rows))
 
     def ordered_fids(self) -> list[int]:
         """The windows shown, from top to bottom: the same list while they are the same; not to be changed."""
@@ -207,9 +192,6 @@ class WindowsPanel(QWidget):
         if current.isValid():
             self._zoom_to(current)
 
-    def _inspect(self, *_: object) -> None:
-        self._session.inspect(self.table.selected_fids())
-
     def _remove(self, *_: object) -> None:
         fids = self.table.selected_fids()
         rows = [row for row in map(self._session.row, fids) if row is not None]
@@ -218,39 +200,7 @@ class WindowsPanel(QWidget):
         if fids and (judged < 2 or self._confirm(self, question)):
             self._session.remove(fids)
 
-    def _show_menu(self, place: QPoint) -> None:
-        if self.table.selected_fids():
-            self._menu.popup(self.table.viewport().mapToGlobal(place))
-
     # Widgets
-
-    def _rows_menu(self) -> QMenu:
-        """The menu of the selected rows. Its shortcuts are only told there: the table takes the keys itself."""
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        for entry in (
-            (tr("Zoom to window"), "mActionZoomToSelected", self._zoom,
-             tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
-            (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows again."), None),
-            None,
-            (tr("Copy rows"), "mActionEditCopy", self.copy,
-             tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
-            None,
-            (tr("Remove"), "mActionDeleteSelected", self._remove,
-             tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
-        ):
-            if entry is None:
-                menu.addSeparator()
-                continue
-            text, icon, slot, tip, key = entry
-            action = QAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text, menu)
-            action.setToolTip(tip)
-            if key is not None:
-                action.setShortcut(QKeySequence(key))
-                action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-            action.triggered.connect(slot)
-            menu.addAction(action)
-        return menu
 
     def _lay_out(self) -> None:
         line = QHBoxLayout()
@@ -265,9 +215,3 @@ class WindowsPanel(QWidget):
         layout.addWidget(self._problem)
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
-
-
-def copied_rows(columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> str:
-    """Rows as they are read in the table, tab separated, headings first."""
-    lines = [[column.title() for column in columns], *([column.text(row) for column in columns] for row in rows)]
-    return "\n".join("\t".join(cell_text(" ".join(cell.split())) for cell in line) for line in lines)

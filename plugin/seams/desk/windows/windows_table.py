@@ -168,7 +168,6 @@ class WindowsTable(QTableView):
     """Whole rows are selected. Delete and Enter are the table's own while it has the focus."""
 
     removeRequested = pyqtSignal()
-    copyRequested = pyqtSignal()
     zoomRequested = pyqtSignal()
 
     def __init__(self, windows: WindowsModel, parent: QWidget | None = None) -> None:
@@ -182,7 +181,6 @@ class WindowsTable(QTableView):
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setAlternatingRowColors(True)
         self.setShowGrid(False)
         self.setWordWrap(False)
@@ -229,10 +227,6 @@ class WindowsTable(QTableView):
         """Whether the row is in the visible part of the table."""
         rect = self.visualRect(self._windows.index(row, 0))
         return rect.top() >= 0 and rect.bottom() < max(self.viewport().height(), rect.height())
-
-    def visible_columns(self) -> list[TableColumn]:
-        """Columns that are seen, from left to right."""
-        return [column for section, column in enumerate(COLUMNS) if not self.isColumnHidden(section)]
 
     def set_fewest_rows(self, rows: int) -> None:
         """Show at least so many; 0: as few as there is room for."""
@@ -348,8 +342,6 @@ class WindowsTable(QTableView):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if not _is_table_key(event):
             super().keyPressEvent(event)
-        elif event.matches(QKeySequence.StandardKey.Copy):
-            self.copyRequested.emit()
         elif event.matches(QKeySequence.StandardKey.Delete):
             self.removeRequested.emit()
         else:
@@ -358,7 +350,6 @@ class WindowsTable(QTableView):
 
 def _is_table_key(event: QKeyEvent) -> bool:
     enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-    keys = (QKeySequence.StandardKey.Delete, QKeySequence.StandardKey.Copy)
-    return any(map(event.matches, keys)) or (
+    return event.matches(QKeySequence.StandardKey.Delete) or (
         enter and event.modifiers() in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
     )

@@ -13,7 +13,7 @@ from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.seams.tables.window_layer import read_layer
 
 from tests.qgis.scenes import BLURRED, SHARP, windows
-from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession, filter_to, window
+from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession, columns_of, filter_to, window
 from tests.work import calls_of
 
 ID, VERDICT, LOSS, RATIO, PAPER, CAUSE, SOURCES, OBSERVER = range(8)
@@ -114,7 +114,7 @@ def test_ratios_stand_in_the_table_where_a_verdict_is_taken_by_them(
 
     def shown() -> list[str]:
         QApplication.processEvents()
-        return [column.name for column in panel.table.visible_columns()]
+        return columns_of(panel)
 
     session.put(by_seam)
     assert shown() == ["window_id", "verdict", "loss", "paper_verdict", "cause", "sources", "observer", "reason"]
@@ -131,7 +131,7 @@ def test_as_many_columns_are_seen_as_there_is_room_for(
     session.change(2, observer_2="visible", remark="haze")
     panel.resize(width, 400)
     QApplication.processEvents()
-    names = {column.name for column in panel.table.visible_columns()}
+    names = set(columns_of(panel))
     assert names >= {"window_id", "verdict", "loss", "observer"}
     assert ("reason" in names) == (width == 2000)
     assert panel.table.horizontalScrollBar().maximum() == 0
@@ -224,19 +224,6 @@ def test_a_click_and_enter_go_to_a_window(panel: WindowsPanel, session: WindowsS
     assert zoomed == [10, 10]
 
 
-def test_context_menu(panel: WindowsPanel, session: WindowsSession) -> None:
-    session.select([1, 12])
-    session.calls.clear()
-    zoomed: list[int] = []
-    panel.zoomRequested.connect(zoomed.append)
-    for action in panel._menu.actions():
-        if not action.isSeparator():
-            assert action.toolTip()
-            action.trigger()
-    assert zoomed == [1]
-    assert session.calls == [("inspect", [1, 12]), ("remove", [1, 12])]
-
-
 # Filter by expressions
 
 
@@ -288,19 +275,3 @@ def test_who_judges_blind_filters_by_what_he_sees(layered: WindowsPanel, text: s
     assert len(filter_to(layered, text)) == 3
     assert "hidden while judging blind" in layered._problem.text()
     assert len(filter_to(layered, "observer = 'visible'")) == 1
-
-
-def titles(panel: WindowsPanel) -> list[str]:
-    return [column.title() for column in panel.table.visible_columns()]
-
-
-# Rows as text
-
-
-def test_selected_rows_are_copied_with_their_headings(panel: WindowsPanel) -> None:
-    panel.resize(420, 300)
-    select_row(panel, 2, 4)
-    QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
-    lines = [line.split("\t") for line in QApplication.clipboard().text().split("\n")]
-    assert lines[0] == titles(panel)
-    assert [line[:3] for line in lines[1:]] == [["2", "significant", "44 m²"], ["4", "not comparable", ""]]

@@ -10,6 +10,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.statistics import FIRST, Operator
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.windows.window_columns import COLUMNS
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.seams.measure.window.explained_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
@@ -144,3 +145,8 @@ def filter_to(panel: WindowsPanel, text: str = "", choice: str = "all") -> list[
     panel._search.setText(text)
     panel._verdicts.setCurrentText(choice)
     return panel.ordered_fids()
+
+
+def columns_of(panel: WindowsPanel) -> list[str]:
+    """The names of the columns that are seen, from left to right."""
+    return [column.name for place, column in enumerate(COLUMNS) if not panel.table.isColumnHidden(place)]

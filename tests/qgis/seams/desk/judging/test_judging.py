@@ -12,7 +12,7 @@ from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.judging.conftest import Asked
-from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to, window
+from tests.qgis.seams.desk.windows_session import WindowsSession, columns_of, filter_to, window
 
 VERDICT = 1
 
@@ -189,12 +189,12 @@ def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: Windows
     panel.table.sortByColumn(VERDICT, Qt.SortOrder.DescendingOrder)
     panel.show_for(FIRST, is_blind=True)
     assert panel.ordered_fids() == [1, 2, 3, 4, 10, 12]  # nor does their order tell
-    assert [column.title() for column in panel.table.visible_columns()] == ["id", "observer", "sure"]
+    assert columns_of(panel) == ["window_id", "observer", "confidence"]
     index = panel.table.model().index(1, 0)
     assert index.data(Qt.ItemDataRole.ToolTipRole) is None
     assert not panel._verdicts.model().item(1).isEnabled()
     panel.show_for(FIRST, is_blind=False)
-    assert "verdict" in [column.title() for column in panel.table.visible_columns()]
+    assert "verdict" in columns_of(panel)
 
 
 # The project
