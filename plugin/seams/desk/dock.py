@@ -5,7 +5,7 @@ from functools import partial
 from typing import Callable
 
 from qgis.core import QgsApplication, QgsProject
-from qgis.gui import QgisInterface
+from qgis.gui import QgisInterface, QgsMessageBarItem
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
@@ -29,6 +29,7 @@ from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
+from ..jobs import ScanDone
 from ..measure import messages
 from .accept_page import AcceptPage
 from .charts.curves_tab import CurvesAndProfile
@@ -42,7 +43,7 @@ from .map.hard_cut import Flicker
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
-from .mosaic_scans import MosaicScans, ScanMessage, uncover
+from .mosaic_scans import MosaicScans, scan_message, uncover
 from .report_writer import ReportWriter
 from .session import Session
 from .windows.windows_panel import WindowsPanel
@@ -90,8 +91,8 @@ class InspectionDock(ToolDock):
         self.layout_of_judging = JudgingLayout(iface, self, self.session)
         self.layout_of_judging.action.toggled.connect(self._begin_judging)
         self.layout_of_judging.action.toggled.connect(self.flicker.hide)
-        self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
-        self.scans.scanned.connect(self._findings.show)
+        self._findings: QgsMessageBarItem | None = None
+        self.scans.scanned.connect(self._tell_findings)
         self.steps = UndoActions(self.session.steps, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
@@ -125,9 +126,10 @@ class InspectionDock(ToolDock):
 
     def close_desk(self) -> None:
         super().close_desk()
+        self._forget_findings()
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
-            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker, self._findings,
+            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker,
             self.scans, self.pieces, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
             self.curves, self.images,
         ):  # fmt: skip
@@ -139,6 +141,14 @@ class InspectionDock(ToolDock):
         if layer is not None:
             uncover(QgsProject.instance(), layer)
             self.session.take_places(layer)
+
+    def _tell_findings(self, done: ScanDone) -> None:
+        self._forget_findings()
+        self._findings = scan_message(self._iface.messageBar(), done, self.judge_worst)
+
+    def _forget_findings(self) -> None:
+        if self._findings is not None and not sip.isdeleted(self._findings):
+            self._findings.dismiss()
 
     def _go_to_worst(self, fids: list[int]) -> None:
         self.windows.sort_by_number()

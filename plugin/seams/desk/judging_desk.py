@@ -14,8 +14,8 @@ from qgis.core import (
     QgsProperty,
     QgsRasterLayer,
     QgsRectangle,
-    QgsRuleBasedRenderer,
     QgsSimpleLineSymbolLayer,
+    QgsSingleSymbolRenderer,
     QgsVectorLayer,
     QgsVectorLayerSimpleLabeling,
 )
@@ -24,7 +24,6 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtWidgets import QAction, QDockWidget, QWidget
 
-from ...imagery.statistics import Operator
 from ...toolkit.connections import Connections
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import is_confirmed
@@ -90,7 +89,7 @@ class JudgingDesk(QObject):
             self._show_on_map()
         if self.model.is_blind and layer is not None:
             self._hidden = layer
-            hide_verdicts(layer, self.model.operator)
+            hide_verdicts(layer)
         elif layer is not None:
             show_verdicts(layer)  # a project that was saved blind
 
@@ -102,19 +101,18 @@ class JudgingDesk(QObject):
 
 _NAME = "seam_inspector_blind"  # of the layer's style; its user's own one is kept beside it
 _BEFORE = "seam_inspector/style"  # custom property of the layer: the style that is to come back
-_CASING, _LINE = ("0,0,0,150", 1.0), ("255,255,255", 0.6)  # colour and width, mm
-_DONE = ("255,255,255,150", 0.2)
+_LINES = ("0,0,0,150", "1.0"), ("255,255,255", "0.6")  # colour and width, mm
 
 
-def hide_verdicts(layer: QgsVectorLayer, operator: Operator) -> None:
-    """Show a window layer without what was found in it, and without what the other operator said."""
+def hide_verdicts(layer: QgsVectorLayer) -> None:
+    """Show a window layer without what was found in it, or what was said of it."""
     styles = layer.styleManager()
     if styles.currentStyle() != _NAME:
         layer.setCustomProperty(_BEFORE, styles.currentStyle())
         styles.removeStyle(_NAME)
         styles.addStyleFromLayer(_NAME)
         styles.setCurrentStyle(_NAME)
-    layer.setRenderer(_renderer(operator))
+    layer.setRenderer(QgsSingleSymbolRenderer(_outline()))
     layer.setLabeling(_labels())
     layer.setLabelsEnabled(True)
     layer.setMapTipTemplate("")
@@ -135,24 +133,11 @@ def show_verdicts(layer: QgsVectorLayer) -> None:
     layer.triggerRepaint()
 
 
-def _renderer(operator: Operator) -> QgsRuleBasedRenderer:
-    root = QgsRuleBasedRenderer.Rule(None)
-    done = QgsRuleBasedRenderer.Rule(_outline(_DONE))
-    done.setFilterExpression(f"coalesce(attribute('{operator.observer}'), '') <> ''")
-    done.setLabel(tr("judged"))
-    root.appendChild(done)
-    rest = QgsRuleBasedRenderer.Rule(_outline(_CASING, _LINE))
-    rest.setIsElse(True)
-    rest.setLabel(tr("to be judged"))
-    root.appendChild(rest)
-    return QgsRuleBasedRenderer(root)
-
-
-def _outline(*lines: tuple[str, float]) -> QgsFillSymbol:
+def _outline() -> QgsFillSymbol:
     """Symbol of lines: QGIS fills even an empty polygon with the selection's colour, and hides what is to be judged."""
     symbol = QgsFillSymbol.createSimple({})
-    for colour, mm in lines:
-        symbol.appendSymbolLayer(QgsSimpleLineSymbolLayer.create({"line_color": colour, "line_width": str(mm)}))
+    for colour, mm in _LINES:
+        symbol.appendSymbolLayer(QgsSimpleLineSymbolLayer.create({"line_color": colour, "line_width": mm}))
     symbol.deleteSymbolLayer(0)
     return symbol
 

@@ -18,7 +18,6 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
-from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QPushButton
 
@@ -263,39 +262,16 @@ def _table(path: Path, kind: ScanLayer, title: str) -> QgsVectorLayer:
     return layer
 
 
-class ScanMessage(QObject):
-    """Says how much was lost, and offers the worst places until they are taken, or the project closes."""
-
-    def __init__(self, bar: QgsMessageBar, judge: Callable[[], None], parent: QObject) -> None:
-        super().__init__(parent)
-        self._bar, self._judge = bar, judge
-        self._item: QgsMessageBarItem | None = None
-        QgsProject.instance().cleared.connect(self.dismiss)
-
-    def show(self, done: ScanDone) -> None:
-        """Say it, in the place of what was said of a scan before."""
-        self.dismiss()
-        item = self._bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
-        if done.worst_count:
-            words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
-            button = QPushButton(filled(words, count=done.worst_count), item)
-            button.setToolTip(tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."))
-            button.clicked.connect(self._go_on)
-            item.layout().addWidget(button)
-        self._item = item
-        self._bar.pushWidget(item, Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success, 0)
-
-    def close(self) -> None:
-        """Leave nothing in the bar and follow the project no more."""
-        QgsProject.instance().cleared.disconnect(self.dismiss)
-        self.dismiss()
-
-    def dismiss(self) -> None:
-        """Leave nothing in the bar."""
-        if self._item is not None and not sip.isdeleted(self._item):
-            self._bar.popWidget(self._item)
-        self._item = None
-
-    def _go_on(self) -> None:
-        self.dismiss()
-        self._judge()
+def scan_message(bar: QgsMessageBar, done: ScanDone, judge: Callable[[], None]) -> QgsMessageBarItem:
+    """Say how much was lost, and offer the worst places until they are taken, or the project closes."""
+    item = bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
+    if done.worst_count:
+        words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
+        button = QPushButton(filled(words, count=done.worst_count), item)
+        button.setToolTip(tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."))
+        button.clicked.connect(item.dismiss)
+        button.clicked.connect(lambda *_: judge())
+        item.layout().addWidget(button)
+    QgsProject.instance().cleared.connect(item.dismiss)
+    bar.pushWidget(item, Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success, 0)
+    return item
