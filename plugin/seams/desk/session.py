@@ -23,7 +23,7 @@ from ..measure.window.inspection import WindowRequest
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..tables import window_layer
-from ..tables.window_layer import boxed_windows, style_once
+from ..tables.window_layer import style_once
 from . import messages
 from .inputs.project_inputs import Inputs
 from .session_inputs import SessionInputs
@@ -253,12 +253,8 @@ class Session(SessionInputs):
     def inspect(self, fids: Sequence[int], is_step: bool = True) -> None:
         """Inspect windows, those left out that are being inspected already. ``is_step``: as a step of undo."""
         with self._raised():
-            layer, mosaic = self.window_layer(), self.mosaic_layer()
-            count = 0 if layer is None or mosaic is None else boxed_windows(layer, fids, mosaic.crs())
             self._results.inspect(fids, is_step)
             self._mosaics.note()
-            if count:
-                self._tell(messages.WINDOWS_IN_BOXES(count=count))
 
     def inspect_pending(self) -> None:
         """Inspect all windows that are not inspected yet or have changed since."""

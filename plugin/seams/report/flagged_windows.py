@@ -98,7 +98,6 @@ def _share(value: float) -> str:
     return shown_number(value, 3) if value >= 0.001 or value == 0 else filled("{value:.1e}", value=value)
 
 
-REPORT_CLIPS_BYTES = 16_000_000  # of all JPEG pictures together: with charts and base64 a report stays below 30 MB
 
 CHART_MM = 84.6  # 320 px, as wide as a clip
 
@@ -106,12 +105,10 @@ CHART_MM = 84.6  # 320 px, as wide as a clip
 class WindowSections:
     """Makes the sections of a report's windows one after another."""
 
-    def __init__(self, request: ReportRequest, count: int) -> None:
-        """``count``: how many sections there will be, which share the bytes that a report may have."""
+    def __init__(self, request: ReportRequest) -> None:
         self.notices: list[Message] = []  # what could not be shown
         self._request = request
         self._pixel_m = None if request.block is None else request.block.mosaic.ground_sample_distance
-        self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
     def sections(self, records: Sequence[WindowRecord]) -> Iterator[dict[str, object]]:
         """What the page shows of each."""
@@ -121,7 +118,7 @@ class WindowSections:
     def _clips(self, records: Sequence[WindowRecord]) -> Iterator[WindowParts]:
         if self._request.block is None:
             return repeat(WindowParts(), len(records))
-        return window_parts(self._request.block, map(self._job, records), self._bytes_each)
+        return window_parts(self._request.block, map(self._job, records))
 
     def _job(self, record: WindowRecord) -> ClipJob:
         """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""

@@ -50,7 +50,7 @@ def write_report(
     linked = {record.window_id for record in detailed}
     if len(detailed) < len(flagged):
         notices.append(messages.DETAILS_LIMITED(count=len(flagged), most=len(detailed)))
-    sections = WindowSections(request, len(detailed))
+    sections = WindowSections(request)
 
     def shown() -> Iterator[dict[str, object]]:
         for done, section in enumerate(sections.sections(detailed), 1):

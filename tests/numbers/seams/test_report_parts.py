@@ -3,43 +3,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-import numpy as np
 import pytest
 from osgeo import gdal
-from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery import clips
 from seam_inspector.plugin.imagery.clips import read_overview
 from seam_inspector.plugin.imagery.limits import judged_band
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.judgement.greatest_loss import greatest_loss
 from seam_inspector.plugin.seams.measure.window_records import PairRecord, contrast_of
 
-from tests.numbers.synthetic import ORIGIN, orthoimage, texture
+from tests.numbers.synthetic import ORIGIN, orthoimage
 
 MakeRaster = Callable[..., str]
-
-
-@pytest.mark.parametrize(("row", "column"), [(0, 0), (96, 208), (352, 352), (200, 40)])
-def test_the_blurred_part_is_found(row: int, column: int) -> None:
-    scene = 120 + 30 * texture((512, 512), 1.2)
-    mosaic = scene.copy()
-    mosaic[row : row + 160, column : column + 160] = gaussian_filter(scene, 1.2)[row : row + 160, column : column + 160]
-    noise = np.random.default_rng(2).normal(0, 1, (2, 512, 512))
-    sources = [np.rint(scene + noise[0]), np.rint(0.8 * scene + noise[1])]
-    found = greatest_loss(np.rint(mosaic), sources, 160)
-    assert np.abs(np.subtract(found, (row, column))).max() <= 16
-
-
-def test_neither_darkness_nor_what_one_source_alone_shows_is_a_loss() -> None:
-    scene = 120 + 30 * texture((512, 512), 1.2)
-    random = np.random.default_rng(2)
-    sources = [scene + random.normal(0, 1, scene.shape) for _ in range(2)]
-    sources[1][:160, :160] += random.normal(0, 60, (160, 160))  # of the second source alone: the mosaic has the first's
-    mosaic = sources[0].copy()
-    mosaic[:160, 352:] -= 90
-    mosaic[352:, 100:260] = gaussian_filter(mosaic, 0.6)[352:, 100:260]
-    assert np.abs(np.subtract(greatest_loss(mosaic, sources, 160), (352, 100))).max() <= 16
 
 
 def test_the_overview_is_a_small_picture_of_the_place(make_raster: MakeRaster) -> None:

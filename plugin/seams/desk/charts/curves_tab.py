@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 
 
 _TOGETHER_MS = 150  # changes that come within this time are drawn once
-_PATIENCE_MS = 400  # that a chart of another window stays as it is while the next one is measured
 
 
 class CurvesPanel(ChartPanel):
@@ -43,7 +42,6 @@ class CurvesPanel(ChartPanel):
         self._band = ""  # the user's choice, kept while other windows lack it
         self._idle_text = ""
         self.shown: Sequence[WindowCurves] = ()  # what the chart is asked to draw
-        self._dimmer = single_shot(self, self._dim, _PATIENCE_MS)
         self._build()
         session.selectionChanged.connect(self._refresh_now)
         session.inputsChanged.connect(self._refresh_now)
@@ -120,16 +118,11 @@ class CurvesPanel(ChartPanel):
         return bool(self._pages.currentWidget() is self._chart)
 
     def _wait_for_curves(self, words: str) -> None:
-        """The chart before stays meanwhile, faint when it takes long."""
+        """The chart before stays meanwhile, faint."""
         self._idle_text, self.shown = words, ()
         self._save.offer(None)
-        if not self._dimmer.isActive():
-            self._dimmer.start()
+        self._chart.setEnabled(False)
         self._show_point()
-
-    def _dim(self) -> None:
-        if not self.shown:
-            self._chart.setEnabled(False)
 
     def _fill_bands(self, names: list[str]) -> None:
         if names != [self._bands.itemData(row) for row in range(self._bands.count())]:
@@ -146,7 +139,6 @@ class CurvesPanel(ChartPanel):
     def _draw(self, result: WindowCurves, curves: tuple[ChartCurve, ...]) -> None:
         chart = Chart(curves, self._session.inputs.max_ratio)
         self._pages.setCurrentWidget(self._chart)
-        self._dimmer.stop()
         self._chart.setEnabled(True)
         self._chart.show_chart(chart)
         self.shown = [result]

@@ -8,8 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Optional
 
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
-from qgis.PyQt.QtCore import QModelIndex, QObject, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QPalette
+from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QGridLayout,
@@ -17,8 +16,6 @@ from qgis.PyQt.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QSizePolicy,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
     QToolButton,
     QWidget,
 )
@@ -26,7 +23,7 @@ from qgis.PyQt.QtWidgets import (
 from ....imagery.errors import SeamInspectorError
 from ....imagery.grids import Extent, extents_meet
 from ....toolkit.desk.layer_box import missing_text
-from ....toolkit.desk.theme import blended, readable_on, readable_palette
+from ....toolkit.desk.theme import ReadableItems
 from ....toolkit.desk.widgets import plain_tip
 from ....toolkit.layers import box_extent, transformed_extent
 from ....toolkit.project_settings import unmodified
@@ -282,8 +279,7 @@ def _pixel_type(layer: QgsRasterLayer) -> str:
     return tr("floating point") if is_float else filled(tr("{bits} bit"), bits=bits)
 
 
-_ID, _REASON, _FAINT = (Qt.ItemDataRole.UserRole + place for place in range(3))
-_FAINT_SHARE = 0.65  # of the words' colour, where a raster is no source
+_ID, _IS_OUT = (Qt.ItemDataRole.UserRole + place for place in range(2))
 _FEWEST_ROWS = 4  # seen without scrolling
 
 Standings = Callable[[str], Optional["Suitability"]]
@@ -296,29 +292,7 @@ class _Entry:
     layer_id: str
     text: str
     tip: str
-    is_missing: bool = False
     reason: str = ""  # why it is not suggested
-
-
-class _Names(QStyledItemDelegate):
-    """Cuts long names in their middle, as they often differ at their end only, and reasons at their end.
-
-    What is no source is faint, and can be read all the same in whatever theme QGIS has.
-    """
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
-        super().initStyleOption(option, index)
-        has_reason = bool(index.data(_REASON))
-        option.textElideMode = Qt.TextElideMode.ElideRight if has_reason else Qt.TextElideMode.ElideMiddle
-        palette = readable_palette(self.parent())
-        text, back = palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base)
-        if index.data(_FAINT):
-            text = readable_on(back, blended(text, back, _FAINT_SHARE))
-        option.palette.setColor(QPalette.ColorRole.Text, text)
-
-    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
-        """With some air between the boxes, which Qt 6 does without."""
-        return super().sizeHint(option, index).expandedTo(QSize(0, option.fontMetrics.height() + 2))
 
 
 class SourceList(QWidget):
@@ -341,7 +315,8 @@ class SourceList(QWidget):
                "tick it to use it anyway. Untick a missing one to remove it from the inputs.")
         )
         self.list.setAccessibleName(tr("Sources"))
-        self.list.setItemDelegate(_Names(self.list))
+        self.list.setItemDelegate(ReadableItems(self.list))
+        self.list.setTextElideMode(Qt.TextElideMode.ElideMiddle)  # names often differ at their end only
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.list.setUniformItemSizes(True)
@@ -379,8 +354,9 @@ class SourceList(QWidget):
                 item = self.list.item(row)
                 is_source = item.data(_ID) in chosen
                 item.setCheckState(Qt.CheckState.Checked if is_source else Qt.CheckState.Unchecked)
-                is_plain = is_source or not item.data(_REASON)
-                item.setData(_FAINT, not is_plain or item.font().italic())
+                font = item.font()
+                font.setItalic(item.data(_IS_OUT) and not is_source)
+                item.setFont(font)
         finally:
             self._is_following = False
         standings = [standing(entry.layer_id) for entry in entries]
@@ -400,10 +376,7 @@ class SourceList(QWidget):
             item.setData(_ID, entry.layer_id)
             item.setToolTip(plain_tip(entry.tip))
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
-            font = item.font()
-            font.setItalic(entry.is_missing)
-            item.setFont(font)
-            item.setData(_REASON, entry.reason)
+            item.setData(_IS_OUT, bool(entry.reason))
         self.list.verticalScrollBar().setValue(scrolled)
 
     def _button(self, text: str, tip: str) -> QToolButton:
@@ -432,7 +405,7 @@ def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Ent
             layer = QgsProject.instance().mapLayer(source)
             name = filled(tr("missing: {name}"), name=layer.name()) if layer is not None else missing_text(source)
             tip = filled(tr("Not in the project any more, or its file can't be opened: {name}"), name=source)
-            entries.append(_Entry(source, name, tip, is_missing=True))
+            entries.append(_Entry(source, name, tip))
     fit: list[_Entry] = []
     unfit: list[_Entry] = []
     for layer in rasters:
