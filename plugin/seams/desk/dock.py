@@ -79,7 +79,6 @@ class InspectionDock(ToolDock):
         self.pieces = ClickedPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
         self.judge.follow_pieces(self.pieces)
         self._selected = SelectedWindows(self._canvas, self.session)
-        self.lost.follow_chart(self.curves.profile)
         self.reports = ReportWriter(self.session, self)
         self.reports.notified.connect(self._show_markup)
         self.scans = MosaicScans(self.session, self)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
 
@@ -224,12 +224,9 @@ _SPARE_LINES = 1  # that the dock's sentence may be longer for another window, w
 class ProfilePanel(ChartPanel):
     """Chart and a line of words. Looks anew once it comes into sight."""
 
-    followed = pyqtSignal(object)  # the WindowResult whose profile is shown; None for none
-
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._result: WindowResult | None = None
         self.chart = ProfileChart()
         self.chart.pointed.connect(self._say)
         self._build()
@@ -258,7 +255,7 @@ class ProfilePanel(ChartPanel):
         if live is not None:
             if live.profile is not None:
                 self.show_profile(live.profile, live.ground_sample_distance, self._session.inputs.min_kept)
-            self._follow(None)  # the map's distances are the selected window's
+            self._offer(None)
             return
         selected = self._session.selected()
         result = self._session.result(selected[0]) if len(selected) == 1 else None
@@ -271,7 +268,7 @@ class ProfilePanel(ChartPanel):
             self._text.setText(self._why_nothing(selected))
             self._pages.setCurrentWidget(self._text)
             self._say()
-        self._follow(result)
+        self._offer(result)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -306,11 +303,8 @@ class ProfilePanel(ChartPanel):
             return tr("There is no seam in the window.")
         return tr("There is too little ground around the seam to compare with. Take a larger window.")
 
-    def _follow(self, result: WindowResult | None) -> None:
-        """What can be saved and pointed at on the map from now on."""
-        if result is not self._result:
-            self._result = result
-            self.followed.emit(result)
+    def _offer(self, result: WindowResult | None) -> None:
+        """What can be saved from now on."""
         shown = self.chart.shown if result is not None else None
         self._save.offer(None if shown is None or result is None else profile_picture(
             f"window_{result.window_id}_profile", shown))

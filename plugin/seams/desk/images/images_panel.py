@@ -25,7 +25,7 @@ from qgis.PyQt.QtWidgets import (
 from ....toolkit.desk.widgets import ClippedLabel, set_map_system, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
-from ...words import LOSS_OPACITY, loss_rgba
+from ...words import loss_rgba
 from ..map.hard_cut import Compared, ComparedLayer, looks_alike
 from ..map.lost_detail import PictureOverlay, placed_picture, rgba_image
 from ..map.window_view import WindowOutline, WindowView
@@ -48,7 +48,7 @@ class WindowMap(QgsMapCanvas):
         self.enableAntiAliasing(True)
         self.setMapTool(QgsMapToolPan(self))
         self.outline = WindowOutline(self)
-        self.loss = PictureOverlay(self, opacity=LOSS_OPACITY)
+        self.loss = PictureOverlay(self)
         self.marker = QgsVertexMarker(self)
         self.marker.setIconType(QgsVertexMarker.IconType.ICON_CROSS)
         self.marker.hide()

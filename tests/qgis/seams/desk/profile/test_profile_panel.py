@@ -123,8 +123,6 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
 def test_words_where_there_is_no_profile(
     panel: ProfilePanel, session: ProfileSession, selected: list[int], found: str | None, pending: bool, words: str
 ) -> None:
-    followed: list[object] = []
-    panel.followed.connect(followed.append)
     little = Explained(None)
     little.has_seam = True
     nothing = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,) * 3, None), messages.TOO_LITTLE_GROUND())
@@ -138,7 +136,6 @@ def test_words_where_there_is_no_profile(
     settle()
     assert panel._pages.currentWidget() is panel._text
     assert panel.words == words
-    assert followed == [None]
     assert not panel._save.isEnabled()
 
 
