@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="153"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="266"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -429,7 +429,7 @@
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="129"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="136"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -459,7 +459,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="239"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="375"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -704,22 +704,17 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="177"/>
-        <source>{shown} of {count}</source>
-        <translation>{shown} z {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="178"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="60"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="205"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -729,34 +724,29 @@
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="108"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="125"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="110"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="127"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="108"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="125"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="110"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="127"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="103"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="120"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="62"/>
-        <source>How many windows are shown.</source>
-        <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
@@ -774,42 +764,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="195"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="195"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="199"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="199"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="217"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="217"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="220"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="220"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -819,12 +809,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="249"/>
+        <location filename="../plugin/seams/desk/dock.py" line="248"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="354"/>
+        <location filename="../plugin/seams/desk/dock.py" line="353"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -939,12 +929,12 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="188"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="187"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="188"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="187"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
@@ -1029,22 +1019,22 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="129"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="136"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="137"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="144"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="139"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="146"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="142"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="149"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
@@ -1059,7 +1049,7 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="116"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="123"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -1079,7 +1069,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="61"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -3296,17 +3286,17 @@
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="77"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="82"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="81"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="90"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
@@ -3652,7 +3642,7 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="148"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3661,27 +3651,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="171"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="170"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="191"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="192"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="191"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="218"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="217"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4059,12 +4049,12 @@
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="242"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="240"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4135,7 +4125,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="153"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="266"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4158,7 +4148,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="220"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="333"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4183,7 +4173,7 @@
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="135"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="142"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
@@ -4208,7 +4198,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="222"/>
+        <location filename="../plugin/seams/desk/dock.py" line="221"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4283,27 +4273,27 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="63"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="62"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="64"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="63"/>
         <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="204"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="203"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="205"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="204"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="244"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="243"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
@@ -4603,22 +4593,22 @@
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="203"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="203"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="208"/>
+        <location filename="../plugin/seams/desk/dock.py" line="207"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="208"/>
+        <location filename="../plugin/seams/desk/dock.py" line="207"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5108,27 +5098,27 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="109"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="126"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="77"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
         <source>found: {cause}</source>
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="179"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="178"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="181"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
@@ -5243,12 +5233,12 @@
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="112"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="129"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="114"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="131"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
@@ -5338,22 +5328,22 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="62"/>
+        <location filename="../plugin/seams/desk/dock.py" line="61"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="331"/>
+        <location filename="../plugin/seams/desk/dock.py" line="330"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="340"/>
+        <location filename="../plugin/seams/desk/dock.py" line="339"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="337"/>
+        <location filename="../plugin/seams/desk/dock.py" line="336"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5363,7 +5353,7 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="170"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="182"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
@@ -5433,17 +5423,17 @@
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="109"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="126"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="113"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="130"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_filter.py" line="114"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="131"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
@@ -5595,12 +5585,12 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="199"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="339"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="289"/>
+        <location filename="../plugin/seams/desk/dock.py" line="288"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -6735,17 +6725,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="126"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="239"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="127"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="240"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="131"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="244"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -8223,12 +8213,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="226"/>
+        <location filename="../plugin/seams/desk/dock.py" line="225"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="226"/>
+        <location filename="../plugin/seams/desk/dock.py" line="225"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -8321,7 +8311,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="214"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="213"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -8572,7 +8562,7 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="300"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="312"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
@@ -8701,7 +8691,7 @@
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="80"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="79"/>
         <source>visibility at 2x (JND): {value:.1f}</source>
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
@@ -9285,7 +9275,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -9827,17 +9817,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="161"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="161"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="160"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -10074,7 +10064,7 @@
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="169"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="168"/>
         <source>Main cause in the whole window: {cause}.</source>
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
@@ -11201,32 +11191,32 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="174"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="173"/>
         <source>Save the chart as a picture (PNG or SVG)</source>
         <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="190"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="189"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="207"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="206"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="210"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="209"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="203"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="202"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="250"/>
+        <location filename="../plugin/seams/desk/dock.py" line="249"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -11506,12 +11496,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -11958,12 +11948,12 @@
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="213"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="247"/>
+        <location filename="../plugin/seams/desk/dock.py" line="246"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -12162,7 +12152,7 @@
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="207"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="343"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
@@ -12172,7 +12162,7 @@
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="302"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="314"/>
         <source>no source lies there</source>
         <translation>nie leży tam żaden ortoobraz</translation>
     </message>
@@ -12182,7 +12172,7 @@
         <translation>Filtr jest niezrozumiały: {error}. Przykład: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="55"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="200"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>

@@ -38,10 +38,9 @@ from .images.images_panel import ImagesPanel
 from .inputs.inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
 from .judging_desk import JudgingDesk, JudgingLayout
-from .map.clicked_pieces import ClickedPieces
 from .map.hard_cut import Flicker
 from .map.lost_detail import LostDetail
-from .map.window_tool import WindowTool
+from .map.window_tool import ClickedPieces, WindowTool
 from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, scan_message, uncover
 from .report_writer import ReportWriter

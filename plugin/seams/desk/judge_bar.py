@@ -34,7 +34,7 @@ from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 if TYPE_CHECKING:
     from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
-    from .map.clicked_pieces import ClickedPiece, ClickedPieces
+    from .map.window_tool import ClickedPiece, ClickedPieces
     from .session import Session
 
 

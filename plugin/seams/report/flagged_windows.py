@@ -15,8 +15,7 @@ from ...imagery.limits import judged_band
 from ...toolkit.charts.chart_painter import chart_svg, paper_font
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.translation import filled, formatted, percent, sentence, shown_number, tr
-from ..charts.chart_curves import Chart, ChartCurve, numbered
-from ..charts.curves_painter import CurvesPainter, curve_look
+from ..charts.curves_painter import Chart, ChartCurve, CurvesPainter, curve_look, numbered
 from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure import messages
 from ..measure.profile.cell_table import EDGES_PX

@@ -20,8 +20,7 @@ from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import check_chosen_file
 from ....toolkit.painting import painting
 from ....toolkit.translation import filled, sentence, tr
-from ...charts.chart_curves import Chart, Point
-from ...charts.curves_painter import LegendedCurves
+from ...charts.curves_painter import Chart, LegendedCurves, Point
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
 if TYPE_CHECKING:

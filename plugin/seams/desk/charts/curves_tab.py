@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QScrollArea, QSplitter, 
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip, single_shot
 from ....toolkit.translation import BAND_ORDER, band_title, filled, sentence, tr
-from ...charts.chart_curves import (
+from ...charts.curves_painter import (
     Chart,
     ChartCurve,
     bands_of,

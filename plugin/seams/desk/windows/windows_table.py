@@ -67,11 +67,6 @@ class WindowsModel(QAbstractTableModel):
         """The row a window is shown in; -1 when it is not."""
         return self._places.get(fid, -1)
 
-    @property
-    def is_filtered(self) -> bool:
-        """Whether some windows may be left out."""
-        return bool(self._tests)
-
     def set_windows(self, windows: Sequence[WindowRecord]) -> None:
         """Take these; only those that changed are asked whether they pass."""
         known, self._all = {row.fid: row for row in self._all}, windows
