@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from qgis.PyQt.QtCore import QT_TR_NOOP, QPointF, QRectF, Qt
+from qgis.PyQt.QtCore import QT_TR_NOOP, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from ....toolkit.desk.theme import plain_icon
@@ -51,29 +51,15 @@ def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
     pixmap.fill(Qt.GlobalColor.transparent)
     with painting(pixmap) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        margin, width = side / 12, max(side / 10, 1.0)
-        square = QRectF(margin, margin, side - 2 * margin, side - 2 * margin)
-        edge = colour.darker(130)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour)
+        width = max(side / 10, 1.0)
+        square = QRectF(width, width, side - 2 * width, side - 2 * width)
+        painter.setPen(QPen(colour.darker(130), width, Qt.PenStyle.SolidLine if verdict else Qt.PenStyle.DotLine))
+        if verdict and not stale:
+            painter.setBrush(colour)
+        painter.drawRoundedRect(square, side / 6, side / 6)
         if stale:
+            painter.setBrush(colour)
             painter.drawPolygon(QPolygonF([square.topLeft(), square.topRight(), square.bottomLeft()]))
-            edge = colour
-        elif verdict:
-            painter.drawRoundedRect(square, side / 6, side / 6)
-        else:  # nothing known: an empty box, to be seen on light and on dark rows
-            edge = QColor(verdict_colour("not_comparable"))
-            painter.setBrush(QColor(232, 232, 232, 90))
-            painter.drawRect(square)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        pen = QPen(edge, width)
-        if not verdict:
-            pen.setStyle(Qt.PenStyle.DotLine)
-        painter.setPen(pen)
-        inner = square.adjusted(width / 2, width / 2, -width / 2, -width / 2)
-        painter.drawRoundedRect(inner, side / 6, side / 6)
-        if stale:
-            painter.drawLine(QPointF(inner.left(), inner.bottom()), QPointF(inner.right(), inner.top()))
     return pixmap
 
 
