@@ -459,7 +459,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="375"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="378"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -639,7 +639,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="98"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -844,57 +844,57 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="106"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="92"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="160"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="146"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="130"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="134"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="130"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="179"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="165"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -1084,12 +1084,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="158"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="173"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="159"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -4298,7 +4298,7 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
@@ -5143,7 +5143,7 @@
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
@@ -5368,47 +5368,47 @@
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="180"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="180"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="181"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
@@ -5438,12 +5438,12 @@
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="152"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -9330,12 +9330,12 @@
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
@@ -12147,12 +12147,12 @@
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="161"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="147"/>
         <source>Detail at level 1 in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="343"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="346"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>

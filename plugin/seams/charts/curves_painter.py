@@ -312,7 +312,7 @@ class CurvesPainter(ChartPainter):
             yield piece
 
 
-_SHOWN_CHARACTERS = 14  # of a name in the legend, elided in its middle, so that two of them fit into a narrow dock
+_SHOWN_CHARACTERS = 8  # of a name in the legend at least, elided in its middle, so that two fit into a narrow dock
 _MOST_ACROSS = 4  # names in a row; more are hard to scan
 _MOST_OF_ROOM = 0.35  # that the legend takes
 _PIECE_LINES = 1.6  # length of a line's piece, in lines of the font
@@ -337,8 +337,11 @@ class LegendedCurves(CurvesPainter):
         metrics, self.entries = QFontMetricsF(font), _entries(chart, style)
         widest = max((metrics.horizontalAdvance(entry.name) for entry in self.entries), default=0.0)
         least = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth()) + (_PIECE_LINES + 1) * metrics.height()
-        across = max(1, min(int(room.width() // least), len(self.entries), _MOST_ACROSS))
-        rows = max(1, min(-(-len(self.entries) // across), int(_MOST_OF_ROOM * room.height() / metrics.height())))
+        most_rows = max(1, int(_MOST_OF_ROOM * room.height() / metrics.height()))
+        across = 1
+        while len(self.entries) > across * most_rows and (across + 1) * least <= room.width() and across < _MOST_ACROSS:
+            across += 1
+        rows = max(1, min(-(-len(self.entries) // across), most_rows))
         if (beyond := len(self.entries) - across * rows) > 0:
             more = filled(tr("and {count} more"), count=beyond + 1)
             self.entries[across * rows - 1 :] = [LegendEntry(more, style.background)]
