@@ -296,7 +296,7 @@ class WindowsTable(QTableView):
         margins = 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
         needed = metrics.horizontalAdvance(column.title() + "m") + margins
         if is_sorted:
-            needed += style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
+            needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
         return max(int(least), int(needed))  # the style's own word is too little in Fusion
 
     def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
