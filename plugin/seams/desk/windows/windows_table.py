@@ -191,7 +191,7 @@ class WindowsTable(QTableView):
         header.setTextElideMode(Qt.TextElideMode.ElideRight)
         header.setMinimumSectionSize(1)
         header.sortIndicatorChanged.connect(self.fit)  # the arrow needs room in its column
-        windows.modelReset.connect(self._fit_used)
+        windows.modelReset.connect(self.fit)  # a column may be of use from now on, or a number longer
         self.fit()
 
     def selected_rows(self) -> list[int]:
@@ -251,17 +251,15 @@ class WindowsTable(QTableView):
                 break
             sizes = {place: size for place, size in sizes.items() if COLUMNS[place].name != name}
         spare = room - sum(sizes.values())
-        for place in [place for place in sizes if COLUMNS[place].name in ("verdict", "cause")]:
+        for place in sorted(sizes, reverse=True):  # causes before verdicts, which have a chip, too
+            if COLUMNS[place].name not in ("verdict", "cause"):
+                continue
             wider = min(max(self._full(place) - sizes[place], 0), spare) if spare > 0 else 0
             sizes[place], spare = sizes[place] + wider, spare - wider
         for section in range(len(COLUMNS)):
             self.setColumnHidden(section, section not in sizes)
         for section, size in sizes.items():
             self.setColumnWidth(section, size)
-
-    def _fit_used(self, *_: object) -> None:
-        """A column may be of use from now on, or a number longer."""
-        self.fit()
 
     def _least(self, column: TableColumn) -> int:
         """With its heading and words; causes are cut short, as their first letters tell."""
