@@ -12169,7 +12169,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>The filter is not understood: {error}. Example: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</source>
-        <translation>Filtr jest niezrozumiały: {error}. Przykład: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
+        <translation>Niezrozumiały filtr: {error}. Przykład: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/windows_panel.py" line="200"/>
