@@ -5,7 +5,13 @@ from collections.abc import Sequence
 
 from matplotlib.axes import Axes
 from seam_inspector.plugin.noise.charts import draw_frame
-from seam_inspector.plugin.seams.charts.chart_curves import Chart, ChartCurve, numbered, share_range, significance_limit
+from seam_inspector.plugin.seams.charts.curves_painter import (
+    Chart,
+    ChartCurve,
+    numbered,
+    share_range,
+    significance_limit,
+)
 from seam_inspector.plugin.toolkit.charts.chart_style import PAPER, source_look
 
 

@@ -233,9 +233,20 @@ class Desk:
     def sort_by_loss(self) -> None:
         """By a click on its heading: the worst first."""
         table = self.dock.windows.table
-        header, section = table.horizontalHeader(), [column.name for column in table.model().columns].index("loss")
+        header, first = table.horizontalHeader(), Qt.ItemDataRole.InitialSortOrderRole
+        orders = [
+            table.model().headerData(section, Qt.Orientation.Horizontal, first)
+            for section in range(header.count())
+        ]
+        section = orders.index(Qt.SortOrder.DescendingOrder)
         place = QPoint(header.sectionViewportPosition(section) + header.sectionSize(section) // 2, header.height() // 2)
         QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, _NO_KEY, place)
+
+    def headings(self) -> list[str]:
+        """The headings of the windows' table that are seen."""
+        table = self.dock.windows.table
+        places = [place for place in range(table.model().columnCount()) if not table.isColumnHidden(place)]
+        return [str(table.model().headerData(place, Qt.Orientation.Horizontal)) for place in places]
 
     def table(self) -> list[list[str]]:
         """The texts of the windows' table, row by row."""

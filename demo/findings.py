@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from qgis.core import NULL, QgsVectorLayer
 from seam_inspector.plugin.imagery.grids import Extent
-from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
+from seam_inspector.plugin.seams.charts.curves_painter import ChartCurve
 
 from demo.block import FEATHER, Damage
 

@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.clips import read_clip
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
+from seam_inspector.plugin.seams.charts.curves_painter import ChartCurve
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 
 from demo.curve_chart import draw_curves

@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from seam_inspector import OpenRaster, WindowResult, inspect_window, open_block
 from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.clips import read_clip
-from seam_inspector.plugin.seams.charts.chart_curves import window_curves
+from seam_inspector.plugin.seams.charts.curves_painter import window_curves
 from seam_inspector.plugin.seams.words import LOSS_OPACITY, loss_rgba
 
 from demo import block

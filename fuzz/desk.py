@@ -21,7 +21,7 @@ from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.records import NotUnderstoodError
-from seam_inspector.plugin.seams.desk.inputs.project_inputs import LayerPlaces, load_inputs, save_inputs
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import load_inputs, save_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging, save_judging
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
 from seam_inspector.plugin.seams.measure.blocks.scan_block import BlockScan, scan_block
@@ -64,10 +64,8 @@ class ReadDesk(QgsProcessingAlgorithm):
         if not (path.is_file() and path.with_suffix(".gpkg").is_file()):
             return {}  # QGIS itself opens those, and would wait for a pipe
         project.read(str(path))
-        inputs, places = load_inputs(project), LayerPlaces(project)
+        load_inputs(project)
         load_judging(project)
-        places.load()
-        places.found_again(inputs)
         for layer in project.mapLayers().values():
             if isinstance(layer, QgsVectorLayer) and layer.isValid():
                 _look_at(layer, feedback)

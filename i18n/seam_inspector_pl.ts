@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="154"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="266"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="338"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="50"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="336"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -424,12 +424,7 @@
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="115"/>
-        <source>significant loss below</source>
-        <translation>istotna strata poniżej</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="138"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="136"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -459,7 +454,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="102"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="378"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -524,62 +519,62 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="166"/>
+        <location filename="../plugin/seams/window_summary.py" line="165"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="39"/>
         <source>{count} changed since</source>
         <translation>zmienione od kontroli: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="50"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="40"/>
         <source>{count} windows selected: {verdicts}.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="183"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="183"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="191"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="215"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="220"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="150"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -589,12 +584,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="240"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="243"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="245"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -604,42 +599,42 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="252"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="252"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="277"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="406"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -649,87 +644,82 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="100"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="98"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="221"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="190"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="192"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="235"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="204"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="210"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="212"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="217"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="245"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="214"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="128"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="132"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="139"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="291"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="226"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="301"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="216"/>
-        <source>{shown} of {count}</source>
-        <translation>{shown} z {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="219"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="205"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -739,74 +729,39 @@
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="46"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="125"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="127"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="46"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="125"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="127"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="120"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="75"/>
-        <source>How many windows are shown.</source>
-        <translation>Ile okien jest pokazanych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="256"/>
-        <source>Zoom to window</source>
-        <translation>Powiększ do okna</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="257"/>
-        <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
-        <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
-        <source>Inspect again</source>
-        <translation>Skontroluj ponownie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
-        <source>Measures the selected windows again.</source>
-        <translation>Mierzy zaznaczone okna od nowa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="129"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="133"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="77"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="263"/>
-        <source>Remove</source>
-        <translation>Usuń</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="264"/>
-        <source>Removes the selected windows; undo brings them back.</source>
-        <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/desk/tool_dock.py" line="108"/>
@@ -814,192 +769,187 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="186"/>
+        <location filename="../plugin/seams/desk/dock.py" line="195"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="186"/>
+        <location filename="../plugin/seams/desk/dock.py" line="195"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="198"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="207"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="207"/>
+        <location filename="../plugin/seams/desk/dock.py" line="216"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="25"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="81"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="239"/>
+        <location filename="../plugin/seams/desk/dock.py" line="248"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="342"/>
+        <location filename="../plugin/seams/desk/dock.py" line="353"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="317"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="334"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="333"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="49"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="335"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="51"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="337"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="92"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="146"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="130"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="134"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="202"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="207"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="212"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="96"/>
-        <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
-        <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="130"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="203"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="208"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="165"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="213"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="64"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="58"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="85"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="312"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="97"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="325"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="181"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="407"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="93"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="79"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="191"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="56"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="65"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="187"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="65"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="187"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="132"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="130"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="177"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -1074,22 +1024,22 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="138"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="136"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="146"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="144"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="148"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="146"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="151"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="149"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
@@ -1104,22 +1054,17 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="125"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="123"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="131"/>
-        <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
-        <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, z tonacją wyrównaną do ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -1129,27 +1074,27 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="74"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="64"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="350"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="349"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="196"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="158"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="197"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="159"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -3318,7 +3263,7 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="51"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="148"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
@@ -3336,17 +3281,17 @@
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="58"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="63"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="81"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="71"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
@@ -3692,7 +3637,7 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="70"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3701,27 +3646,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="93"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="170"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="112"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="113"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="191"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="140"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="217"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4014,72 +3959,27 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="203"/>
-        <source>Against the composite of the sources:</source>
-        <translation>Względem kompozycji ortoobrazów:</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="205"/>
-        <source>gain {gain}, bias {bias}, gamma {gamma}</source>
-        <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="209"/>
-        <source>contrast at level 1: {percent} %</source>
-        <translation>kontrast na poziomie 1: {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="211"/>
-        <source>sharpness at level 1: {percent} %</source>
-        <translation>ostrość na poziomie 1: {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="212"/>
-        <source>clipped: {percent} %</source>
-        <translation>obcięte: {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="215"/>
-        <source>gains of the colours differ by a factor of {factor}</source>
-        <translation>wzmocnienia barw różnią się {factor} razy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="217"/>
-        <source>shift: {length} px</source>
-        <translation>przesunięcie: {length} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="222"/>
-        <source>half of each source would leave {percent} % at level 1</source>
-        <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="224"/>
-        <source>mixed or unclear: {percent} % of the pixels</source>
-        <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/words.py" line="36"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="236"/>
+        <location filename="../plugin/seams/window_summary.py" line="208"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="238"/>
+        <location filename="../plugin/seams/window_summary.py" line="210"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="240"/>
+        <location filename="../plugin/seams/window_summary.py" line="212"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="242"/>
+        <location filename="../plugin/seams/window_summary.py" line="214"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -4144,12 +4044,12 @@
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_charts.py" line="42"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_charts.py" line="41"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="240"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4220,7 +4120,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="154"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="266"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4243,7 +4143,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="221"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="333"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4263,7 +4163,7 @@
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="144"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="142"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
@@ -4288,7 +4188,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="221"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4363,102 +4263,97 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="44"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="62"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="45"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="63"/>
         <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="126"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="203"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="127"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="204"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_charts.py" line="44"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="243"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
-        <source>kept</source>
-        <translation>zachow.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="61"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="347"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="322"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="322"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="36"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="322"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="55"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="341"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="340"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="57"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="343"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="346"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="44"/>
+        <location filename="../plugin/seams/window_summary.py" line="43"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="44"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="58"/>
+        <location filename="../plugin/seams/window_summary.py" line="57"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="59"/>
+        <location filename="../plugin/seams/window_summary.py" line="58"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -4673,17 +4568,17 @@
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="193"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="207"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="207"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4708,22 +4603,22 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="101"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="95"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="103"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="97"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="129"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="122"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="130"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="123"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4743,72 +4638,72 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="232"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="306"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="269"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="306"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="269"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="308"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="271"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="33"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="319"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="323"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="323"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="353"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="70"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="356"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="45"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="331"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="71"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="357"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="352"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="69"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="355"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="71"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="357"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -5168,187 +5063,162 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="126"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="58"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="76"/>
         <source>found: {cause}</source>
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="101"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="178"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="103"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="222"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="49"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="286"/>
         <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
         <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="57"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="149"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="89"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="258"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
-        <source>First operator</source>
-        <translation>Pierwszy operator</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="307"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="149"/>
-        <source>Second operator</source>
-        <translation>Drugi operator</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="59"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="308"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="66"/>
-        <source>Blind</source>
-        <translation>W ciemno</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="67"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="304"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="308"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="79"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="307"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="310"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="136"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="136"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="140"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="84"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="142"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="145"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="89"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="271"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="206"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="369"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="367"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="266"/>
+        <location filename="../plugin/seams/desk/judging.py" line="251"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="274"/>
+        <location filename="../plugin/seams/desk/judging.py" line="259"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="276"/>
+        <location filename="../plugin/seams/desk/judging.py" line="261"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="129"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="51"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="131"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="144"/>
-        <source>judged</source>
-        <translation>z opinią</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="148"/>
-        <source>to be judged</source>
-        <translation>do oceny</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="197"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/compared_layer.py" line="61"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="75"/>
         <source>Cut the composite</source>
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="208"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="206"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -5398,312 +5268,187 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="91"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="282"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="113"/>
-        <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
-        <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="143"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="298"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="148"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="303"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="149"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="304"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="168"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="320"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="60"/>
+        <location filename="../plugin/seams/desk/dock.py" line="61"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="319"/>
+        <location filename="../plugin/seams/desk/dock.py" line="330"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="328"/>
+        <location filename="../plugin/seams/desk/dock.py" line="339"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="325"/>
+        <location filename="../plugin/seams/desk/dock.py" line="336"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="42"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="170"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="318"/>
-        <source>no source has pixels there</source>
-        <translation>żaden ortoobraz nie ma tam pikseli</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="323"/>
-        <source>{counted} or more</source>
-        <translation>{counted} lub więcej</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="325"/>
-        <source>{share:.0f} % of the mosaic is empty there</source>
-        <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="326"/>
-        <source>{share:.1f} % of the mosaic is empty there</source>
-        <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="87"/>
-        <source>Look where the sources have pixels</source>
-        <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="175"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="182"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="220"/>
-        <source>{metres:.1f} m aside, where it can be judged; Ctrl places it here</source>
-        <translation>{metres:.1f} m obok, gdzie można je ocenić; z Ctrl tutaj</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="191"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="313"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="26"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="82"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="224"/>
-        <source>{metres} m</source>
-        <translation>{metres} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="260"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="261"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="265"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="266"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="270"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="271"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="275"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="279"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="280"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="190"/>
-        <source>kept from</source>
-        <translation>zach. od</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="191"/>
-        <source>Lower end of the 95 % interval of what is kept along the seam.</source>
-        <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
-        <source>kept to</source>
-        <translation>zach. do</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="196"/>
-        <source>Upper end of the 95 % interval of what is kept along the seam.</source>
-        <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="201"/>
-        <source>Width of the band along the seam in which detail was lost.</source>
-        <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="229"/>
-        <source>sharpness</source>
-        <translation>ostrość</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="230"/>
-        <source>Sharpness of the whole window against the composite of its sources.</source>
-        <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="234"/>
-        <source>added</source>
-        <translation>dodane</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="235"/>
-        <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
-        <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
-        <source>explained</source>
-        <translation>wyjaśnione</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="240"/>
-        <source>Share of the pixels whose detail the given sources explain.</source>
-        <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="179"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="54"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="287"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="31"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="288"/>
-        <source>Number of the seam that the window was placed on.</source>
-        <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="291"/>
-        <source>station</source>
-        <translation>pikietaż</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="292"/>
-        <source>How far along its seam the window lies.</source>
-        <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="126"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="50"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="130"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/kind_box.py" line="52"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="131"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="260"/>
-        <source>Copy rows</source>
-        <translation>Kopiuj wiersze</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="261"/>
-        <source>The selected rows with their headings, for a spreadsheet.</source>
-        <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="152"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="59"/>
-        <source>As there is room</source>
-        <translation>Według miejsca</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="77"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="71"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="155"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="174"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="177"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
         <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="310"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="310"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="265"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="279"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="265"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="279"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -5805,22 +5550,17 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
-        <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict is not based on it.</source>
-        <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="339"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="279"/>
+        <location filename="../plugin/seams/desk/dock.py" line="288"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -6960,17 +6700,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="127"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="239"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="128"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="240"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="132"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="244"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -7940,7 +7680,6 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="200"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -8294,12 +8033,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="225"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="225"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -8319,12 +8058,12 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="68"/>
+        <location filename="../plugin/seams/desk/judging.py" line="66"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/notes_row.py" line="88"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="258"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -8377,7 +8116,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="136"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="213"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -8519,7 +8258,7 @@
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="160"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="152"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
@@ -8539,22 +8278,22 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="174"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="193"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="265"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="205"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="270"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="206"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -8574,12 +8313,12 @@
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="158"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="170"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="162"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
@@ -8623,12 +8362,12 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="214"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="217"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="315"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="312"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
@@ -8648,7 +8387,7 @@
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="182"/>
+        <location filename="../plugin/seams/window_summary.py" line="181"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -8683,11 +8422,6 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="211"/>
-        <source>visibility</source>
-        <translation>widoczność</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/layer_styles.py" line="51"/>
         <source>visibility at 2x (JND)</source>
         <translation>widoczność w powiększeniu 2× (JND)</translation>
@@ -8697,7 +8431,7 @@
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="61"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="79"/>
         <source>visibility at 2x (JND): {value:.1f}</source>
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
@@ -8747,7 +8481,7 @@
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="183"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
@@ -8772,17 +8506,7 @@
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="205"/>
-        <source>feather width</source>
-        <translation>szerokość wtapiania</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="207"/>
-        <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
-        <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="220"/>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
@@ -8807,12 +8531,12 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="132"/>
+        <location filename="../plugin/seams/window_summary.py" line="131"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="404"/>
+        <location filename="../plugin/seams/window_summary.py" line="376"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -8822,7 +8546,7 @@
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="220"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="178"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
@@ -8836,12 +8560,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="399"/>
+        <location filename="../plugin/seams/window_summary.py" line="371"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="398"/>
+        <location filename="../plugin/seams/window_summary.py" line="370"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -9301,32 +9025,32 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="202"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
         <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="229"/>
         <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="117"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
         <source>Why?</source>
         <translation>Dlaczego?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="120"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
         <source>What the sentence is based on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
@@ -9356,62 +9080,62 @@
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
         <source>loss (m2)</source>
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="246"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="348"/>
+        <location filename="../plugin/seams/window_summary.py" line="320"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="51"/>
+        <location filename="../plugin/seams/window_summary.py" line="50"/>
         <source>{area} m²</source>
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="350"/>
+        <location filename="../plugin/seams/window_summary.py" line="322"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="360"/>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="363"/>
+        <location filename="../plugin/seams/window_summary.py" line="335"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="347"/>
+        <location filename="../plugin/seams/window_summary.py" line="319"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="372"/>
+        <location filename="../plugin/seams/window_summary.py" line="344"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="403"/>
+        <location filename="../plugin/seams/window_summary.py" line="375"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="43"/>
+        <location filename="../plugin/seams/window_summary.py" line="42"/>
         <source>loss: {area}</source>
         <translation>strata: {area}</translation>
     </message>
@@ -9730,7 +9454,7 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="87"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="314"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -9838,27 +9562,27 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="151"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="161"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="150"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="25"/>
+        <location filename="../plugin/seams/desk/messages.py" line="22"/>
         <source>The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.</source>
         <translation>Okna w {name} zmierzono i oceniono na {older}, a teraz ortofotomapą jest {newer}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="28"/>
+        <location filename="../plugin/seams/desk/messages.py" line="25"/>
         <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
@@ -10070,7 +9794,7 @@
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="91"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="168"/>
         <source>Main cause in the whole window: {cause}.</source>
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
@@ -10180,22 +9904,17 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="370"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="368"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="150"/>
-        <source>Somebody else judges the same windows without seeing results or earlier verdicts.</source>
-        <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="34"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="203"/>
         <source>Judge</source>
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="311"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
         <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
         <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
     </message>
@@ -10223,11 +9942,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="278"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
-        <source>How many times the loss along the seam exceeds what an eye just notices side by side at 2x (just noticeable differences, JND).</source>
-        <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/mending_report.py" line="27"/>
@@ -10285,17 +9999,17 @@
         <translation>metry: {outcome}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="82"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>This follows from the mixture of the images, since the ground around is mixed too.</source>
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="79"/>
+        <location filename="../plugin/seams/window_summary.py" line="78"/>
         <source>This follows from the mixture of the images, since there is too little unmixed ground around.</source>
         <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <location filename="../plugin/seams/window_summary.py" line="80"/>
         <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
@@ -10601,11 +10315,6 @@
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="15"/>
-        <source>Windows that are not rectangles along the mosaic&apos;s axes are measured in the boxes around them: {count}.</source>
-        <translation>Okna, które nie są prostokątami wzdłuż osi ortofotomapy, są mierzone w opisanych na nich prostokątach: {count}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
         <source>What the new cut keeps can&apos;t be measured, so its patch is left out.</source>
         <translation>Nie można zmierzyć, ile zachowuje nowe cięcie, więc jego łata została pominięta.</translation>
@@ -10641,62 +10350,62 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="114"/>
+        <location filename="../plugin/seams/window_summary.py" line="113"/>
         <source>Mixing alone would have taken {percent} % there.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="97"/>
+        <location filename="../plugin/seams/window_summary.py" line="96"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="99"/>
+        <location filename="../plugin/seams/window_summary.py" line="98"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <location filename="../plugin/seams/window_summary.py" line="100"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="103"/>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
         <source>feathered</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="116"/>
+        <location filename="../plugin/seams/window_summary.py" line="115"/>
         <source>Mixing alone would have taken {percent} % there; the cause of the rest is unclear.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="309"/>
+        <location filename="../plugin/seams/window_summary.py" line="281"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
         <source>{apart} px misfit</source>
         <translation>niedopasowanie {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="308"/>
+        <location filename="../plugin/seams/window_summary.py" line="280"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <location filename="../plugin/seams/window_summary.py" line="304"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="336"/>
+        <location filename="../plugin/seams/window_summary.py" line="308"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="111"/>
+        <location filename="../plugin/seams/window_summary.py" line="110"/>
         <source>The cause of the loss along the seam is unclear.</source>
         <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
     </message>
@@ -10761,27 +10470,27 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="79"/>
+        <location filename="../plugin/seams/desk/judging.py" line="77"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="324"/>
+        <location filename="../plugin/seams/window_summary.py" line="296"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="276"/>
+        <location filename="../plugin/seams/window_summary.py" line="248"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="317"/>
+        <location filename="../plugin/seams/window_summary.py" line="289"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="321"/>
+        <location filename="../plugin/seams/window_summary.py" line="293"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -10966,17 +10675,17 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="58"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="344"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="172"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="193"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="315"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -11103,72 +10812,72 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="51"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="173"/>
         <source>Save the chart as a picture (PNG or SVG)</source>
         <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="67"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="189"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="84"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="206"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="87"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="209"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_pictures.py" line="80"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="202"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="240"/>
+        <location filename="../plugin/seams/desk/dock.py" line="249"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/compared_layer.py" line="58"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="72"/>
         <source>Open a source</source>
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="125"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="123"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="222"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="81"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="305"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="70"/>
+        <location filename="../plugin/seams/desk/judging.py" line="68"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="69"/>
+        <location filename="../plugin/seams/desk/judging.py" line="67"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="36"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="205"/>
         <source>Judge window after window: hides QGIS&apos;s panels and what lies over the mosaic (J); again: shows them as before</source>
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/flicker.py" line="115"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="277"/>
         <source>hard cut: reading ...</source>
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
@@ -11183,7 +10892,7 @@
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="252"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="198"/>
         <source>code of the reason</source>
         <translation>kod powodu</translation>
     </message>
@@ -11338,12 +11047,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -11353,72 +11062,72 @@
         <translation>Dodane miejsca ze skanowania: {count}; okna, które już tam były: {there}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="17"/>
+        <location filename="../plugin/seams/desk/messages.py" line="14"/>
         <source>Windows of this mosaic that were missing from the project were restored from {path}.</source>
         <translation>Okna tej ortofotomapy, których projekt nie znał, wróciły z pliku {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="21"/>
+        <location filename="../plugin/seams/desk/messages.py" line="18"/>
         <source>The windows in {name} are not in a windows file, so results and verdicts can&apos;t be saved with them. Copy them into one?</source>
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="169"/>
+        <location filename="../plugin/seams/desk/session.py" line="167"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="169"/>
+        <location filename="../plugin/seams/desk/session.py" line="167"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="185"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="185"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="121"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="66"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="84"/>
         <source>copying {count} windows</source>
         <translation>skopiowanie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="100"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="144"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="141"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="63"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="110"/>
         <source>Undo {step}</source>
         <translation>Cofnij: {step}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="111"/>
         <source>Redo {step}</source>
         <translation>Ponów: {step}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="133"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="273"/>
         <source>inspecting window {number}</source>
         <translation>zbadanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_results.py" line="133"/>
+        <location filename="../plugin/seams/desk/windows/window_results.py" line="273"/>
         <source>inspecting {count} windows</source>
         <translation>zbadanie okien: {count}</translation>
     </message>
@@ -11433,14 +11142,9 @@
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="295"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="215"/>
         <source>origin</source>
         <translation>pochodzenie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="296"/>
-        <source>Whether the window was drawn, placed along the seams, or is a worst place of a scan.</source>
-        <translation>Czy okno narysowano, rozmieszczono wzdłuż linii, czy jest najgorszym miejscem ze skanowania.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
@@ -11598,27 +11302,27 @@
         <translation>Badania i ich arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>Judge here</source>
         <translation>Oceń tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>Makes a window on this piece of seam, and inspects it.</source>
         <translation>Tworzy okno na tym odcinku linii mozaikowania i mierzy je.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="286"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="221"/>
         <source>By the scan, this piece of seam: {finding} The charts are of the window around it.</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Wykresy są z okna wokół niego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="72"/>
+        <location filename="../plugin/seams/desk/judging.py" line="70"/>
         <source>{judged} of {count} judged</source>
         <translation>{judged} z {count} ocenione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="72"/>
+        <location filename="../plugin/seams/desk/judging.py" line="70"/>
         <source>{left} to go</source>
         <translation>zostało {left}</translation>
     </message>
@@ -11628,22 +11332,22 @@
         <translation>Okna są w Twoim profilu, dopóki projekt nie zostanie zapisany, potem obok niego. Teraz są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="18"/>
+        <location filename="../plugin/seams/desk/messages.py" line="15"/>
         <source>{path} exists already: choose another folder, so that no document is replaced.</source>
         <translation>{path} już istnieje: wybierz inny katalog, aby żaden dokument nie został zastąpiony.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="19"/>
+        <location filename="../plugin/seams/desk/messages.py" line="16"/>
         <source>The decision could not be saved in {folder} ({error}); choose another folder.</source>
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="234"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="207"/>
         <source>No significant loss on {metres} m of seams.</source>
         <translation>Brak istotnej straty na {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="236"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="209"/>
         <source>Significant loss on {failed} of {metres} m of seams.</source>
         <translation>Istotna strata na {failed} z {metres} m linii.</translation>
     </message>
@@ -11785,37 +11489,27 @@
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="51"/>
-        <source>Click an entry to hide its curve or to show it again</source>
-        <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="237"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="206"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="203"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="237"/>
+        <location filename="../plugin/seams/desk/dock.py" line="246"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="60"/>
-        <source>The usual columns, as many as there is room for.</source>
-        <translation>Zwykłe kolumny, tyle, na ile jest miejsce.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="381"/>
+        <location filename="../plugin/seams/window_summary.py" line="353"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source.</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="135"/>
+        <location filename="../plugin/seams/window_summary.py" line="134"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>

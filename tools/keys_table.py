@@ -4,7 +4,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from seam_inspector.plugin.seams.desk.keys import KEYS
+from seam_inspector.plugin.seams.desk.desk_keys import KEYS
 
 PAGE = Path(__file__).parents[1] / "docs" / "desk" / "desk.md"
 

@@ -17,7 +17,6 @@ from .words import (
     LOSSES,
     brief_words,
     cause_clause,
-    judged_change,
     loss_words,
     seam_width_words,
     to_do,
@@ -182,7 +181,7 @@ def window_why(row: WindowRecord, result: WindowResult | None = None, pixel_m: f
             text = tr("{percent} % of the pixels match none of the given sources and are left out.")
             said.append(filled(text, percent=percent(missing)))
         said += by_the_paper(row)
-    return [*filter(None, said), *(cause_numbers(explanation) if explanation is not None else ())]
+    return list(filter(None, said))
 
 
 def _width(row: WindowRecord, result: WindowResult | None, pixel_m: float | None) -> str:
@@ -195,33 +194,6 @@ def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanatio
     if result is None or explanation is None or explanation.cause.value != row.cause:
         return None
     return explanation if all(map(is_same, row.ratios, result.judgement.ratios.detail)) else None
-
-
-def cause_numbers(explanation: Explanation) -> list[str]:
-    """What was measured against the composite of the sources, one line each, for a tooltip."""
-    change = judged_change(explanation)
-    lines = [tr("Against the composite of the sources:")]
-    if change.tone is not None:
-        tone, words = change.tone, tr("gain {gain}, bias {bias}, gamma {gamma}")
-        gain, bias, gamma = shown_number(tone.gain), shown_number(tone.bias, 1), shown_number(tone.gamma)
-        lines.append(filled(words, gain=gain, bias=bias, gamma=gamma))
-    if change.contrast[0] is not None:
-        lines.append(filled(tr("contrast at level 1: {percent} %"), percent=percent(change.contrast[0])))
-    if explanation.sharpness is not None:
-        lines.append(filled(tr("sharpness at level 1: {percent} %"), percent=percent(explanation.sharpness)))
-    lines.append(filled(tr("clipped: {percent} %"), percent=percent(change.clipped)))
-    if change.colour_shift is not None:
-        factor = shown_number(change.colour_shift)
-        lines.append(filled(tr("gains of the colours differ by a factor of {factor}"), factor=factor))
-    if change.shift is not None:
-        lines.append(filled(tr("shift: {length} px"), length=shown_number(change.shift.length)))
-    if explanation.misfit is not None:
-        lines.append(filled(tr("images lie {value} px apart where they meet"), value=shown_number(explanation.misfit)))
-    if explanation.expected and explanation.expected[0] is not None:
-        kept = percent(explanation.expected[0])
-        lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=kept))
-    mixed = percent(max(explanation.mixed_share, explanation.unclear_share))
-    return [*lines, filled(tr("mixed or unclear: {percent} % of the pixels"), percent=mixed)]
 
 
 def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:

@@ -16,7 +16,6 @@ from qgis.PyQt.QtWidgets import (
     QHeaderView,
     QLabel,
     QLineEdit,
-    QListWidget,
     QPushButton,
     QTabBar,
     QTableView,
@@ -44,21 +43,12 @@ def _words(dock: QWidget) -> Iterator[tuple[str, QWidget, QRect]]:
         kind = type(widget).__name__
         if not widget.isVisible():
             continue
-        if kind == "CurvesLegend":
-            yield from _legend_words(widget)
-        elif (kind == "ClippedLabel" or isinstance(widget, QLabel)) and widget.text():
+        if (kind == "ClippedLabel" or isinstance(widget, QLabel)) and widget.text():
             yield f"label {widget.text()}", widget, widget.rect()
         elif isinstance(widget, QPushButton) and widget.isEnabled():
             yield f"button {widget.text()}", widget, widget.rect().adjusted(widget.width() // 3, 5, -5, -5)
         elif isinstance(widget, QTableView):
             yield from _headings(widget)
-
-
-def _legend_words(legend: QListWidget) -> Iterator[tuple[str, QWidget, QRect]]:
-    for row in range(legend.count()):
-        item = legend.item(row)
-        box = legend.visualItemRect(item).adjusted(legend.iconSize().width() + 6, 0, 0, 0)
-        yield f"legend {item.text()}", legend.viewport(), box
 
 
 def _headings(table: QTableView) -> Iterator[tuple[str, QWidget, QRect]]:

@@ -1,17 +1,154 @@
-"""How a chart of relative variances is painted: the mosaic bold, its sources thin, the limit of a significant loss."""
+"""A chart of relative variances: what it shows, words for its points, and how it is painted, the mosaic bold."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import Union
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple, Union
 
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
-from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+from qgis.PyQt.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
+from ...imagery.errors import printable
 from ...toolkit.charts.chart_painter import PT, ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle, source_look
-from ...toolkit.translation import formatted, tr
-from .chart_curves import Chart, ChartCurve, Point, numbered, share_range, share_ticks, significance_limit
+from ...toolkit.charts.round_ticks import decade_ticks, round_below
+from ...toolkit.translation import BAND_ORDER, filled, formatted, tr
+from ..measure.window_records import COMPOSITE, REFERENCES
+
+if TYPE_CHECKING:
+    from ..measure.window.window_result import WindowCurves
+
+
+Point = tuple[int, int]
+"""A curve's index and a component's."""
+_LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
+_TICK_LINES = 1.4  # of the font, that ticks of a logarithmic axis are apart
+
+
+@dataclass(frozen=True)
+class ChartCurve:
+    """One line in a chart."""
+
+    label: str  # file name without its folder
+    is_mosaic: bool
+    detail: tuple[float, ...]  # relative variance at levels 1..R
+    background: float
+    colour: int | None = None
+    """Number of a source's colour, so that it keeps it from window to window; None: by its place in the chart."""
+    is_composite: bool = False  # whether it is the hard-cut composite of the sources, which is none of them
+    is_reference: bool = False  # whether the verdict is taken against it alone, and not against the sources
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Levels 1..R, then the background; NaN for a constant clip."""
+        return (*self.detail, self.background)
+
+
+@dataclass(frozen=True)
+class Chart:
+    """All that a chart shows."""
+
+    curves: tuple[ChartCurve, ...]
+    max_ratio: float  # the limit of a significant loss at level 1, relative to the least sharp source
+
+
+def numbered(curves: Sequence[ChartCurve]) -> list[tuple[int, ChartCurve]]:
+    """The curves with their numbers among the sources."""
+    are_sources = [not (curve.is_mosaic or curve.is_composite) for curve in curves]
+    return [(sum(are_sources[:place]), curve) for place, curve in enumerate(curves)]
+
+
+def least_of_sources(curves: Sequence[ChartCurve], component: int) -> float | None:
+    """The lowest share of a component among the sources: of the least sharp one, where it is a detail.
+
+    That of the composite, where the verdict is taken against it.
+    """
+    rivals = [curve for curve in curves if curve.is_reference]
+    rivals = rivals or [curve for curve in curves if not (curve.is_mosaic or curve.is_composite)]
+    return min((share for curve in rivals if (share := curve.values[component]) > 0), default=None)
+
+
+def significance_limit(curves: Sequence[ChartCurve], max_ratio: float) -> float | None:
+    """The share at level 1 at or below which a mosaic has lost significantly; None without sources."""
+    least = least_of_sources(curves, 0)
+    return None if least is None else max_ratio * least
+
+
+def share_text(share: float) -> str:
+    """A share with three digits that count: 0.412, 0.0160, 0.00052."""
+    if not share > 0:
+        return formatted(share, "g")
+    return formatted(share, f".{min(max(2 - math.floor(math.log10(share)), 2), 7)}f")
+
+def share_range(chart: Chart) -> tuple[float, float]:
+    """Limits of the axis, rounded so that they seldom change from window to window."""
+    shares = [share for curve in chart.curves for share in curve.values]
+    shares.append(significance_limit(chart.curves, chart.max_ratio) or math.nan)
+    positive = [share for share in shares if share > 0]
+    lowest = max(min(positive, default=0.01) * 0.9, _LOWEST_SHARE)
+    return round_below(lowest), 1.25
+
+
+def share_ticks(low: float, high: float, room: float) -> list[float]:
+    """Round shares within an axis: as many as there is room for, in lines of the font."""
+    return decade_ticks(low, high, max(room / _TICK_LINES, 2))
+
+
+def bands_of(result: WindowCurves) -> list[str]:
+    """The bands of the mosaic, luminance and colours first."""
+    names = result.clips[0].curves
+    known = [name for name in BAND_ORDER if name in names]
+    return [*known, *(name for name in names if name not in known)]
+
+
+def window_curves(
+    result: WindowCurves, band: str, colours: Mapping[str, int], reference: str = REFERENCES[0]
+) -> list[ChartCurve]:
+    """The curves of one window and band, the mosaic's first, the sources' composite last.
+
+    ``colours``: numbers by file name. ``reference``: what the verdict is taken against, as in ``Settings``.
+    """
+    curves = []
+    seen: Counter[str] = Counter()
+    for clip in result.with_composite:
+        if band not in clip.curves:
+            continue
+        is_mosaic = clip.role == "mosaic"
+        seen[clip.raster] += not is_mosaic
+        twin = f" ({seen[clip.raster]})" if seen[clip.raster] > 1 and not is_mosaic else ""
+        curve = clip.curves[band]
+        if clip.role == COMPOSITE:
+            label, is_reference = tr("composite"), reference == clip.role
+            curves.append(ChartCurve(label, False, curve.detail, curve.background, None, True, is_reference))
+            continue
+        colour = None if is_mosaic else colours.get(clip.raster)
+        curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
+    return curves
+
+
+def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tuple[str, str]:
+    """A curve's name, and the text about one of its points."""
+    curve = curves[index]
+    value = curve.values[component]
+    is_background = component == len(curve.detail)
+    place = tr("background") if is_background else filled(tr("level {number}"), number=component + 1)
+    words = f", {place}: {share_text(value)}"
+    mosaic = next((other.values[component] for other in curves if other.is_mosaic), math.nan)
+    least = least_of_sources(curves, component)
+    if curve.is_mosaic and least is not None and value == value:
+        if any(other.is_reference for other in curves):
+            template = tr(" ({percent:.0f} % of the composite)")
+        elif is_background:
+            template = tr(" ({percent:.0f} % of the lowest source)")
+        else:
+            template = tr(" ({percent:.0f} % of the least sharp source)")
+        return curve.label, words + filled(template, percent=100 * value / least)
+    if not curve.is_mosaic and value > 0 and mosaic == mosaic:
+        return curve.label, words + filled(tr(" (mosaic: {percent:.0f} % of it)"), percent=100 * mosaic / value)
+    return curve.label, words
+
 
 PenStyle = Union[Qt.PenStyle, tuple[float, ...]]
 """Lengths of dashes and gaps in widths of the line, where Qt has no word for it."""
@@ -38,7 +175,7 @@ def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, 
     return colour, _PENS[line]
 
 
-def curve_pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
+def _pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
     """Pen of a curve; its width in px."""
     pen = QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin)
     if isinstance(dashes, tuple):
@@ -46,19 +183,6 @@ def curve_pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
     else:
         pen.setStyle(dashes)
     return pen
-
-
-def paint_piece(
-    painter: QPainter, box: QRectF, colour: QColor, dashes: PenStyle, width: float, radius: float
-) -> None:
-    """A piece of a line with one of its points, for a legend; sizes in heights of the box."""
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(curve_pen(colour, dashes, width * box.height()))
-    painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()))
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(colour)
-    painter.drawEllipse(box.center(), radius * box.height(), radius * box.height())
-    painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
 class CurvesPainter(ChartPainter):
@@ -77,7 +201,7 @@ class CurvesPainter(ChartPainter):
         self._lay_out()
         self.places = {
             (index, component): self._place(component, share)
-            for index, curve in enumerate(chart.curves) if curve.key not in chart.hidden
+            for index, curve in enumerate(chart.curves)
             for component, share in enumerate(curve.values) if share > 0
         }  # fmt: skip
         """Places of the points that can be seen, by curve and component."""
@@ -110,7 +234,7 @@ class CurvesPainter(ChartPainter):
         self._paint_frame(painter)
         curves = [
             (index, *curve_look(curve, number, self.style))
-            for index, (number, curve) in enumerate(numbered(self.chart.curves)) if curve.key not in self.chart.hidden
+            for index, (number, curve) in enumerate(numbered(self.chart.curves))
         ]  # fmt: skip
         curves.sort(key=lambda curve: self.chart.curves[curve[0]].is_mosaic)
         self._paint_limit(painter)
@@ -163,7 +287,7 @@ class CurvesPainter(ChartPainter):
     ) -> None:
         is_mosaic = self.chart.curves[index].is_mosaic
         width, radius = ((2.6, 3.0) if is_mosaic else (1.2, 2.0))
-        painter.setPen(curve_pen(colour, dashes, (width + wider) * PT * self.style.scale))
+        painter.setPen(_pen(colour, dashes, (width + wider) * PT * self.style.scale))
         for piece in self._pieces(index):
             painter.drawPolyline(QPolygonF(piece))
         painter.setPen(Qt.PenStyle.NoPen)
@@ -186,3 +310,70 @@ class CurvesPainter(ChartPainter):
                 piece = []
         if piece:
             yield piece
+
+
+_SHOWN_CHARACTERS = 8  # of a name in the legend at least, elided in its middle, so that two fit into a narrow dock
+_MOST_ACROSS = 4  # names in a row; more are hard to scan
+_MOST_OF_ROOM = 0.35  # that the legend takes
+_PIECE_LINES = 1.6  # length of a line's piece, in lines of the font
+
+
+class LegendEntry(NamedTuple):
+    """A name in the legend, and what stands before it."""
+
+    name: str
+    colour: str
+    dashes: PenStyle = Qt.PenStyle.SolidLine
+    width: float = 0.11  # of its line, and the radius of its point, in lines of the font
+    radius: float = 0.19
+
+
+class LegendedCurves(CurvesPainter):
+    """A ``Chart`` above the legend of its curves."""
+
+    def __init__(
+        self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont, point: Point | None = None
+    ) -> None:
+        metrics, self.entries = QFontMetricsF(font), _entries(chart, style)
+        widest = max((metrics.horizontalAdvance(entry.name) for entry in self.entries), default=0.0)
+        least = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth()) + (_PIECE_LINES + 1) * metrics.height()
+        most_rows = max(1, int(_MOST_OF_ROOM * room.height() / metrics.height()))
+        across = 1
+        while len(self.entries) > across * most_rows and (across + 1) * least <= room.width() and across < _MOST_ACROSS:
+            across += 1
+        rows = max(1, min(-(-len(self.entries) // across), most_rows))
+        if (beyond := len(self.entries) - across * rows) > 0:
+            more = filled(tr("and {count} more"), count=beyond + 1)
+            self.entries[across * rows - 1 :] = [LegendEntry(more, style.background)]
+        self._across = across
+        self._legend = QRectF(room)
+        self._legend.setTop(room.bottom() - (rows + 0.3) * metrics.height())
+        super().__init__(chart, room.adjusted(0, 0, 0, -self._legend.height()), style, font, point)
+
+    def _paint(self, painter: QPainter) -> None:
+        super()._paint(painter)
+        painter.fillRect(self._legend, QColor(self.style.background))
+        line, width = self.line, self._legend.width() / self._across
+        for place, entry in enumerate(self.entries):
+            row, column = divmod(place, self._across)
+            left, middle = self._legend.left() + column * width + line / 3, self._legend.top() + (row + 0.5) * line
+            end = left + _PIECE_LINES * line
+            painter.setPen(_pen(QColor(entry.colour), entry.dashes, entry.width * line))
+            painter.drawLine(QPointF(left, middle), QPointF(end, middle))
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(QColor(entry.colour))
+            painter.drawEllipse(QPointF((left + end) / 2, middle), entry.radius * line, entry.radius * line)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QColor(self.style.text))
+            words = self.metrics.elidedText(entry.name, Qt.TextElideMode.ElideMiddle, width - (end - left) - line)
+            painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
+
+
+def _entries(chart: Chart, style: ChartStyle) -> list[LegendEntry]:
+    entries = []
+    for number, curve in numbered(chart.curves):
+        size = (0.22, 0.3) if curve.is_mosaic else (0.11, 0.19)
+        entries.append(LegendEntry(printable(curve.label), *curve_look(curve, number, style), *size))
+    if significance_limit(chart.curves, chart.max_ratio) is not None:
+        entries.append(LegendEntry(tr("limit"), style.limit, Qt.PenStyle.SolidLine, 0.15, 0.0))
+    return entries

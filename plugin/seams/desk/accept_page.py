@@ -4,9 +4,12 @@ What is decided lies in a temporary folder until it is saved, so that trying oth
 """
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +21,7 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProcessingUtils,
     QgsProject,
+    QgsRasterLayer,
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import Qt, QUrl
@@ -44,11 +48,78 @@ from ...imagery.messages import system_reason
 from ...toolkit.desk.theme import readable_palette
 from ...toolkit.desk.widgets import plain_tip
 from ...toolkit.layer_styles import load_style
+from ...toolkit.layers import layer_path
 from ...toolkit.translation import filled, sentence, tr
+from ..tables.scan_layers import SEAMS, is_picture
 from ..words import verdict_colour
 from . import messages
-from .accepting import DECISION, decision_values, delivered_scans, pictures_beside, suggested_files
 from .inputs.project_inputs import Inputs
+from .mosaic_scans import file_stem, worst_layer
+
+DECISION = "seaminspector:acceptmosaic"
+_FILES = {"REPORT": "report.html", "DEFECTS": "defects.gpkg", "QUALITY": "quality.xml"}
+"""What a decision makes; failures have notes and pictures beside them, which not every format of features takes."""
+
+
+@dataclass(frozen=True)
+class DeliveredScan:
+    """The last scan of a mosaic of the project."""
+
+    words: str  # what its mosaic is called
+    mosaic: str  # id of the mosaic's layer
+    seams: str  # its pieces of seam, as QGIS opens them
+    loss: str  # id of its picture of losses; empty where the project has none
+
+
+def delivered_scans(project: QgsProject, first: str) -> list[DeliveredScan]:
+    """Scans of the project's mosaics, that of the mosaic ``first`` first."""
+    scans = []
+    rasters = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer) and layer.isValid()]
+    for mosaic in sorted(rasters, key=lambda raster: (raster.id() != first, raster.name())):
+        worst = worst_layer(project, mosaic.id())
+        if worst is not None and layer_path(worst):
+            file = Path(layer_path(worst))
+            beside = (raster for raster in rasters if Path(raster.source()).parent == file.parent)
+            loss = next(filter(is_picture, beside), None)
+            seams = f"{file}|layername={SEAMS.name}"
+            scans.append(DeliveredScan(mosaic.name(), mosaic.id(), seams, "" if loss is None else loss.id()))
+    return scans
+
+
+def decision_values(inputs: Inputs, scans: Sequence[DeliveredScan]) -> dict[str, Any]:
+    """What a decision on scans begins with, but for its outputs."""
+    return {
+        "SEAMS": [scan.seams for scan in scans], "MOSAIC": [scan.mosaic for scan in scans],
+        "SOURCES": list(inputs.sources), "SOURCE_INDEX": inputs.source_index or None,
+        "LOSS": [scan.loss for scan in scans if scan.loss], "WINDOWS": inputs.windows or None,
+    }
+
+
+def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, str]:
+    """Files for what a decision makes, beside the project.
+
+    All have one number, by which none of them takes the place of an earlier one.
+    """
+    mosaic, folder = project.mapLayer(inputs.mosaic), Path(project.homePath() or Path.home())
+    stem = file_stem(project.baseName() or "delivery" if mosaic is None else mosaic.source())
+    return _unused({name: folder / f"{stem}_{file}" for name, file in _FILES.items()})
+
+
+def _unused(files: Mapping[str, Path]) -> dict[str, str]:
+    """The files, all with the first number by which none of them is there, nor its pictures: ``report_2.html``."""
+    for number in count(1):
+        ending = f"_{number}" if number > 1 else ""
+        counted = {output: file.with_name(f"{file.stem}{ending}{file.suffix}") for output, file in files.items()}
+        there = (os.path.lexists(path) for file in counted.values() for path in (file, pictures_beside(file)))
+        if not any(there):
+            break
+    return {output: str(file) for output, file in counted.items()}
+
+
+def pictures_beside(failures: Path) -> Path:
+    """The folder with the pictures of a layer of failures."""
+    return failures.with_name(f"{failures.stem}_pictures")
+
 
 _HEAD = ("TITLE", "CONTRACT", "PRODUCER", "CLIENT")
 _LIMITS = ("MAX_SHARE", "MAX_RUN", "MIN_MEASURED")
@@ -87,7 +158,7 @@ class AcceptPage(QDialog):
         folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
         beside = suggested_files(self._project, self._inputs)
         self._made = {name: folder / Path(file).name for name, file in beside.items()}
-        self._home = Path(next(iter(beside.values()), str(Path.home()))).parent
+        self._home = Path(next(iter(beside.values()))).parent
         values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
         context, self._feedback = QgsProcessingContext(), _FailureHeard()
         context.setProject(self._project)

@@ -1,4 +1,4 @@
-"""What listens to the keys of the desk.
+"""What listens to the keys of the desk, and undo and redo, which QGIS has the same keys for.
 
 QGIS has shortcuts of its own on some of these keys, and Qt does nothing where two compete for one. So keys are taken
 where they arrive, at the widget that has the focus, before anybody makes a shortcut of them.
@@ -6,19 +6,114 @@ where they arrive, at the widget that has the focus, before anybody makes a shor
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
+from qgis.core import QgsApplication
 from qgis.gui import QgsMapCanvas, QgsMapTool
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
-from qgis.PyQt.QtWidgets import QAbstractItemView, QApplication, QDockWidget, QWidget
+from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtWidgets import QAbstractItemView, QAction, QApplication, QDockWidget, QMainWindow, QWidget
 
+from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.desk.keyboard import FocusFilter, HeldKeys, is_keyboard_free
-from .keys import JUDGING, KEYS, MAP, MAP_AND_TABLE
-from .windows.undo_actions import UndoActions
+from ...toolkit.translation import filled, tr
 from .windows.windows_table import WindowsTable
+
+_SURE = {f"sure {10 * digit or 100}": (str(digit),) for digit in range(10)}
+MAP, MAP_AND_TABLE, DESK = "map", "map, table", "map, desk"
+JUDGING = "while judging: map, desk"
+"""The place of the focus for keys to work, and what is on: the words of the guide, by which ``DeskKeys`` goes."""
+
+
+class KeyLine(NamedTuple):
+    """A line of the guide's table, and the keys that are named in it."""
+
+    shown: str
+    where: str
+    does: str
+    keys: Mapping[str, tuple[str, ...]] = {}
+    """Keys by what they do, as ``DeskKeys`` and actions call it; empty where a widget of Qt's or QGIS's has them."""
+    is_repeating: bool = False  # whether they go on while they are held
+
+
+KEYS = (
+    KeyLine("V, I, U", JUDGING, "judges: visible, invisible, not sure; then the next window",
+            {VISIBLE: ("V",), INVISIBLE: ("I",), UNSURE: ("U",)}),
+    KeyLine("N, P", JUDGING, "the next window to judge, the one before", {"next": ("N",), "before": ("P",)}, True),
+    KeyLine("Backspace", JUDGING, "takes a judgement back", {"take back": ("Backspace",)}),
+    KeyLine("1 to 9, 0", JUDGING, "how sure you are, 10 to 100 %", _SURE),
+    KeyLine("R", JUDGING, "a remark", {"remark": ("R",)}),
+    KeyLine("S", JUDGING, "takes seamlines and a scan's layers off the map, and puts them back",
+            {"seamlines": ("S",)}),
+    KeyLine("L", JUDGING, "shows or hides where detail was lost", {"lost detail": ("L",)}),
+    KeyLine("J", DESK, "judging: QGIS's panels and what lies over the mosaic go; again: all as before",
+            {"layout": ("J",)}),
+    KeyLine("Space", MAP_AND_TABLE, "held: the hard cut in place of the mosaic; tapped: until the next tap",
+            {"flicker": ("Space",)}),
+    KeyLine("Tab", MAP, "the next of the window's places that lost most", {"next place": ("Tab",)}, True),
+    KeyLine("Ctrl+Z; Ctrl+Shift+Z, Ctrl+Y", "everywhere", "undo; redo",
+            {"undo": ("Ctrl+Z",), "redo": ("Ctrl+Shift+Z", "Ctrl+Y")}, True),
+    KeyLine("Shift, Ctrl", "map, while drawing",
+            "a square, or one more window selected; a new window here, whatever is there"),
+    KeyLine("Esc, right click", "map, while drawing", "drops the rectangle; ends drawing"),
+    KeyLine("Enter, double click", "table", "the window at 2x"),
+    KeyLine("Del", "table", "removes the selected windows"),
+)  # fmt: skip
+
+
+def keys_for(name: str) -> tuple[str, ...]:
+    """The keys that do something, as QKeySequence reads them."""
+    return next(line.keys[name] for line in KEYS if name in line.keys)
+
 
 _EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
 _PLACES = {MAP: ("map",), MAP_AND_TABLE: ("map", "table")}  # of the focus; other keys work in the rest of the desk too
 _MODIFIERS = {"Ctrl": Qt.KeyboardModifier.ControlModifier, "Shift": Qt.KeyboardModifier.ShiftModifier}
+
+
+class UndoActions(QObject):
+    """Undo and redo of the windows, for buttons and keys."""
+
+    def __init__(self, stack: Any, window: QMainWindow, parent: QObject) -> None:
+        """``stack``: a QUndoStack."""
+        super().__init__(parent)
+        self._stack = stack
+        self.undo = QAction(QgsApplication.getThemeIcon("/mActionUndo.svg"), tr("Undo"), self)
+        self.redo = QAction(QgsApplication.getThemeIcon("/mActionRedo.svg"), tr("Redo"), self)
+        self.undo.triggered.connect(stack.undo)
+        self.redo.triggered.connect(stack.redo)
+        self.actions = {"undo": self.undo, "redo": self.redo}  # actions by the names of their keys
+        self._of_qgis = {name: window.findChild(QAction, f"mAction{name.title()}") for name in self.actions}
+        stack.indexChanged.connect(self.refresh)
+        self.refresh()
+
+    def close(self) -> None:
+        """Follow no steps any more."""
+        self._stack.indexChanged.disconnect(self.refresh)
+
+    def meant(self, name: str, key: str, is_ours: bool) -> QAction | None:
+        """The action that a key is for; None where QGIS takes it itself, or there is nothing to do.
+
+        ``is_ours``: windows are meant whatever layer is active; else what the active layer has to undo comes first.
+        """
+        action, of_qgis = self.actions[name], self._of_qgis[name]
+        if is_ours:
+            return action
+        if of_qgis is not None and of_qgis.isEnabled():
+            return None if QKeySequence(key) in of_qgis.shortcuts() else of_qgis
+        return action if action.isEnabled() else None
+
+    def refresh(self, *_: object) -> None:
+        """What can be undone and done again, and by which name."""
+        stack = self._stack
+        for name, action, step, word, words in (
+            ("undo", self.undo, stack.undoText(), tr("Undo"), tr("Undo {step}")),
+            ("redo", self.redo, stack.redoText(), tr("Redo"), tr("Redo {step}")),
+        ):
+            action.setEnabled(bool(step))
+            action.setText(filled(words, step=step) if step else word)
+            shown = (QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys_for(name))
+            action.setToolTip(f"{action.text()} ({', '.join(shown)})")
 
 
 class DeskKeys(QObject):

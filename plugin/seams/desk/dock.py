@@ -5,18 +5,22 @@ from functools import partial
 from typing import Callable
 
 from qgis.core import QgsApplication, QgsProject
-from qgis.gui import QgisInterface
+from qgis.gui import QgisInterface, QgsMessageBarItem
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
+    QBoxLayout,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
     QMessageBox,
     QProgressBar,
+    QSplitter,
+    QToolBar,
     QToolButton,
+    QVBoxLayout,
     QWidget,
 )
 
@@ -25,25 +29,22 @@ from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
+from ..jobs import ScanDone
 from ..measure import messages
 from .accept_page import AcceptPage
-from .charts.profile_panel import CurvesAndProfile
-from .desk_keys import DeskKeys
-from .dock_body import DockBody
+from .charts.curves_tab import CurvesAndProfile
+from .desk_keys import JUDGING, DeskKeys, UndoActions
 from .images.images_panel import ImagesPanel
 from .inputs.inputs_panel import InputsPanel
-from .judging_desk import JudgingDesk
-from .judging_layout import JudgingLayout
-from .keys import JUDGING
-from .map.clicked_pieces import ClickedPieces
-from .map.flicker import Flicker
+from .judge_bar import JudgeBar
+from .judging_desk import JudgingDesk, JudgingLayout
+from .map.hard_cut import Flicker
 from .map.lost_detail import LostDetail
-from .map.window_tool import WindowTool
+from .map.window_tool import ClickedPieces, WindowTool
 from .map.window_view import SelectedWindows, WindowView
-from .mosaic_scans import MosaicScans, ScanMessage, uncover
+from .mosaic_scans import MosaicScans, scan_message, uncover
 from .report_writer import ReportWriter
 from .session import Session
-from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
 
 
@@ -77,7 +78,6 @@ class InspectionDock(ToolDock):
         self.pieces = ClickedPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
         self.judge.follow_pieces(self.pieces)
         self._selected = SelectedWindows(self._canvas, self.session)
-        self.lost.follow_chart(self.curves.profile)
         self.reports = ReportWriter(self.session, self)
         self.reports.notified.connect(self._show_markup)
         self.scans = MosaicScans(self.session, self)
@@ -89,9 +89,9 @@ class InspectionDock(ToolDock):
         self.layout_of_judging = JudgingLayout(iface, self, self.session)
         self.layout_of_judging.action.toggled.connect(self._begin_judging)
         self.layout_of_judging.action.toggled.connect(self.flicker.hide)
-        self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
-        self.scans.scanned.connect(self._findings.show)
-        self.steps = UndoActions(self.session, iface.mainWindow(), self)
+        self._findings: QgsMessageBarItem | None = None
+        self.scans.scanned.connect(self._tell_findings)
+        self.steps = UndoActions(self.session.steps, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
             {**self.judging.key_actions(), "layout": _triggered(self.layout_of_judging.action),
@@ -104,7 +104,6 @@ class InspectionDock(ToolDock):
         self._lay_out()
         for choice in self.findChildren(QComboBox):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
-        self.judge.offer_next([self.report, self.accept])
         self.session.placesTaken.connect(self._go_to_worst)
         self.session.stepped.connect(self.zoom_to)
         self.session.mosaicDoubted.connect(self._ask_about_mosaic)
@@ -118,15 +117,17 @@ class InspectionDock(ToolDock):
         self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.zoomRequested.connect(self.zoom_to)
         self.judging.model.stepped.connect(self.zoom_to)
+        self._is_blind = False
         self.judging.model.changed.connect(self._hide_findings)
         self._hide_findings()
         self._enable_actions()
 
     def close_desk(self) -> None:
         super().close_desk()
+        self._forget_findings()
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
-            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker, self._findings,
+            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker,
             self.scans, self.pieces, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
             self.curves, self.images,
         ):  # fmt: skip
@@ -138,6 +139,14 @@ class InspectionDock(ToolDock):
         if layer is not None:
             uncover(QgsProject.instance(), layer)
             self.session.take_places(layer)
+
+    def _tell_findings(self, done: ScanDone) -> None:
+        self._forget_findings()
+        self._findings = scan_message(self._iface.messageBar(), done, self.judge_worst)
+
+    def _forget_findings(self) -> None:
+        if self._findings is not None and not sip.isdeleted(self._findings):
+            self._findings.dismiss()
 
     def _go_to_worst(self, fids: list[int]) -> None:
         self.windows.sort_by_number()
@@ -277,7 +286,9 @@ class InspectionDock(ToolDock):
         is_blind = self.judging.model.is_blind
         self._tab_widget.setTabVisible(0, not is_blind)
         allow(self.lost.action, tr("Results are hidden while you judge blind.") if is_blind else "")
-        self.steps.keep_steps(is_blind)
+        if is_blind and not self._is_blind:
+            self.session.steps.clear()
+        self._is_blind = is_blind
         self._name_window()
 
     def _name_window(self) -> None:
@@ -327,7 +338,7 @@ class InspectionDock(ToolDock):
         allow(judge, "" if judge.isChecked() or any(row.is_compared for row in windows) else unset or uninspected)
         unscanned = "" if self.scans.worst_layer() else tr("No scan has found such places yet: scan the mosaic first.")
         allow(self.worst, unset or unscanned)
-        self._offer_stop(self.session.can_stop)
+        self._offer_stop(self.session.is_busy)
         allow(self.report, "" if any(row.verdict for row in windows) else uninspected)
 
     def _repaint_windows(self) -> None:
@@ -364,3 +375,63 @@ def _triggered(action: QAction) -> Callable[[], bool]:
         return True
 
     return trigger
+
+
+_HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence
+_FEWEST_ROWS = 6  # of windows: fewer show no neighbours of the one that is judged
+_SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
+
+
+class DockBody(QWidget):
+    """Inputs, toolbar, windows and tabs, which scroll on a low screen; judgement and progress, always in sight."""
+
+    def __init__(
+        self, inputs: QWidget, toolbar: QToolBar, windows: WindowsPanel, tabs: QWidget, judge: JudgeBar,
+        progress: QWidget,
+    ) -> None:
+        super().__init__()
+        self._head = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._head.setSpacing(3)
+        self._head.addWidget(inputs, 1)
+        self._head.addWidget(toolbar)
+        self._head.setAlignment(toolbar, Qt.AlignmentFlag.AlignTop)
+        self._splitter = QSplitter(Qt.Orientation.Vertical)
+        side = QWidget()
+        self._side = QVBoxLayout(side)
+        self._side.setContentsMargins(0, 0, 0, 0)
+        self._side.setSpacing(3)
+        self._side.addWidget(windows, 1)
+        for widget, share in ((side, 2), (tabs, 3)):
+            self._splitter.addWidget(widget)
+            self._splitter.setStretchFactor(self._splitter.count() - 1, share)
+        self._splitter.setChildrenCollapsible(False)
+        upper = QWidget()
+        layout = QVBoxLayout(upper)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(3)
+        layout.addLayout(self._head)
+        layout.addWidget(self._splitter, 1)
+        self.scrolled = ScrollBody(upper)
+        self._windows, self._judge, self._whole = windows, judge, QVBoxLayout(self)
+        self._whole.setContentsMargins(4, 2, 4, 4)
+        self._whole.setSpacing(3)
+        self._whole.addWidget(self.scrolled, 1)
+        self._whole.addWidget(progress)
+        self._place_judge(is_wide=False)
+
+    def _place_judge(self, is_wide: bool) -> None:
+        (self._side if is_wide else self._whole).insertWidget(1, self._judge)
+
+    def arrange(self, is_wide: bool) -> None:
+        """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
+        is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
+        self._windows.table.set_fewest_rows(0 if is_wide else _FEWEST_ROWS)
+        self._judge.set_high(is_high)
+        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
+        if orientation == self._splitter.orientation():
+            return
+        self._splitter.setOrientation(orientation)
+        self._splitter.setSizes(_SHARES)
+        direction = QBoxLayout.Direction
+        self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
+        self._place_judge(is_wide)

@@ -4,22 +4,21 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
+from html import escape
 from operator import attrgetter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import (
-    QAction,
-    QActionGroup,
     QBoxLayout,
-    QGridLayout,
+    QComboBox,
     QHBoxLayout,
+    QInputDialog,
     QLabel,
-    QMenu,
     QPushButton,
-    QSizePolicy,
+    QSpinBox,
     QToolButton,
     QWhatsThis,
     QWidget,
@@ -30,73 +29,18 @@ from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
 from .judging import Judging, JudgingProgress
-from .notes_row import NotesRow
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 
 if TYPE_CHECKING:
     from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
-    from .map.clicked_pieces import ClickedPiece, ClickedPieces
+    from .map.window_tool import ClickedPiece, ClickedPieces
     from .session import Session
 
 
-class OperatorButton(QToolButton):
-    """Says who judges."""
-
-    def __init__(self, judging: Judging, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._judging = judging
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setAutoRaise(True)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        group = QActionGroup(menu)
-        self.operators = tuple(
-            self._checkable(menu, text, tip, partial(self._choose, number))
-            for number, text, tip in (
-                (1, tr("First operator"), tr("Verdicts go to the field 'observer'.")),
-                (2, tr("Second operator"), tr("Verdicts go to the field 'observer_2', beside the first operator's.")),
-            )
-        )
-        for action in self.operators:
-            group.addAction(action)
-        menu.addSeparator()
-        self.blind = self._checkable(
-            menu, tr("Blind"),
-            tr("Hides the tool's results and the other operator's verdicts in the table, in words, charts and on the "
-               "map."),
-            self._set_blind,
-        )  # fmt: skip
-        self.setMenu(menu)
-
-    def refresh(self) -> None:
-        """Show who judges, and how."""
-        settings = self._judging.settings
-        number = 2 if settings.operator == 2 else 1
-        self.operators[number - 1].setChecked(True)
-        self.blind.setChecked(settings.is_blind)
-        words = tr("2nd") if number == 2 else tr("1st")
-        self.setText(filled(tr("{operator}, blind"), operator=words) if settings.is_blind else words)
-        self.setToolTip(rich_tip(tr("Choose the operator, and judge blind.")))
-
-    def _choose(self, number: int, _checked: bool = True) -> None:
-        self._judging.change(operator=number)
-
-    def _set_blind(self, blind: bool) -> None:
-        self._judging.change(is_blind=blind)
-
-    @staticmethod
-    def _checkable(menu: QMenu, text: str, tip: str, slot: Callable[..., None]) -> QAction:
-        action = QAction(text, menu)
-        action.setCheckable(True)
-        action.setToolTip(tip)
-        action.triggered.connect(slot)
-        menu.addAction(action)
-        return action
-
-
 _LINES, _HIGH_LINES = (2, 7), (3, 8)  # of the sentence; in a high dock
+_UNSAID = -1  # the spin box's value where no confidence was given
+_LONGEST = 254  # letters of a remark, as many as a shapefile holds
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 
 
@@ -144,15 +88,9 @@ class JudgeBar(QWidget):
         self._position.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._forth = self._arrow(Qt.ArrowType.RightArrow, partial(judging.step, 1), tr("The window after this."))
         self._progress = ClippedLabel(1, self)
-        self.operators = OperatorButton(judging, self)
-        self.notes = NotesRow(session, judging, self)
-        self._second = QAction(tr("Second operator"), self)
-        self._second.setToolTip(tr("Somebody else judges the same windows without seeing results or earlier verdicts."))
-        self._second.triggered.connect(judging.begin_second)
-        self._steps: list[QToolButton] = []
+        self.confidence, self.remark, self.operators = self._confidence_box(), self._remark_button(), self._choice()
         self._lay_out()
         self.set_high(False)
-        self.offer_next([self._second])
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)
@@ -170,20 +108,9 @@ class JudgeBar(QWidget):
             "next": judging.go_on,
             "before": partial(judging.step, -1),
             "take back": judging.take_back,
-            "remark": self.notes.begin_remark,
+            "remark": self.ask_remark,
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
-
-    def offer_next(self, actions: Sequence[QAction]) -> None:
-        """What more can be done once the last window is judged."""
-        for action in actions:
-            button = QToolButton(self)
-            button.setDefaultAction(action)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            button.setVisible(False)
-            self._steps.append(button)
 
     def follow_pieces(self, pieces: ClickedPieces) -> None:
         """Say what a scan found in the piece of seam that was clicked, and offer a window there."""
@@ -209,12 +136,20 @@ class JudgeBar(QWidget):
     def refresh(self) -> None:
         """Show the selected windows' state, and where they stand among the others."""
         judging = self._judging
-        self.operators.refresh()
-        self.notes.refresh()
+        self.operators.setCurrentIndex(2 * (judging.settings.operator == 2) + judging.is_blind)
         judging.follow()
         chosen = [row for row in map(self._session.row, self._session.selected()) if row is not None]
         selected, progress = sorted(chosen, key=attrgetter("window_id")), judging.progress()
         self._show(selected, progress)
+        sure, remark = self._said(selected, "confidence"), self._said(selected, "remark")
+        self.confidence.blockSignals(True)
+        self.confidence.setValue(_UNSAID if sure is None else sure)
+        self.confidence.blockSignals(False)
+        self.remark.setChecked(bool(remark))
+        tip = tr("A remark on the window (R); Enter saves it, Esc discards the change.")
+        self.remark.setToolTip(rich_tip(tip, *([escape(remark)] if remark else [])))
+        for widget in (self.confidence, self.remark):
+            widget.setEnabled(bool(selected))
         for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
@@ -289,11 +224,6 @@ class JudgeBar(QWidget):
             sentence = self._summary()
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
-        is_over = progress.is_done and not selected
-        for button in self._steps:
-            button.setVisible(is_over and (self._judging.is_first or button.defaultAction() is not self._second))
-        for number, button in enumerate(button for button in self._steps if not button.isHidden()):
-            self._next_steps.addWidget(button, *divmod(number, 2))
         self._chip.setVisible(shows_chip)
         self._why.setVisible(bool(tip))
         self._here.setVisible(piece is not None and not selected)
@@ -311,7 +241,77 @@ class JudgeBar(QWidget):
         text = tr("All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.")
         return filled(text, visible=said[VISIBLE], invisible=said[INVISIBLE], unsure=said[UNSURE])
 
+    # What an operator says of a window beside the judgement
+
+    def _said(self, selected: Sequence[WindowRecord], name: str) -> Any:
+        """How sure the operator is or what he remarked, where it is the same of all; else None."""
+        values = {getattr(row, getattr(self._judging.operator, name)) for row in selected}
+        return values.pop() if len(values) == 1 else None
+
+    def ask_remark(self, *_: object) -> bool:
+        """Let the operator write a remark on the selected windows. Whether there are any."""
+        rows = [row for row in map(self._session.row, self._session.selected()) if row is not None]
+        if rows:
+            self.question = QInputDialog(self)
+            self.question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+            self.question.setWindowTitle(tr("Seam Inspector"))
+            words = tr("Remark on window {number}:") if len(rows) == 1 else tr("Remark:")
+            self.question.setLabelText(filled(words, number=rows[0].window_id))
+            self.question.setTextValue(self._said(rows, "remark") or "")
+            self.question.textValueSelected.connect(self._write_remark)
+            self.question.open()
+        self.refresh()  # a click has checked the button
+        return bool(rows)
+
+    def _write_remark(self, text: str) -> None:
+        self._judging.note(remark=text.strip()[:_LONGEST] or None)
+
+    def _write_confidence(self, value: int) -> None:
+        self._judging.note(confidence=None if value == _UNSAID else value)
+
+    def _choose_operator(self, place: int) -> None:
+        operator, is_blind = divmod(place, 2)
+        self._judging.change(operator=operator + 1, is_blind=bool(is_blind))
+
     # Widgets
+
+    def _confidence_box(self) -> QSpinBox:
+        box = QSpinBox(self)
+        box.setRange(_UNSAID, 100)
+        box.setSingleStep(10)
+        box.setSuffix(" %")
+        box.setSpecialValueText("- %")
+        box.setKeyboardTracking(False)
+        box.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        tip = tr("How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.")
+        box.setToolTip(rich_tip(tip))
+        box.valueChanged.connect(self._write_confidence)
+        box.editingFinished.connect(box.clearFocus)  # the keys that judge are free again
+        return box
+
+    def _remark_button(self) -> QToolButton:
+        button = QToolButton(self)
+        button.setIcon(QgsApplication.getThemeIcon("/mActionAnnotation.svg"))
+        button.setAutoRaise(True)
+        button.setCheckable(True)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.clicked.connect(self.ask_remark)
+        return button
+
+    def _choice(self) -> QComboBox:
+        """The choice who judges, and whether blind."""
+        box, blind = QComboBox(self), tr(
+            "Hides the tool's results and the other operator's verdicts in the table, in words, charts and on the map.")
+        box.setToolTip(rich_tip(tr("Choose the operator, and judge blind.")))
+        for word, tip in (
+            (tr("1st"), tr("Verdicts go to the field 'observer'.")),
+            (tr("2nd"), tr("Verdicts go to the field 'observer_2', beside the first operator's.")),
+        ):
+            for text, more in ((word, ""), (filled(tr("{operator}, blind"), operator=word), blind)):
+                box.addItem(text)
+                box.setItemData(box.count() - 1, f"{tip} {more}".rstrip(), Qt.ItemDataRole.ToolTipRole)
+        box.activated.connect(self._choose_operator)
+        return box
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -343,23 +343,21 @@ class JudgeBar(QWidget):
         words.addWidget(self._sentence, 1)
         words.addWidget(self._why)
         words.addWidget(self._here)
-        self._judging_row, self._moving, self._next_steps = QHBoxLayout(), QHBoxLayout(), QGridLayout()
+        self._judging_row, self._moving = QHBoxLayout(), QHBoxLayout()
         for button in (self._visible, self._invisible, self._unsure, self._next):
             self._judging_row.addWidget(button)
         self._judging_row.addStretch()
         self._moving.addWidget(self._progress, 1)
-        for widget in (*self.notes.buttons, self.operators, self._back, self._position, self._forth):
+        for widget in (self.confidence, self.remark, self.operators, self._back, self._position, self._forth):
             self._moving.addWidget(widget)
         self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._buttons.addLayout(self._judging_row)
         self._buttons.addLayout(self._moving, 1)
-        standing = (self._next, self.notes.opener, self.operators, self._back, self._forth)
-        for before, after in zip(standing, standing[1:]):  # the remark comes after them
+        standing = (self._next, self.remark, self.operators, self._back, self._forth)
+        for before, after in zip(standing, standing[1:]):
             QWidget.setTabOrder(before, after)
         below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        below.addLayout(self._next_steps)
         below.addLayout(self._buttons)
-        below.addWidget(self.notes)
         self._rows = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._rows.setContentsMargins(0, 0, 0, 0)
         self._rows.addLayout(words, 1)

@@ -30,8 +30,6 @@ class JudgingSettings:
 
     operator: int = 1  # 1 or 2: who judges
     is_blind: bool = False  # whether the tool's verdict, and the other operator's, is hidden
-    search: str = ""  # what the table is filtered by
-    shown: str = ""  # name of the kind of windows that the table shows; empty: all
     window: int = 0  # number of the window that was looked at last; 0: none
 
 
@@ -148,19 +146,6 @@ class Judging(QObject):
     def operator(self) -> Operator:
         """Who judges: the fields that his words go to."""
         return OPERATORS[1] if self._settings.operator == 2 else OPERATORS[0]
-
-    @property
-    def is_first(self) -> bool:
-        """Whether it is the first of both operators."""
-        return self.operator == OPERATORS[0]
-
-    def begin_second(self, *_: object) -> None:
-        """The second operator's turn, who is told nothing, from the first window on."""
-        self.change(operator=2, is_blind=True)
-        self._session.select([])
-        self.follow()
-        self._last_place = -1
-        self.go_on()
 
     @property
     def is_blind(self) -> bool:

@@ -11,9 +11,6 @@ WINDOWS_NOT_MOVED = Message(
     "The windows stay in {old}, as they can't be moved to {folder} ({error}); export them from there."
 )
 PLACES_TAKEN = Message("Places of the scan added: {count}; windows that were there already: {there}.", INFO)
-WINDOWS_IN_BOXES = Message(
-    "Windows that are not rectangles along the mosaic's axes are measured in the boxes around them: {count}.", INFO
-)
 WINDOWS_BACK = Message("Windows of this mosaic that were missing from the project were restored from {path}.", INFO)
 DECISION_THERE_ALREADY = Message("{path} exists already: choose another folder, so that no document is replaced.")
 DECISION_NOT_SAVED = Message("The decision could not be saved in {folder} ({error}); choose another folder.")

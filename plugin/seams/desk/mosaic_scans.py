@@ -4,7 +4,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable
-from functools import partial
 from html import escape
 from itertools import chain, count
 from pathlib import Path
@@ -13,21 +12,18 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     Qgis,
     QgsApplication,
-    QgsLayerTreeGroup,
     QgsMapLayer,
     QgsProject,
     QgsRasterLayer,
     QgsVectorLayer,
 )
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
-from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
 from ...toolkit.background_tasks import BackgroundTasks, End, Outcome
 from ...toolkit.desk.message_bar import bar_level, write_log
-from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layer_styles import load_style
 from ...toolkit.reference_systems import keep_system
 from ...toolkit.translation import filled, grouped_number, sentence, tr
@@ -56,8 +52,6 @@ class MosaicScans(QObject):
         super().__init__(parent)
         self._session = session
         self._project = QgsProject.instance()
-        self._adder = single_shot(self, self._add_next)
-        self._waiting: list[tuple[Callable[[], QgsMapLayer], ScanLayer | None]] = []  # layers to be added
         self._background = BackgroundTasks(self)
         self._background.failed.connect(self._tell)
         self._background.ended.connect(self._ended)
@@ -83,8 +77,8 @@ class MosaicScans(QObject):
 
     @property
     def is_at_work(self) -> bool:
-        """Whether a scan is under way or being stopped, or its layers are being opened."""
-        return self.is_busy or bool(self._waiting) or self._background.is_under_way(_KEY)
+        """Whether a scan is under way or being stopped."""
+        return self.is_busy or self._background.is_under_way(_KEY)
 
     def start(self) -> None:
         """Scan the mosaic; a scan of the same inputs that was stopped goes on."""
@@ -114,7 +108,6 @@ class MosaicScans(QObject):
         self._is_closed = True
         self._project.cleared.disconnect(self._forget)
         self._background.close()
-        self._adder.stop()
         self.news = None
 
     def worst_layer(self) -> QgsVectorLayer | None:
@@ -161,58 +154,38 @@ class MosaicScans(QObject):
     def _forget(self) -> None:
         """The project is closed: its scan goes on when it is open again, and asked for."""
         self._background.abandon()
-        self._adder.stop()
-        self._waiting.clear()
         self.news = None
         self.changed.emit()
 
-    # What was found, layer by layer: QGIS takes some 20 ms for each
+    # What was found
 
     def _show(self, done: ScanDone) -> None:
-        """The lowest layer first."""
-        self._waiting = [
-            (partial(_picture, done.files.picture, tr("Picture of losses")), None),
-            *((partial(_table, done.files.layers, kind, title), kind) for kind, title in (
-                (scan_layers.CELLS, tr("Source cells")), (scan_layers.SEAMS, tr("Seams")),
-                (scan_layers.WORST, tr("Worst places")),
-            )),
-        ]
-        self._done, self._top = done, ""
-        self._adder.start()
+        """A group on top of all layers, the windows of the worst places the topmost, and in it the picture the lowest.
 
-    def _add_next(self) -> None:
-        make, kind = self._waiting.pop(0)
-        layer = make()
-        if layer.isValid():
-            self._add(layer, kind)
-        if self._waiting:
-            self._adder.start()
-        else:
-            self.scanned.emit(self._done)
-
-    def _add(self, layer: QgsMapLayer, kind: ScanLayer | None) -> None:
-        """On top of the group."""
-        if kind is scan_layers.WORST:
-            layer.setCustomProperty(_SCANNED, QDateTime.currentDateTime().toString(Qt.DateFormat.ISODateWithMs))
-            layer.setCustomProperty(_MOSAIC, self._mosaic)
-        keep_system(layer)
-        self._project.addMapLayer(layer, False)
-        node = self._group().insertLayer(0, layer)
-        node.setExpanded(kind in (None, scan_layers.SEAMS))
-        node.setItemVisibilityChecked(kind is not scan_layers.WORST)  # fifty windows would hide what they are of
-        self._top = layer.id()
-
-    def _group(self) -> QgsLayerTreeGroup:
-        """That of the layer before, or a new one on top of all layers."""
+        QGIS takes some 20 ms for each.
+        """
         root = self._project.layerTreeRoot()
-        if (before := root.findLayer(self._top)) is not None and before.parent() is not root:
-            return before.parent()
         for older in root.findGroups():
             if older.name() == self._title:  # else two pictures and twice the labels lie on top of each other
                 older.setItemVisibilityChecked(False)
         group = root.insertGroup(0, self._title)
         group.setExpanded(True)
-        return group
+        file = done.files.layers
+        worst, seams, cells = (
+            _table(file, scan_layers.WORST, tr("Worst places")), _table(file, scan_layers.SEAMS, tr("Seams")),
+            _table(file, scan_layers.CELLS, tr("Source cells")),
+        )  # fmt: skip
+        worst.setCustomProperty(_SCANNED, QDateTime.currentDateTime().toString(Qt.DateFormat.ISODateWithMs))
+        worst.setCustomProperty(_MOSAIC, self._mosaic)
+        picture = _picture(done.files.picture, tr("Picture of losses"))
+        for layer in (worst, seams, cells, picture):
+            if layer.isValid():
+                keep_system(layer)
+                self._project.addMapLayer(layer, False)
+                node = group.addLayer(layer)
+                node.setExpanded(layer in (seams, picture))
+                node.setItemVisibilityChecked(layer is not worst)  # fifty windows would hide what they are of
+        self.scanned.emit(done)
 
     def _note(self, notices: Iterable[Message]) -> None:
         """In the log, since there may be one for each block; the first of those that matter in the bar, too."""
@@ -289,39 +262,16 @@ def _table(path: Path, kind: ScanLayer, title: str) -> QgsVectorLayer:
     return layer
 
 
-class ScanMessage(QObject):
-    """Says how much was lost, and offers the worst places until they are taken, or the project closes."""
-
-    def __init__(self, bar: QgsMessageBar, judge: Callable[[], None], parent: QObject) -> None:
-        super().__init__(parent)
-        self._bar, self._judge = bar, judge
-        self._item: QgsMessageBarItem | None = None
-        QgsProject.instance().cleared.connect(self.dismiss)
-
-    def show(self, done: ScanDone) -> None:
-        """Say it, in the place of what was said of a scan before."""
-        self.dismiss()
-        item = self._bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
-        if done.worst_count:
-            words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
-            button = QPushButton(filled(words, count=done.worst_count), item)
-            button.setToolTip(tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."))
-            button.clicked.connect(self._go_on)
-            item.layout().addWidget(button)
-        self._item = item
-        self._bar.pushWidget(item, Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success, 0)
-
-    def close(self) -> None:
-        """Leave nothing in the bar and follow the project no more."""
-        QgsProject.instance().cleared.disconnect(self.dismiss)
-        self.dismiss()
-
-    def dismiss(self) -> None:
-        """Leave nothing in the bar."""
-        if self._item is not None and not sip.isdeleted(self._item):
-            self._bar.popWidget(self._item)
-        self._item = None
-
-    def _go_on(self) -> None:
-        self.dismiss()
-        self._judge()
+def scan_message(bar: QgsMessageBar, done: ScanDone, judge: Callable[[], None]) -> QgsMessageBarItem:
+    """Say how much was lost, and offer the worst places until they are taken, or the project closes."""
+    item = bar.createMessage(tr("Seam Inspector"), escape(scan_sentence(done), quote=False))
+    if done.worst_count:
+        words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
+        button = QPushButton(filled(words, count=done.worst_count), item)
+        button.setToolTip(tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."))
+        button.clicked.connect(item.dismiss)
+        button.clicked.connect(lambda *_: judge())
+        item.layout().addWidget(button)
+    QgsProject.instance().cleared.connect(item.dismiss)
+    bar.pushWidget(item, Qgis.MessageLevel.Warning if done.failed_metres else Qgis.MessageLevel.Success, 0)
+    return item

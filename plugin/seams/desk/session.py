@@ -23,16 +23,14 @@ from ..measure.window.inspection import WindowRequest
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..tables import window_layer
-from ..tables.window_layer import boxed_windows, style_if_plain
+from ..tables.window_layer import style_once
 from . import messages
 from .inputs.project_inputs import Inputs
 from .session_inputs import SessionInputs
-from .window_home import WindowHome
+from .window_home import WindowHome, WindowsMosaic
 from .windows.new_windows import NewWindows
-from .windows.window_results import WindowResults
-from .windows.window_steps import WindowSteps, words_of
+from .windows.window_results import WindowResults, WindowSteps, words_of
 from .windows.window_watch import WindowWatch
-from .windows.windows_mosaic import WindowsMosaic
 
 
 class Session(SessionInputs):
@@ -66,7 +64,7 @@ class Session(SessionInputs):
             (project.readProject, self._load),
             (project.cleared, self._load),
             (project.writeProject, self._save),
-            (project.layersAdded, self._layers_added),
+            (project.layersAdded, self._layers_changed),
             (project.layersWillBeRemoved, self._forget_layers),
             (project.layersRemoved, self._layers_changed),
         )
@@ -96,7 +94,6 @@ class Session(SessionInputs):
     def close(self) -> None:
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
         self._connections.close()
-        self._new.abandon()
         super().close()
         for part in (self._background, self._results, self._watch):
             part.close()
@@ -148,8 +145,9 @@ class Session(SessionInputs):
         self._watch.select(fids)
 
     def add_window(self, window: PixelWindow) -> None:
-        """Add one window, or take the one that is there already; where there is a file for it, at once."""
-        self._new.draw(window)
+        """Add one window, or take the one that is there already."""
+        with self._raised():
+            self._new.draw(window)
 
     def take_places(self, worst: QgsVectorLayer) -> None:
         """Add the worst places of a scan, inspect them, and tell ``placesTaken``."""
@@ -239,12 +237,7 @@ class Session(SessionInputs):
 
     @property
     def is_busy(self) -> bool:
-        """Whether windows are being made, placed or inspected."""
-        return self._background.is_busy or self._new.is_busy
-
-    @property
-    def can_stop(self) -> bool:
-        """Whether there is work that ``stop`` ends."""
+        """Whether windows are being placed or inspected, which ``stop`` ends."""
         return self._background.is_busy
 
     def is_pending(self, fid: int) -> bool:
@@ -260,12 +253,8 @@ class Session(SessionInputs):
     def inspect(self, fids: Sequence[int], is_step: bool = True) -> None:
         """Inspect windows, those left out that are being inspected already. ``is_step``: as a step of undo."""
         with self._raised():
-            layer, mosaic = self.window_layer(), self.mosaic_layer()
-            count = 0 if layer is None or mosaic is None else boxed_windows(layer, fids, mosaic.crs())
             self._results.inspect(fids, is_step)
             self._mosaics.note()
-            if count:
-                self._tell(messages.WINDOWS_IN_BOXES(count=count))
 
     def inspect_pending(self) -> None:
         """Inspect all windows that are not inspected yet or have changed since."""
@@ -336,10 +325,9 @@ class Session(SessionInputs):
         if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
             self._forget_windows()
             self._watch.watch(layer)
-            if self._watch.layer is not None:
-                style_if_plain(self._watch.layer)
-                if self._watch.path is not None:
-                    self._home.hold(self._watch.path)
+            if self._watch.layer is not None and self._watch.path is not None:
+                style_once(self._watch.layer)
+                self._home.hold(self._watch.path)
         super()._layers_changed()
 
     def _follow_block(self) -> None:
@@ -359,7 +347,6 @@ class Session(SessionInputs):
 
     def _forget_windows(self) -> None:
         """What is of the window layer so far; nothing of it may reach another one."""
-        self._new.abandon()
         self._background.abandon()
         self._watch.watch(None)
         self._results.forget()

@@ -12,13 +12,11 @@ from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.translation import sentence
 from ..jobs import ScanOrder
-from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
 from .inputs.block_cache import BlockCache
-from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
-from .map.live_windows import LiveWindows
-from .map.window_coverage import Coverage, SeamFinder, WindowCoverage
+from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
+from .map.under_mouse import LiveWindows, SeamFinder
 
 
 class LossView(QObject):
@@ -41,7 +39,6 @@ class SessionInputs(QObject):
     """Follows the project's layers. Everything that reads pixels runs in tasks."""
 
     inputsChanged = pyqtSignal()
-    coverageChanged = pyqtSignal()
     liveChanged = pyqtSignal()
     messageRaised = pyqtSignal(str, int)
 
@@ -52,12 +49,9 @@ class SessionInputs(QObject):
         self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
         self._block = block = BlockCache(project, self._opening, self)
         self._seams = SeamFinder(block, self._opening)
-        self._coverage = WindowCoverage(self)
         self._live = LiveWindows(block, self)
-        self._places = LayerPlaces(project)
         self._layers = InputsWatch(project, self)
         for signal, slot in (
-            (self._coverage.changed, self.coverageChanged),
             (self._live.changed, self.liveChanged),
             (block.opened, self._follow_block),
             (self._layers.layersChanged, self._files_changed),
@@ -69,7 +63,7 @@ class SessionInputs(QObject):
     def close(self) -> None:
         """Stop all work, and let go of the layers; once is enough."""
         self._layers.close()
-        for part in (self._live, self._coverage, self._opening):
+        for part in (self._live, self._opening):
             part.close()
 
     @property
@@ -91,16 +85,6 @@ class SessionInputs(QObject):
         block = self.block()
         return block.mosaic.grid if block is not None else None
 
-    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
-        """The nearest window of that size that can be judged, its middle on a seam; None where none is near."""
-        grid = self.mosaic_grid()
-        if grid is None:
-            return None
-        xmin, ymin, xmax, ymax = grid.window_extent(window)
-        reach, spacing = SEARCHED_SIDES * max(xmax - xmin, ymax - ymin), FEWEST_PX * grid.pixel_width
-        middle = (xmin + xmax) / 2, (ymin + ymax) / 2
-        return self._coverage.nearest(window, self._seams.index.points(*middle, reach, spacing) if on_seam else None)
-
     @property
     def live(self) -> LiveWindow | None:
         """The window that is being drawn or moved, as far as it is known; ``liveChanged`` tells."""
@@ -121,10 +105,6 @@ class SessionInputs(QObject):
     def scan_order(self) -> ScanOrder:
         """What a scan of the mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
         return self._block.scan_order()
-
-    def coverage(self, window: PixelWindow) -> Coverage:
-        """How many sources lie over a window, as far as is known."""
-        return self._coverage.at(window)
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within reach; None where there is none, or while they are being found."""
@@ -151,19 +131,9 @@ class SessionInputs(QObject):
         self._block.forget()
         self._seams.forget()
         self._block.inputs = load_inputs(self._project)
-        self._places.load()
         self._layers_changed()
 
-    def _layers_added(self, *_: object) -> None:
-        """One that was removed may be back, under another id."""
-        inputs = self._places.found_again(self.inputs)
-        if inputs != self.inputs:
-            self.set_inputs(inputs)
-        else:
-            self._layers_changed()
-
     def _layers_changed(self, *_: object) -> None:
-        self._places.note(self.inputs)
         self._block.refresh()
         self._layers.follow(self.inputs)
         self._follow_block()
@@ -171,13 +141,11 @@ class SessionInputs(QObject):
     def _follow_block(self) -> None:
         """There may be another block, or none any more."""
         self._seams.refresh()
-        self._coverage.follow(self.block())
         self.inputsChanged.emit()
 
     def _files_changed(self) -> None:
         self._live.let_go()
         self._block.refresh(anew=True)
-        self._coverage.follow(None)  # what lies in the files may be something else
         self._follow_block()
 
     def _forget_layers(self, ids: list[str]) -> None:

@@ -1,7 +1,6 @@
 """The clips of windows for a report as JPEG: the part of each that lost most detail, and lost detail over all of it."""
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass
@@ -24,7 +23,6 @@ from ..measure.window.measured_window import MeasuredWindow, measure_window
 from ..words import LOSS_OPACITY, loss_rgba
 
 REPORT_CLIP_PX = SHOWN_PX  # two of them fit beside each other on A4
-MIN_REPORT_CLIP_PX = 64  # smaller ones show too little
 MAX_REPORT_SOURCES = 2  # shown of a window, the least sharp ones; with chart and mosaic they fill a page
 MAX_SEARCHED_SIDE_PX = 512  # of a window, around its centre (on the seam), where the part that lost most is looked for
 _AHEAD = 4  # windows that are read or wait to be taken
@@ -133,16 +131,13 @@ class WindowParts:
     """Lost detail over the mosaic as JPEG, and its columns; None where nothing is told."""
 
 
-def window_parts(block: Block, jobs: Iterable[ClipJob], bytes_each: float) -> Iterator[WindowParts]:
-    """The parts in the order of the jobs, read by two threads a few windows ahead.
-
-    ``bytes_each``: what the pictures of one window may weigh together; parts become smaller to keep to it.
-    """
+def window_parts(block: Block, jobs: Iterable[ClipJob]) -> Iterator[WindowParts]:
+    """The parts in the order of the jobs, read by two threads a few windows ahead."""
     with reading_threads(_WORKERS) as pool:
         waiting: list[Future[WindowParts]] = []
         try:
             for job in jobs:
-                waiting.append(pool.submit(_parts, block, job, bytes_each))
+                waiting.append(pool.submit(_parts, block, job))
                 if len(waiting) >= _AHEAD:
                     yield waiting.pop(0).result()
             while waiting:
@@ -152,7 +147,7 @@ def window_parts(block: Block, jobs: Iterable[ClipJob], bytes_each: float) -> It
                 future.cancel()
 
 
-def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
+def _parts(block: Block, job: ClipJob) -> WindowParts:
     if job.extent is None:
         return WindowParts()
     try:
@@ -173,18 +168,17 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
             continue
     side = min(REPORT_CLIP_PX, searched.width, searched.height)
     placed = measured_loss(block, searched) if job.loss is None else PlacedLoss(window, job.loss)
-    if placed is None:
-        loss, row, column = None, (searched.height - side) // 2, (searched.width - side) // 2
-    else:
+    row, column = (searched.height - side) // 2, (searched.width - side) // 2  # its middle, where nothing is told
+    if placed is not None:
         row, column = most_lost(searched, placed, side)
-        framed = PixelWindow(searched.column + column, searched.row + row, side, side)
-        loss = loss_overview(stretched(clips[:1])[0], searched, placed, framed)
+    part = PixelWindow(searched.column + column, searched.row + row, side, side)
+    loss = None if placed is None else loss_overview(stretched(clips[:1])[0], searched, placed, part)
     square = np.s_[:, row : row + side, column : column + side]
     parts = [Clip(clip.raster, clip.bands[square], clip.invalid_share) for clip in clips]
-    pictures, first = _encoded(stretched(parts), bytes_each - (len(loss[0]) if loss else 0))
-    part = PixelWindow(searched.column + column + first, searched.row + row + first, side - 2 * first, side - 2 * first)
-    named = zip((clip.raster.ref.name for clip in clips), pictures)
-    made = tuple(PartPicture(name, place == 0, jpeg, part.width) for place, (name, jpeg) in enumerate(named))
+    made = tuple(
+        PartPicture(clip.raster.ref.name, place == 0, encoded(pixels, "JPEG"), side)
+        for place, (clip, pixels) in enumerate(zip(clips, stretched(parts)))
+    )
     return WindowParts(made, block.mosaic.grid.window_extent(part), len(sources) - shown, loss=loss)
 
 
@@ -200,16 +194,3 @@ def _ordered(sources: Sequence[Source], names: Sequence[str]) -> list[Source]:
     places = {name: place for place, name in reversed(list(enumerate(names)))}
     named = [source for source in sources if source.ref.name in places]
     return sorted(named, key=lambda source: places[source.ref.name]) if named else list(sources)
-
-
-def _encoded(pictures: Sequence[np.ndarray], bytes_each: float) -> tuple[list[bytes], int]:
-    """JPEG files that weigh no more together, and how many pixels were taken off at each edge for it."""
-    side, first = len(pictures[0]), 0
-    while True:
-        inside = slice(first, side - first)
-        files = [encoded(np.ascontiguousarray(picture[inside, inside]), "JPEG") for picture in pictures]
-        weight, remaining_px = sum(map(len, files)), side - 2 * first
-        if weight <= bytes_each or remaining_px <= MIN_REPORT_CLIP_PX:
-            return files, first
-        smaller = max(int(remaining_px * math.sqrt(bytes_each / weight)) // 2 * 2, MIN_REPORT_CLIP_PX)
-        first += max(1, (remaining_px - smaller) // 2)

@@ -2,22 +2,101 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Sequence, Set
+from dataclasses import dataclass
 from itertools import repeat
+
+from markupsafe import Markup
+from qgis.PyQt.QtCore import QRectF
 
 from ...imagery.errors import Message
 from ...imagery.limits import judged_band
-from ...toolkit.translation import filled, formatted, percent, sentence, tr
+from ...toolkit.charts.chart_painter import chart_svg, paper_font
+from ...toolkit.charts.chart_style import PAPER
+from ...toolkit.translation import filled, formatted, percent, sentence, shown_number, tr
+from ..charts.curves_painter import Chart, ChartCurve, CurvesPainter, curve_look, numbered
+from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure import messages
-from ..measure.window_records import COMPOSITE, WindowRecord, contrast_of
-from ..window_summary import by_the_paper, window_sentence, window_why
-from ..words import LOSSES, cause_sentence, cause_word, observer_word, verdict_word
+from ..measure.profile.cell_table import EDGES_PX
+from ..measure.profile.seam_profile import ProfileBin, SeamProfile
+from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord, contrast_of
+from ..window_summary import by_the_paper, judged_words, window_sentence, window_why
+from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
-from .window_charts import curve_legend, curves_svg, profile_picture
-from .window_words import anchor, paper_words, two_digits
 
-REPORT_CLIPS_BYTES = 16_000_000  # of all JPEG pictures together: with charts and base64 a report stays below 30 MB
+_ROLES = ("mosaic", "source", COMPOSITE)
+
+
+def window_rows(
+    record: WindowRecord, curves: Sequence[CurveRecord], levels: int, linked: Set[int]
+) -> dict[str, object]:
+    """The rows of one window; ``linked`` windows lead to theirs. Shallower curves leave their last levels empty."""
+    return {
+        "number": record.window_id,
+        "anchor": anchor(record.window_id) if record.window_id in linked else "",
+        "colour": verdict_colour(record.verdict),
+        "found": list(_findings(record)),
+        "ratios": [*map(two_digits, record.ratios), two_digits(record.background_ratio)],
+        "rasters": [_raster_row(curve, levels) for role in _ROLES for curve in curves if curve.role == role],
+    }
+
+
+def anchor(window_id: int) -> str:
+    """The name that links to a window's section go to."""
+    return f"window-{window_id}"
+
+
+def two_digits(value: float | None) -> str:
+    """A ratio; empty where it is not known."""
+    return "" if value is None else shown_number(value)
+
+
+def paper_words(record: WindowRecord) -> str:
+    """What the paper's rule says of a window that was judged by its seam; empty for others."""
+    if record.reference != SEAM or not record.paper_verdict:
+        return ""
+    word = verdict_word(record.paper_verdict)
+    if record.ratio is None:
+        return filled(tr("by the paper's rule: {verdict}"), verdict=word)
+    return filled(tr("by the paper's rule: {verdict}, ratio 1: {ratio:.2f}"), verdict=word, ratio=record.ratio)
+
+
+def _findings(record: WindowRecord) -> Iterator[str]:
+    """In some lines, its verdict the first."""
+    yield ", ".join([verdict_word(record.verdict), *judged_words(record)])
+    if record.reason:
+        yield record.reason
+    if paper := paper_words(record):
+        yield paper
+    known = []
+    causes = record.causes or record.cause
+    if causes and (causes != "none" or record.verdict in LOSSES):
+        words = tr("cause: {cause}") if record.verdict in LOSSES else tr("found: {cause}")
+        known.append(filled(words, cause=causes_words(causes)))
+    if record.verdict in LOSSES and record.visibility is not None:
+        known.append(filled(tr("visibility at 2x (JND): {value:.1f}"), value=record.visibility))
+    if record.observer:
+        known.append(filled(tr("observer: {word}"), word=observer_word(record.observer)))
+    if known:
+        yield "; ".join(known)
+
+
+def _raster_row(curve: CurveRecord, levels: int) -> dict[str, object]:
+    """The shares of one raster in a window, finest first, then the background."""
+    shares = [*map(_share, curve.detail), *[""] * (levels - len(curve.detail)), _share(curve.background)]
+    name = tr("hard-cut composite") if curve.role == COMPOSITE else curve.raster
+    return {"name": name, "is_mosaic": curve.role == "mosaic", "shares": shares}
+
+
+def _share(value: float) -> str:
+    """Three decimals, as in the paper; two digits where they would all be 0."""
+    if value != value:
+        return ""
+    return shown_number(value, 3) if value >= 0.001 or value == 0 else filled("{value:.1e}", value=value)
+
+
 
 CHART_MM = 84.6  # 320 px, as wide as a clip
 
@@ -25,12 +104,10 @@ CHART_MM = 84.6  # 320 px, as wide as a clip
 class WindowSections:
     """Makes the sections of a report's windows one after another."""
 
-    def __init__(self, request: ReportRequest, count: int) -> None:
-        """``count``: how many sections there will be, which share the bytes that a report may have."""
+    def __init__(self, request: ReportRequest) -> None:
         self.notices: list[Message] = []  # what could not be shown
         self._request = request
         self._pixel_m = None if request.block is None else request.block.mosaic.ground_sample_distance
-        self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
     def sections(self, records: Sequence[WindowRecord]) -> Iterator[dict[str, object]]:
         """What the page shows of each."""
@@ -40,7 +117,7 @@ class WindowSections:
     def _clips(self, records: Sequence[WindowRecord]) -> Iterator[WindowParts]:
         if self._request.block is None:
             return repeat(WindowParts(), len(records))
-        return window_parts(self._request.block, map(self._job, records), self._bytes_each)
+        return window_parts(self._request.block, map(self._job, records))
 
     def _job(self, record: WindowRecord) -> ClipJob:
         """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""
@@ -139,3 +216,104 @@ def _place_words(clips: WindowParts) -> str:
     if clips.left_out:
         words += " " + filled(tr("Sources that are not shown: {count}."), count=clips.left_out)
     return words
+
+
+CURVES_PX = 320, 260
+"""Width and height of a chart of curves: as wide as a clip."""
+PROFILE_PX = 470, 250
+_CURVES_LETTERS_PX = 10.7  # 8 points
+_PROFILE_LETTERS_PX = 11
+_SAME_PLACE = 0.05  # relative: a distance that is so near to a bin's middle is that bin's
+
+
+def curves_svg(curves: Sequence[CurveRecord], max_ratio: float) -> str:
+    """The curves, the composite dashed; all of the same number of levels."""
+    shown = Chart(_chart_curves(curves), max_ratio)
+    chart = CurvesPainter(shown, QRectF(0, 0, *CURVES_PX), PAPER, paper_font(_CURVES_LETTERS_PX))
+    return chart_svg(chart.paint, *CURVES_PX)
+
+
+def curve_legend(curves: Sequence[CurveRecord]) -> list[tuple[str, str]]:
+    """Colours and names of the curves as ``curves_svg`` paints them."""
+    entries = []
+    for number, curve in numbered(_chart_curves(curves)):
+        name = filled(tr("{name} (mosaic, bold)"), name=curve.label) if curve.is_mosaic else curve.label
+        name = tr("hard-cut composite (dashed)") if curve.is_composite else name
+        entries.append((curve_look(curve, number, PAPER)[0], name))
+    return [*entries, (PAPER.limit, tr("significant by the paper's rule below"))]
+
+
+def _chart_curves(curves: Sequence[CurveRecord]) -> tuple[ChartCurve, ...]:
+    return tuple(
+        ChartCurve(
+            curve.raster, curve.role == "mosaic", curve.detail, curve.background, is_composite=curve.role == COMPOSITE
+        )
+        for curve in curves
+    )
+
+
+@dataclass(frozen=True)
+class ProfilePicture:
+    """The chart, and what its lines are."""
+
+    svg: Markup  # part of the page, so that its words can be found; it has no ids
+    legend: Sequence[tuple[str, str]]  # colours and names of the levels
+
+
+def profile_picture(
+    record: WindowRecord, rows: Sequence[ProfileRecord], pixel_m: float | None, min_kept: float
+) -> ProfilePicture | None:
+    """The chart of a window's profile, all levels; None where nothing was measured."""
+    shown = shown_profile(record, rows, pixel_m, min_kept)
+    if shown is None:
+        return None
+    svg = profile_svg(shown)
+    as_wide_as_its_room = re.sub(r' (width|height)="[\d.]+mm"', "", svg[svg.index("<svg") :])
+    return ProfilePicture(Markup(as_wide_as_its_room), level_legend(shown.levels))
+
+
+def profile_svg(shown: ShownProfile, size: tuple[int, int] = PROFILE_PX) -> str:
+    """The chart as a file of so many px across and down."""
+    chart = ProfilePainter(shown, QRectF(0, 0, *size), PAPER, paper_font(_PROFILE_LETTERS_PX))
+    return chart_svg(chart.paint, *size)
+
+
+def level_legend(levels: Set[int]) -> list[tuple[str, str]]:
+    """Colours and names of levels."""
+    return [(level_colour(level, PAPER), filled(tr("level {number}"), number=level)) for level in sorted(levels)]
+
+
+def shown_profile(
+    record: WindowRecord, rows: Sequence[ProfileRecord], pixel_m: float | None, min_kept: float
+) -> ShownProfile | None:
+    """The profile of a window from its rows; None where they tell nothing.
+
+    ``pixel_m``: the mosaic's pixel size; where it is not known, the first distance is the middle of the first bin.
+    """
+    known = [row for row in rows if math.isfinite(row.kept) and math.isfinite(row.distance) and row.distance > 0]
+    known.sort(key=lambda row: (row.level, row.distance))
+    if not known:
+        return None
+    pixel_m = pixel_m or known[0].distance / _middles()[0][0]
+    bins = [bin_ for row in known if (bin_ := _bin_of(row, pixel_m)) is not None]
+    if not bins:
+        return None
+    width_px = (record.band_width or 0.0) / pixel_m
+    low, high = (math.nan if end is None else end for end in (record.kept_low, record.kept_high))
+    profile = SeamProfile(record.kept, low, high, width_px, 0.0, tuple(bins))
+    return ShownProfile(profile, pixel_m, min_kept, frozenset(bin_.level for bin_ in bins))
+
+
+def _middles() -> list[tuple[float, float, float]]:
+    """Middle and ends of each bin, px; the last one has no end and stands where it begins."""
+    ends = [*zip(EDGES_PX[:-1], EDGES_PX[1:])]
+    return [((near + far) / 2, near, far) for near, far in ends] + [(EDGES_PX[-1], EDGES_PX[-1], math.inf)]
+
+
+def _bin_of(row: ProfileRecord, pixel_m: float) -> ProfileBin | None:
+    """The bin whose middle a row of the table names; None for one of another table."""
+    away = row.distance / pixel_m
+    middle, near, far = min(_middles(), key=lambda edges: abs(edges[0] - away))
+    if abs(middle - away) > _SAME_PLACE * middle:
+        return None
+    return ProfileBin(row.level, near, far, row.kept, row.low, row.high, math.nan, math.nan, row.mixture)

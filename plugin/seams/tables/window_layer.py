@@ -5,32 +5,28 @@ copied into a windows file.
 """
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsFeature,
     QgsFeatureRequest,
     QgsField,
     QgsFields,
     QgsGeometry,
     QgsMapLayer,
-    QgsProject,
     QgsProviderRegistry,
     QgsSingleSymbolRenderer,
-    QgsSymbol,
     QgsVectorLayer,
     QgsWkbTypes,
 )
 
-from ...imagery.errors import WindowError, WindowLayerError
+from ...imagery.errors import WindowLayerError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.layer_styles import load_style, name_fields
-from ...toolkit.layers import edit_step, has_numbers, layer_path, system_wkt, transformed
-from ...toolkit.reference_systems import keep_system, transformation
+from ...toolkit.layers import edit_step, has_numbers, layer_path, system_wkt
+from ...toolkit.reference_systems import keep_system
 from ...toolkit.table_fields import column_fields, column_values, feature, is_known
 from ...toolkit.translation import tr
 from ...toolkit.version_differences import field as made_field
@@ -48,7 +44,6 @@ from .record_tables import level_names, read_windows
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
 _MEASURED_COLUMNS = tuple(column for column in MEASURED if column.name not in ("window_id", "observer"))
-_FULL_BOX = 0.9  # of its box: a rectangle of another system is turned a little
 
 
 def open_window_layer(path: Path) -> QgsVectorLayer:
@@ -74,17 +69,6 @@ def read_layer(layer: QgsVectorLayer, fids: Iterable[int] | None = None) -> list
     """Some windows, or all of them; where ``window_id`` is not filled in it is UNNUMBERED. None is stale yet."""
     request = QgsFeatureRequest() if fids is None else QgsFeatureRequest().setFilterFids(list(fids))
     return read_windows(layer.getFeatures(request), layer.fields().names(), unnumbered=UNNUMBERED)
-
-
-def boxed_windows(layer: QgsVectorLayer, fids: Iterable[int], crs: QgsCoordinateReferenceSystem) -> int:
-    """How many windows leave much of the box around them free, in the mosaic's system, which is what is measured."""
-    count = 0
-    with contextlib.suppress(WindowError):  # which is told of each window that is inspected
-        transform = transformation(layer.crs(), crs, QgsProject.instance().transformContext())
-        for shape in read_shapes(layer, fids).values():
-            shape = transformed(shape, transform)
-            count += 0 < shape.area() < _FULL_BOX * shape.boundingBox().area()
-    return count
 
 
 def read_shapes(layer: QgsVectorLayer, fids: Iterable[int]) -> dict[int, QgsGeometry]:
@@ -239,27 +223,10 @@ def is_in_file(layer: QgsVectorLayer) -> bool:
 _STYLED = "seam_inspector/styled"  # custom property of the layer: its looks are its user's from now on
 
 
-def style_if_plain(layer: QgsVectorLayer) -> None:
-    """Show verdicts where QGIS has filled the windows with some colour, as it does in a layer that is added anew.
-
-    Once for each layer: what its user makes of it then is his.
-    """
+def style_once(layer: QgsVectorLayer) -> None:
+    """Show verdicts in a windows file that was added anew, where QGIS has filled the windows with some colour."""
     if not layer.customProperty(_STYLED):
         layer.setCustomProperty(_STYLED, True)
-        if _is_plain(layer):
+        if isinstance(layer.renderer(), QgsSingleSymbolRenderer):
             load_style(layer, "windows")
             layer.triggerRepaint()
-
-
-def _is_plain(layer: QgsVectorLayer) -> bool:
-    """Whether it looks as QGIS makes all polygons look, but for their colour."""
-    renderer, default = layer.renderer(), QgsSymbol.defaultSymbol(QgsWkbTypes.GeometryType.PolygonGeometry)
-    if not isinstance(renderer, QgsSingleSymbolRenderer) or layer.labelsEnabled() or layer.opacity() < 1:
-        return False
-    symbol = renderer.symbol().clone()
-    symbol.setColor(default.color())
-    return _look(symbol) == _look(default)
-
-
-def _look(symbol: QgsSymbol) -> tuple[float, list[tuple[str, dict[str, str]]]]:
-    return symbol.opacity(), [(layer.layerType(), layer.properties()) for layer in symbol.symbolLayers()]

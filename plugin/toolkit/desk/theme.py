@@ -27,14 +27,6 @@ def readable_palette(widget: QWidget) -> QPalette:
     return widget.palette()
 
 
-def readable_on(back: QColor, wanted: QColor) -> QColor:
-    """A colour for words on a background: the wanted one if it can be read there, else black or white."""
-    black, white = QColor(0, 0, 0), QColor(255, 255, 255)
-    if contrast(wanted, back) >= _LEAST_CONTRAST:
-        return wanted
-    return max(black, white, key=lambda colour: contrast(colour, back))
-
-
 class ReadableItems(QStyledItemDelegate):
     """Draws items without what themes do to them under the mouse: Night Mapping writes them dark on grey there."""
 

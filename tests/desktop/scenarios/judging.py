@@ -13,7 +13,7 @@ from typing import Any
 from qgis.core import QgsFeature, QgsGeometry, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QAbstractButton, QApplication, QDockWidget, QLineEdit, QPushButton, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QLineEdit, QPushButton, QWidget
 from qgis.utils import iface
 
 from demo.desk import Desk
@@ -231,8 +231,6 @@ def judge(desk: Desk) -> None:
     desk.report["judged"] = count
     desk.report["unjudged"] = sum(row.is_compared and not row.observer for row in session.windows())
     desk.pause(0.3)
-    buttons = desk.dock.judge.findChildren(QAbstractButton)
-    desk.report["steps"] = [button.text() for button in buttons if button.isVisible()]
     desk.screenshot(picture(desk, "summary"))
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from osgeo import gdal
 from qgis.core import QgsRectangle
-from qgis.PyQt.QtCore import QPoint, Qt
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QPushButton, QToolBar, QWidget
 from qgis.utils import iface
@@ -21,7 +21,6 @@ from demo.desk import Desk
 WIDE_PX, NARROW_PX = 640, 420  # of the dock: charts side by side where the screen has room for it
 JUDGED = (Qt.Key.Key_V, Qt.Key.Key_V, Qt.Key.Key_I, Qt.Key.Key_V, Qt.Key.Key_U)
 PROFILE_TENTHS = 50  # tenths of a second for the live profile
-POINTED = 0.3  # of the chart's width, from the seam
 
 
 def play(desk: Desk) -> None:
@@ -88,7 +87,6 @@ def draw(desk: Desk, shots: Path) -> None:
     for step in range(5):
         desk.move((x + step * desk.canvas.mapUnitsPerPixel(), y))
     desk.wait(lambda: session.live is not None, 30, "live curves")
-    desk.wait(lambda: not session.coverage(session.live.window).unread, 30, "sources counted")
     for _ in range(PROFILE_TENTHS):  # where one source covers the window there is none
         if session.live is None or session.live.profile is not None:
             break
@@ -111,19 +109,11 @@ def inspect_all(desk: Desk) -> None:
 
 
 def curves(desk: Desk, shots: Path) -> None:
-    """Curve and profile beside the map, with the lost detail and with one distance from the seam."""
+    """Curve and profile beside the map, with the lost detail."""
     fid = worst(desk)
     show_loss(desk, fid)
     desk.screenshot(shots / "desk.png")
     desk.session.loss_view.show(False)
-    seamlines = desk.project.layerTreeRoot().findLayer(desk.session.inputs.seamlines)
-    seamlines.setItemVisibilityChecked(False)  # of nearly the colour that marks the distance
-    chart = desk.dock.curves.profile.chart
-    QTest.mouseMove(chart, QPoint(int(POINTED * chart.width()), chart.height() // 2))
-    desk.wait(lambda: chart.pointed_bin is not None, 5, "distance pointed at")
-    desk.wait_for_map()
-    desk.screenshot(shots / "desk_profile.png")
-    seamlines.setItemVisibilityChecked(True)
     desk.rest_mouse()
 
 

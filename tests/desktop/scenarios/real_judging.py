@@ -120,7 +120,7 @@ def judge_blind(desk: Desk, shots: Path) -> None:
     desk.wait_for_map()
     desk.screenshot(shots / "judging_blind.png")
     desk.report["second"] = sum(bool(row.observer_2) for row in session.windows())
-    desk.report["blind_columns"] = [column.title() for column in desk.dock.windows.table.visible_columns()]
+    desk.report["blind_columns"] = desk.headings()
     model.change(operator=1, is_blind=False)
 
 
@@ -131,27 +131,22 @@ def compare(desk: Desk, shots: Path) -> None:
         if row.observer_2:
             other = "invisible" if row.window_id % 6 == 0 else row.observer_2
             session.judge([row.fid], other)
-    desk.dock.windows.set_filter("", "operators_differ")
+    desk.dock.windows._verdicts.setCurrentText("operators differ")
     desk.pause(0.7)
     desk.report["disagreements"] = len(desk.dock.windows.ordered_fids())
     desk.screenshot(shots / "judging_differ.png")
-    desk.dock.windows.set_filter("", "")
+    desk.dock.windows._verdicts.setCurrentIndex(0)
 
 
 def keep_in_project(desk: Desk, shots: Path) -> None:
-    """Filter and place are there when the project is opened again."""
+    """The place is there when the project is opened again."""
     desk.dock.windows.sort_by_number()
-    desk.dock.windows.set_filter("kept < 0.9", "")
-    desk.pause(0.7)
     fids = desk.dock.windows.ordered_fids()
     desk.dock.zoom_to(fids[3])
     desk.pause(0.3)
-    before = [desk.session.row(fid).window_id for fid in desk.dock.windows.ordered_fids()]
     place = desk.session.row(fids[3]).window_id
     desk.save_and_reopen()
     desk.pause(1)
-    windows = desk.dock.windows
-    assert [desk.session.row(fid).window_id for fid in windows.ordered_fids()] == before
     desk.report["reopened"] = [desk.session.row(fid).window_id for fid in desk.session.selected()] == [place]
     desk.rest_mouse()
     desk.screenshot(shots / "judging_reopened.png")

@@ -162,7 +162,7 @@ OPENED_BY = {
     "window_layer.py": {"QgsVectorLayer"}, "outputs.py": {"sqlite3.connect", "mapLayerFromString"},
     "fit_files.py": {"json.loads"}, "open_raster.py": {"gdal.BuildVRT"}, "delivered_files.py": {"gdal.BuildVRT"},
     "layers.py": {"mapLayerFromString"}, "delivery_layers.py": {"mapLayerFromString", "QgsVectorLayer"},
-    "mark_tables.py": {"QgsVectorLayer"}, "line_layers.py": {"QgsVectorLayer"}, "compared_layer.py": {"QgsRasterLayer"},
+    "mark_tables.py": {"QgsVectorLayer"}, "line_layers.py": {"QgsVectorLayer"}, "hard_cut.py": {"QgsRasterLayer"},
     "mosaic_scans.py": {"QgsVectorLayer", "QgsRasterLayer"}, "accept_page.py": {"QgsVectorLayer"},  # made by ourselves
     "sensor_parameters.py": {"QgsVectorLayer"}, "parameters.py": {"QgsRasterLayer"},  # empty ones in memory
 }  # fmt: skip

@@ -56,13 +56,3 @@ def test_a_hundred_thousand_pieces_do_not_hold_up_the_mouse() -> None:
     index = SeamIndex([Seam(1, spiral)])
     assert index.nearest(EAST + 20, NORTH + 20, 10.0) is not None
     assert calls_of(lambda: index.nearest(EAST + 20, NORTH + 20, 10.0)) < 200  # of numpy, for all pieces together
-
-
-def test_points_along_a_seam_lie_no_farther_apart_than_asked() -> None:
-    index = SeamIndex([seam((0, 0), (30, 0), (30, 7))])
-    points = index.points(EAST + 15, NORTH, 100.0, 2.0)
-    assert np.hypot(*np.diff(points[np.lexsort(points.T)], axis=0).T).max() <= 2.0
-    assert len(points) == 16 + 5  # no more than it takes
-    near = index.points(EAST + 15, NORTH, 4.0, 2.0)
-    assert len(near)
-    assert (abs(near[:, 0] - EAST - 15) <= 4).all()

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import pytest
-from seam_inspector.plugin.seams.report.map_sketch import Box, Sketch, SketchBackground, SketchShape, map_sketch
+from seam_inspector.plugin.seams.report.inspection_report import Box, Sketch, SketchBackground, SketchShape, map_sketch
 
 
 def shape(x: float, y: float, label: str = "1", side: float = 100) -> SketchShape:

@@ -13,12 +13,12 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, summary_words
-from seam_inspector.plugin.seams.desk.windows.window_columns import columns_of
+from seam_inspector.plugin.seams.desk.windows.window_columns import COLUMNS
 from seam_inspector.plugin.seams.measure.limits import MIN_MISREGISTRATION_PX
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.report.window_words import window_rows
+from seam_inspector.plugin.seams.report.flagged_windows import window_rows
 from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.seams.window_summary import (
     is_lost_along_the_seam,
@@ -123,7 +123,7 @@ def test_a_loss_has_its_square_metres_and_nothing_else_has_any(
 def test_sentence_table_label_and_report_say_the_same_number(
     rows: dict[str, WindowRecord], results: dict[str, WindowResult]
 ) -> None:
-    columns = {column.name: column for column in columns_of(3)}
+    columns = {column.name: column for column in COLUMNS}
     for name, row in rows.items():
         report = str(window_rows(row, (), 3, set())["found"])
         shown = columns["loss"].text(row)

@@ -16,15 +16,15 @@ from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, S
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 from seam_inspector.plugin.seams.measure.window.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
-from seam_inspector.plugin.seams.report.inspection_report import write_report
-from seam_inspector.plugin.seams.report.report_request import ReportRequest
-from seam_inspector.plugin.seams.report.window_charts import (
+from seam_inspector.plugin.seams.report.flagged_windows import (
     PROFILE_PX,
     ProfilePicture,
     level_legend,
     profile_picture,
     shown_profile,
 )
+from seam_inspector.plugin.seams.report.inspection_report import write_report
+from seam_inspector.plugin.seams.report.report_request import ReportRequest
 from seam_inspector.plugin.toolkit.charts.chart_painter import paper_font
 from seam_inspector.plugin.toolkit.charts.chart_style import PAPER
 

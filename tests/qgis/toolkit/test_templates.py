@@ -10,7 +10,7 @@ from jinja2 import UndefinedError
 from qgis.core import QgsCoordinateReferenceSystem
 from seam_inspector.plugin.imagery.errors import printable
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.report.map_sketch import SketchBackground, SketchShape, map_sketch
+from seam_inspector.plugin.seams.report.inspection_report import SketchBackground, SketchShape, map_sketch
 from seam_inspector.plugin.toolkit.pages.picture_files import encoded
 from seam_inspector.plugin.toolkit.pages.templates import (
     HowMeasured,

@@ -1,19 +1,26 @@
-"""The charts of the desk: they show plain data, and say what the mouse points at."""
+"""The charts of the desk, which show plain data and say what the mouse points at, and pictures of them in files."""
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass
 from math import hypot, inf
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, pyqtSignal
-from qgis.PyQt.QtGui import QMouseEvent, QPaintEvent
-from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
+from qgis.core import Qgis, QgsApplication
+from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent
+from qgis.PyQt.QtWidgets import QFileDialog, QSizePolicy, QToolButton, QWidget
 
-from ....toolkit.charts.chart_painter import ChartPainter
+from ....imagery.atomic_files import replacing
+from ....imagery.errors import SettingsError
+from ....toolkit.charts.chart_painter import ChartPainter, chart_image, chart_svg, paper_font
+from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.theme import chart_style
+from ....toolkit.desk.widgets import check_chosen_file
 from ....toolkit.painting import painting
-from ...charts.chart_curves import Chart, Point
-from ...charts.curves_painter import CurvesPainter
+from ....toolkit.translation import filled, sentence, tr
+from ...charts.curves_painter import Chart, LegendedCurves, Point
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
 if TYPE_CHECKING:
@@ -69,11 +76,11 @@ class CurvesChart(ChartWidget):
         self.chart: Chart | None = None  # what is seen
         self.point: Point | None = None  # what the mouse points at
 
-    def painter(self) -> CurvesPainter | None:
+    def painter(self) -> LegendedCurves | None:
         if self.chart is None:
             return None
         room, font = QRectF(self.rect()), self.font()
-        return CurvesPainter(self.chart, room, chart_style(self), font, self.point)
+        return LegendedCurves(self.chart, room, chart_style(self), font, self.point)
 
     def show_chart(self, chart: Chart) -> None:
         """Paint a chart, at which nobody points yet; nothing happens when it is there already."""
@@ -108,7 +115,6 @@ class ProfileChart(ChartWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.shown: ShownProfile | None = None  # what is seen
-        self._levels = frozenset({1})
         self.pointed_bin: ProfileBin | None = None  # what the mouse points at
 
     def painter(self) -> ProfilePainter | None:
@@ -119,18 +125,11 @@ class ProfileChart(ChartWidget):
 
     def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
         """Paint a profile; ``pixel_m``: the mosaic's pixel size, ``min_kept``: the limit of a significant loss."""
-        shown = ShownProfile(profile, pixel_m, min_kept, self._levels, ground_left)
+        shown = ShownProfile(profile, pixel_m, min_kept, ground_left=ground_left)
         if shown != self.shown:
             self.shown = shown
             self._point(None)
             self.update()
-
-    def show_levels(self, levels: frozenset[int]) -> None:
-        """Draw these levels from now on."""
-        self._levels = levels
-        if self.shown is not None:
-            self.shown = replace(self.shown, levels=levels)
-        self.update()
 
     def point_at(self, place: QPointF | None) -> None:
         painter = self.painter()
@@ -145,3 +144,87 @@ class ProfileChart(ChartWidget):
             self.pointed_bin = bin_
             self.update()
             self.pointed.emit(bin_)
+
+
+_CURVES_SIZE, _PROFILE_SIZE = (700, 420), (560, 340)  # px of a picture
+_DOTS = 3  # a side of each pixel
+_LETTERS_PX = 13.9  # 10 points
+
+
+@dataclass(frozen=True)
+class ChartPicture:
+    """What is to be saved."""
+
+    name: str  # of the file, without its ending
+    paint: Callable[[QPainter], None]
+    size: tuple[int, int]  # on how many px
+
+
+class PictureButton(QToolButton):
+    """Saves what was shown when it was clicked, whatever comes while the dialog is open."""
+
+    notified = pyqtSignal(str, int)  # sentence, Qgis.MessageLevel as int
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._folder = Path.home()  # where the last one was saved
+        self._picture: ChartPicture | None = None
+        self.setIcon(QgsApplication.getThemeIcon("/mActionSaveMapAsImage.svg"))
+        self.setToolTip(tr("Save the chart as a picture (PNG or SVG)"))
+        self.setAutoRaise(True)
+        self.setEnabled(False)
+        self.clicked.connect(self.save)
+
+    def offer(self, picture: ChartPicture | None) -> None:
+        """What there is to save from now on."""
+        self._picture = picture
+        self.setEnabled(picture is not None)
+
+    def save(self, *_: object) -> None:
+        """Ask where, save, and tell it."""
+        picture = self._picture
+        assert picture is not None
+        kinds = ";;".join((tr("PNG picture") + " (*.png)", tr("SVG picture") + " (*.svg)"))
+        suggested = str(self._folder / f"{picture.name}.png")
+        chosen, kind = QFileDialog.getSaveFileName(self, tr("Save picture"), suggested, kinds)
+        if not chosen:
+            return
+        path = Path(chosen)
+        if path.suffix.lower() not in (".png", ".svg"):
+            path = Path(f"{chosen}.{'svg' if 'svg' in kind else 'png'}")
+        self._folder = path.parent
+        try:
+            check_chosen_file(path)
+            with replacing(path) as unfinished:
+                if path.suffix.lower() == ".svg":
+                    unfinished.write_text(chart_svg(picture.paint, *picture.size), encoding="utf-8")
+                elif not chart_image(picture.paint, *picture.size, _DOTS).save(str(unfinished), "PNG"):
+                    raise OSError(tr("it can't be written"))
+        except SettingsError as error:
+            said, level = sentence(error.message), Qgis.MessageLevel.Warning
+        except OSError as error:
+            text = tr("The picture was not saved to {path}: {error}. Choose another folder.")
+            said, level = filled(text, path=path, error=error.strerror or error), Qgis.MessageLevel.Warning
+        else:
+            said, level = filled(tr("The picture was saved to {path}."), path=path), Qgis.MessageLevel.Success
+        self.notified.emit(said, int(level))
+
+
+def curves_picture(name: str, chart: Chart, title: str) -> ChartPicture:
+    """Curves as they are shown, with their title, on white paper."""
+    room = QRectF(0, 0, *_CURVES_SIZE)
+    curves = LegendedCurves(chart, room.adjusted(0, 1.8 * _LETTERS_PX, 0, 0), PAPER, paper_font(_LETTERS_PX))
+
+    def paint(painter: QPainter) -> None:
+        curves.paint(painter)
+        painter.setPen(QColor(PAPER.text))
+        painter.setFont(curves.font)
+        painter.drawText(QRectF(0, 0, room.width(), 2 * _LETTERS_PX), Qt.AlignmentFlag.AlignCenter, title)
+
+    return ChartPicture(name, paint, _CURVES_SIZE)
+
+
+def profile_picture(name: str, shown: ShownProfile) -> ChartPicture:
+    """A seam profile as it is shown."""
+    painter = ProfilePainter(shown, QRectF(0, 0, *_PROFILE_SIZE), PAPER, paper_font(12))
+    return ChartPicture(name, painter.paint, _PROFILE_SIZE)

@@ -25,12 +25,10 @@ from qgis.PyQt.QtWidgets import (
 from ....toolkit.desk.widgets import ClippedLabel, set_map_system, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
-from ...words import LOSS_OPACITY, loss_rgba
-from ..map.compared_layer import Compared, ComparedLayer, looks_alike
-from ..map.lost_detail import placed_picture
-from ..map.picture_overlay import PictureOverlay, rgba_image
-from ..map.window_outline import WindowOutline
-from ..map.window_view import WindowView
+from ...words import loss_rgba
+from ..map.hard_cut import Compared, ComparedLayer, looks_alike
+from ..map.lost_detail import PictureOverlay, placed_picture, rgba_image
+from ..map.window_view import WindowOutline, WindowView
 
 if TYPE_CHECKING:
     from ...measure.window.window_request import WindowRequest
@@ -50,7 +48,7 @@ class WindowMap(QgsMapCanvas):
         self.enableAntiAliasing(True)
         self.setMapTool(QgsMapToolPan(self))
         self.outline = WindowOutline(self)
-        self.loss = PictureOverlay(self, opacity=LOSS_OPACITY)
+        self.loss = PictureOverlay(self)
         self.marker = QgsVertexMarker(self)
         self.marker.setIconType(QgsVertexMarker.IconType.ICON_CROSS)
         self.marker.hide()

@@ -1,35 +1,164 @@
-"""The detail that was lost, on the map: the button and key that show it, its pictures, and the ground of the chart."""
+"""The detail that was lost, on the map: the button and key that show it, and its pictures.
+
+Those lie where their windows are, whatever way the map is turned and whatever its reference system.
+"""
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from qgis.core import QgsCoordinateReferenceSystem
-from qgis.gui import QgisInterface, QgsMapCanvas
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCsException, QgsPointXY, QgsProject
+from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapCanvasItem
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QObject, Qt
-from qgis.PyQt.QtGui import QColor, QIcon, QImage
-from qgis.PyQt.QtWidgets import QAction, QLabel
+from qgis.PyQt.QtCore import QEvent, QObject, QPointF, QRectF, Qt
+from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPainter, QPainterPath, QPolygonF, QTransform
+from qgis.PyQt.QtWidgets import QAction, QLabel, QStyleOptionGraphicsItem, QWidget
 
-from ....imagery.grids import Grid, PixelWindow
+from ....imagery.errors import WindowError
+from ....imagery.grids import Extent, Grid, PixelWindow
 from ....toolkit.connections import Connections
 from ....toolkit.desk.theme import blended
 from ....toolkit.desk.widgets import single_shot
+from ....toolkit.painting import painting
+from ....toolkit.reference_systems import transformation
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...words import LOSS_OPACITY, loss_legend, loss_rgba
-from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from ...measure.profile.seam_profile import ProfileBin
     from ...measure.window.window_result import WindowResult
     from ...measure.window_records import WindowRecord
-    from ..charts.profile_panel import ProfilePanel
     from ..session import Session
+
+
+_BELOW_BANDS = 5.0  # of the canvas' items: above the map, below outlines and marks
+
+
+class PlacedPicture(NamedTuple):
+    """A picture on the ground."""
+
+    image: QImage
+    extent: Extent  # extent of the whole image, in the overlay's reference system
+    shown: Extent  # extent of the part that is seen: a window may end within a cell
+
+
+def rgba_image(rgba: np.ndarray) -> QImage:
+    """(rows, columns, 4) uint8, alpha not multiplied in; as Qt draws it soonest."""
+    rows, columns = rgba.shape[:2]
+    pixels = rgba.tobytes()  # kept until the copy is made: Qt reads them where they are
+    image = QImage(pixels, columns, rows, 4 * columns, QImage.Format.Format_RGBA8888)
+    return image.convertToFormat(QImage.Format.Format_ARGB32_Premultiplied)  # a copy
+
+
+class PictureOverlay:
+    """The one owner of the canvas item, which is made when something is first shown; ``close`` takes it off."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        self._canvas = canvas
+        self._item: _PictureItem | None = None
+
+    @property
+    def pictures(self) -> tuple[PlacedPicture, ...]:
+        """What is shown."""
+        return self._item.pictures if self._item is not None else ()
+
+    def show(self, pictures: Sequence[PlacedPicture], crs: QgsCoordinateReferenceSystem) -> None:
+        """These and no others; ``crs`` is that of their extents."""
+        if self._item is None:
+            if not pictures:
+                return
+            self._item = _PictureItem(self._canvas)
+            self._item.setZValue(_BELOW_BANDS)
+        self._item.put(tuple(pictures), crs)
+
+    def hide(self) -> None:
+        """Show nothing until the next ``show``."""
+        if self._item is not None:
+            self._item.put((), QgsCoordinateReferenceSystem())
+
+    def set_visible(self, is_visible: bool) -> None:
+        """Let what is shown be seen, or not for now."""
+        if self._item is not None:
+            self._item.setVisible(is_visible)
+
+    def close(self) -> None:
+        """Take it off the canvas; a later ``show`` makes it anew."""
+        item, self._item = self._item, None
+        if item is not None and not sip.isdeleted(self._canvas):
+            self._canvas.scene().removeItem(item)
+
+
+class _PictureItem(QgsMapCanvasItem):
+    """Covers the canvas, and follows it."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__(canvas)
+        self._canvas = canvas
+        self.pictures: tuple[PlacedPicture, ...] = ()
+        self._crs = QgsCoordinateReferenceSystem()
+
+    def put(self, pictures: tuple[PlacedPicture, ...], crs: QgsCoordinateReferenceSystem) -> None:
+        self.pictures, self._crs = pictures, crs
+        self.updatePosition()
+
+    def updatePosition(self) -> None:
+        self.prepareGeometryChange()
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return QRectF(self._canvas.rect())
+
+    def paint(
+        self, painter: QPainter, _option: QStyleOptionGraphicsItem | None = None, _widget: QWidget | None = None
+    ) -> None:
+        if not self.pictures:
+            return
+        ratio = painter.device().devicePixelRatioF()  # where pictures overlap they are seen through as elsewhere
+        together = QImage(self._canvas.size() * ratio, QImage.Format.Format_ARGB32_Premultiplied)
+        together.setDevicePixelRatio(ratio)
+        together.fill(Qt.GlobalColor.transparent)
+        with painting(together) as on_image:
+            self._paint_pictures(on_image)
+        painter.setOpacity(LOSS_OPACITY)
+        painter.drawImage(QPointF(), together)
+
+    def _paint_pictures(self, painter: QPainter) -> None:
+        map_crs, context = self._canvas.mapSettings().destinationCrs(), QgsProject.instance().transformContext()
+        try:
+            transform = transformation(self._crs, map_crs, context)
+        except WindowError:
+            return
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        for picture in self.pictures:
+            try:
+                around, shown = (self._on_canvas(extent, transform) for extent in (picture.extent, picture.shown))
+            except QgsCsException:
+                continue
+            if not shown.boundingRect().intersects(self.boundingRect()):
+                continue
+            pixels = QRectF(picture.image.rect())
+            corners = QPolygonF([pixels.topLeft(), pixels.topRight(), pixels.bottomRight(), pixels.bottomLeft()])
+            warp = QTransform()
+            if not QTransform.quadToQuad(corners, around, warp):
+                continue
+            path = QPainterPath()
+            path.addPolygon(shown)
+            painter.save()
+            painter.setClipPath(path)
+            painter.setTransform(warp, True)
+            painter.drawImage(QPointF(), picture.image)
+            painter.restore()
+
+    def _on_canvas(self, extent: Extent, transform: QgsCoordinateTransform) -> QPolygonF:
+        """The corners in pixels of the canvas, from the upper left clockwise."""
+        xmin, ymin, xmax, ymax = extent
+        corners = ((xmin, ymax), (xmax, ymax), (xmax, ymin), (xmin, ymin))
+        return QPolygonF([self.toCanvasCoordinates(transform.transform(QgsPointXY(*corner))) for corner in corners])
 
 
 class LostDetail(QObject):
@@ -38,7 +167,6 @@ class LostDetail(QObject):
     def __init__(self, iface: QgisInterface, session: Session, parent: QObject) -> None:
         super().__init__(parent)
         self.overlay = LossOverlay(iface.mapCanvas(), session, self)
-        self.profile = ProfileOnMap(iface.mapCanvas(), session)
         self.action = QAction(QIcon(icon_path("loss")), tr("Lost detail"), parent)
         self.action.setToolTip(
             tr("Show where detail was lost, over the map and the images (L while judging). One scale for all windows")
@@ -47,14 +175,8 @@ class LostDetail(QObject):
         self.action.toggled.connect(session.loss_view.show)
         session.loss_view.changed.connect(self.action.setChecked)
 
-    def follow_chart(self, panel: ProfilePanel) -> None:
-        """What is pointed at in the chart is marked on the map."""
-        panel.followed.connect(self.profile.follow)
-        panel.chart.pointed.connect(self.profile.highlight)
-
     def close(self) -> None:
         """Take all off the canvas."""
-        self.profile.close()
         self.overlay.close()
 
 
@@ -78,7 +200,7 @@ class LossOverlay(QObject):
     def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._overlay = PictureOverlay(canvas, opacity=LOSS_OPACITY)
+        self._overlay = PictureOverlay(canvas)
         self._gives_way = False
         self._legend = LossLegend(canvas)
         self._pictures: dict[int, _Picture] = {}  # by window number
@@ -213,63 +335,3 @@ class LossLegend(QLabel):
         self.adjustSize()
         gap = self.fontMetrics().height() // 2
         self.move(self._canvas.width() - self.width() - gap, self._canvas.height() - self.height() - gap)
-
-
-_MOST_SAMPLES = 512  # a side: a distance transform of more would hold up the interface
-_HIGHLIGHT = (0, 255, 255, 150)  # no colour of a loss, and seen on vegetation and on asphalt
-
-
-class ProfileOnMap:
-    """The ground that a bin of the profile is of. Owns what lies on the canvas until ``close``."""
-
-    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
-        self._session = session
-        self._overlay = PictureOverlay(canvas, smooth=False, above=1.0)
-        self._result: WindowResult | None = None
-        self._distances: np.ndarray | None = None  # px, of squares of _side pixels
-        self._side = 1
-
-    def close(self) -> None:
-        """Take all off the canvas."""
-        self._overlay.close()
-
-    def follow(self, result: WindowResult | None) -> None:
-        """The window whose profile is shown; None for none."""
-        if result is not self._result:
-            self._result, self._distances = result, None
-            self._overlay.hide()
-
-    def highlight(self, bin_: ProfileBin | None) -> None:
-        """Show the ground of a bin on the map; None: nothing."""
-        import numpy as np
-
-        layer, grid, result = self._session.mosaic_layer(), self._session.mosaic_grid(), self._result
-        distances = None if bin_ is None else self._seam_distances()
-        if bin_ is None or distances is None or layer is None or grid is None or result is None:
-            self._overlay.hide()
-            return
-        assert result.window is not None
-        rgba = np.zeros((*distances.shape, 4), np.uint8)
-        rgba[(distances >= bin_.near_px) & (distances < bin_.far_px)] = _HIGHLIGHT
-        placed = placed_picture(rgba_image(rgba), result.window, self._side, grid)
-        self._overlay.show([placed], QgsCoordinateReferenceSystem(layer.crs()))
-
-    def _seam_distances(self) -> np.ndarray | None:
-        """Distances from the seam of the followed window, (rows, columns) px; None without a seam."""
-        result = self._result
-        if self._distances is None and result is not None and result.loss is not None and len(result.loss.seam):
-            import numpy as np
-            from scipy import ndimage
-
-            from ...measure.profile.window_detail import SAMPLE_PX
-
-            window = result.window
-            assert window is not None
-            step = 1
-            while max(window.width, window.height) / (step * SAMPLE_PX) > _MOST_SAMPLES:
-                step *= 2
-            self._side = step * SAMPLE_PX
-            seam = np.zeros((-(-window.height // self._side), -(-window.width // self._side)), bool)
-            seam[tuple(result.loss.seam.T // step)] = True
-            self._distances = self._side * ndimage.distance_transform_edt(~seam)
-        return self._distances

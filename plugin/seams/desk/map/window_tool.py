@@ -1,29 +1,38 @@
-"""The map tool that places windows: click for a standard one, drag for a rectangle."""
+"""Clicks on the map: the tool that places windows, and pieces of a scanned seam, which other tools click."""
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle, QgsVectorLayer
-from qgis.gui import QgsMapCanvas, QgsMapMouseEvent
-from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProject,
+    QgsRectangle,
+    QgsVectorLayer,
+)
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapToolIdentify, QgsMapToolPan
+from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QKeyEvent
 
 from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
+from ....toolkit.connections import Connections
 from ....toolkit.desk.tool_dock import DrawingTool, is_drag
-from ....toolkit.layers import transformed_point
+from ....toolkit.layers import layer_path, transformed_point
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
-from ...measure.inputs.valid_cells import is_mosaic_enough
 from ...measure.planning.window_placing import window_side_px
-from ...measure.window_records import WindowRecord
-from .window_coverage import Coverage
-from .window_outline import OutlineTone, WindowOutline
+from ...measure.window_records import SEAM, WindowRecord
+from ...tables.record_tables import read_windows
+from ...tables.scan_layers import SEAMS
+from ..mosaic_scans import worst_layer
+from .window_view import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
     from ..inputs.project_inputs import Inputs
@@ -70,14 +79,12 @@ class WindowTool(DrawingTool):
         self.canvas().keyReleased.connect(self._key_released)
         self.canvas().viewport().installEventFilter(self)
         self._session.inputsChanged.connect(self._show_draft)
-        self._session.coverageChanged.connect(self._show_draft)
 
     def _listen_no_more(self) -> None:
         super()._listen_no_more()
         self.canvas().keyReleased.disconnect(self._key_released)
         self.canvas().viewport().removeEventFilter(self)
         self._session.inputsChanged.disconnect(self._show_draft)
-        self._session.coverageChanged.disconnect(self._show_draft)
 
     def _clear(self) -> None:
         self._forget()
@@ -203,25 +210,15 @@ class WindowTool(DrawingTool):
         seam_point = self._session.seam_point_near(*point, self._seam_reach())
         centre = seam_point or point
         try:
-            return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point, True)
+            return self._accepted(grid, clicked_window(grid, centre, self._session.inputs), seam_point)
         except SeamInspectorError as error:
             return _Draft((*centre, *centre), None, sentence(error.message), OutlineTone.REFUSED)
 
-    def _accepted(
-        self, grid: Grid, window: PixelWindow, seam_point: Point | None = None, may_move: bool = False
-    ) -> _Draft:
-        """With ``may_move`` a window that can't be judged goes to the nearest place that can be, where that is near."""
-        coverage = self._session.coverage(window)
-        text, tone = described(grid, window, coverage), OutlineTone.GOOD
-        if not coverage.can_be_judged:
-            tone, is_here = OutlineTone.DOUBTFUL, not may_move or self._is_new
-            near = None if is_here else self._session.nearest_judgeable(window, seam_point is not None)
-            if near is not None and is_near(window, near):
-                note = tr("{metres:.1f} m aside, where it can be judged; Ctrl places it here")
-                text = f"{described(grid, near, self._session.coverage(near))}\n"
-                text += filled(note, metres=metres_apart(grid, window, near))
-                return _Draft(grid.window_extent(near), near, text, OutlineTone.GOOD, seam_point and middle(grid, near))
-        return _Draft(grid.window_extent(window), window, text, tone, seam_point)
+    def _accepted(self, grid: Grid, window: PixelWindow, seam_point: Point | None = None) -> _Draft:
+        block = self._session.block()
+        sources = 0 if block is None else len(block.sources_over(window))
+        tone = OutlineTone.GOOD if sources else OutlineTone.DOUBTFUL
+        return _Draft(grid.window_extent(window), window, described(grid, window, sources), tone, seam_point)
 
     def _on_mosaic(self, point: QgsPointXY) -> Point | None:
         """A point of the map in the mosaic's reference system; None when it has no place there."""
@@ -309,37 +306,113 @@ def _distance(row: WindowRecord, x: float, y: float) -> float:
     return ((xmin + xmax) / 2 - x) ** 2 + ((ymin + ymax) / 2 - y) ** 2
 
 
-def described(grid: Grid, window: PixelWindow, coverage: Coverage) -> str:
-    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``; less while less is known."""
+def described(grid: Grid, window: PixelWindow, sources: int) -> str:
+    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``."""
     width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
     size = tr("{width} x {height} m, {columns} x {rows} px")
     spans = {"width": shown_metres(width), "height": shown_metres(height)}
-    parts = [filled(size, **spans, columns=window.width, rows=window.height)]
-    few = {0: tr("no source has pixels there"), 1: tr("1 source")}
-    counted = few.get(coverage.sources) or filled(tr("{count} sources"), count=coverage.sources)
-    if not coverage.unread:
-        parts.append(counted)
-    elif coverage.sources:
-        parts.append(filled(tr("{counted} or more"), counted=counted))
-    if coverage.missing is not None and not is_mosaic_enough(1 - coverage.missing):
-        share = tr("{share:.0f} % of the mosaic is empty there") if coverage.missing >= 0.01 else tr(
-            "{share:.1f} % of the mosaic is empty there")
-        parts.append(filled(share, share=100 * coverage.missing))
-    return ", ".join(parts)
+    counted = {0: tr("no source lies there"), 1: tr("1 source")}.get(sources) or tr("{count} sources")
+    return ", ".join([filled(size, **spans, columns=window.width, rows=window.height), filled(counted, count=sources)])
 
 
-def metres_apart(grid: Grid, first: PixelWindow, other: PixelWindow) -> float:
-    """Between two windows of one size."""
-    across = (other.column - first.column) * grid.pixel_width * grid.metres_x
-    return math.hypot(across, (other.row - first.row) * grid.pixel_height * grid.metres_y)
+_REACH_PX = 8  # screen pixels at 96 dpi, from a line
 
 
-def is_near(first: PixelWindow, other: PixelWindow) -> bool:
-    """Whether two windows of one size overlap or touch."""
-    return abs(other.column - first.column) <= first.width and abs(other.row - first.row) <= first.height
+@dataclass(frozen=True)
+class ClickedPiece:
+    """The piece that was clicked."""
+
+    record: WindowRecord  # what the scan found, as of a window
+    window: PixelWindow  # the standard window around the click, which the charts are of
 
 
-def middle(grid: Grid, window: PixelWindow) -> tuple[float, float]:
-    """The point of the map in the middle of a window."""
-    xmin, ymin, xmax, ymax = grid.window_extent(window)
-    return (xmin + xmax) / 2, (ymin + ymax) / 2
+class ClickedPieces(QObject):
+    """Follows clicks of the tools that pan and identify until ``close``."""
+
+    changed = pyqtSignal()  # another piece is looked at, or none any more
+
+    def __init__(
+        self, canvas: QgsMapCanvas, session: Session, parent: QObject, is_blind: Callable[[], bool]
+    ) -> None:
+        super().__init__(parent)
+        self._canvas, self._session, self._is_blind = canvas, session, is_blind
+        self._pressed_at: QPoint | None = None
+        self.current: ClickedPiece | None = None  # what is looked at
+        canvas.viewport().installEventFilter(self)
+        self._connections = Connections(
+            (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave)
+        )
+
+    def close(self) -> None:
+        """Follow no clicks any more."""
+        self._canvas.viewport().removeEventFilter(self)
+        self._connections.close()
+
+    def judge(self) -> bool:
+        """Make the window, which is inspected and selected. Whether there is a piece."""
+        piece = self.current
+        self.leave()
+        if piece is not None:
+            self._session.add_window(piece.window)
+        return piece is not None
+
+    def leave(self) -> None:
+        """No piece is looked at."""
+        if self.current is not None:
+            self.current = None
+            self._session.leave()
+            self.changed.emit()
+
+    def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
+        """A click, whose tool has it as ever."""
+        if event is not None and event.type() in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonRelease):
+            is_ours = isinstance(self._canvas.mapTool(), (QgsMapToolPan, QgsMapToolIdentify))
+            if event.button() == Qt.MouseButton.LeftButton and is_ours and not self._is_blind():
+                if event.type() == QEvent.Type.MouseButtonPress:
+                    self._pressed_at = event.pos()
+                elif self._pressed_at is not None and not is_drag(self._pressed_at, event.pos()):
+                    self._take(event.pos())
+        return False
+
+    def _take(self, place: QPoint) -> None:
+        point = self._canvas.getCoordinateTransform().toMapCoordinates(place)
+        piece, grid, mosaic = self._piece_at(point), self._session.mosaic_grid(), self._session.mosaic_layer()
+        if piece is None or grid is None or mosaic is None:
+            self.leave()
+            return
+        here = transformed_point(point, self._canvas.mapSettings().destinationCrs(), mosaic.crs())
+        try:
+            window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
+        except SeamInspectorError:  # beside the mosaic, or where it has no room
+            window = None
+        if window is not None:
+            self._session.select([])
+            self.current = ClickedPiece(piece, window)
+            self._session.hover(window, is_live=True)
+            self.changed.emit()
+
+    def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:
+        """The nearest piece of the mosaic's last scan, where the map shows it."""
+        worst = worst_layer(QgsProject.instance(), self._session.inputs.mosaic)
+        vectors = (vector for vector in self._canvas.layers() if isinstance(vector, QgsVectorLayer))
+        shown = [vector for vector in vectors if worst is not None and layer_path(vector) == layer_path(worst)
+                 and f"layername={SEAMS.name}" in vector.source()]  # fmt: skip
+        if not shown:
+            return None
+        layer, map_crs = shown[0], self._canvas.mapSettings().destinationCrs()
+        reach = _REACH_PX * self._canvas.logicalDpiX() / 96 * self._canvas.mapUnitsPerPixel()
+        beside = QgsPointXY(point.x() + reach, point.y())
+        here, there = (transformed_point(place, map_crs, layer.crs()) for place in (point, beside))
+        if here is None or there is None:
+            return None
+        around, clicked = QgsRectangle(here, here).buffered(here.distance(there)), QgsGeometry.fromPointXY(here)
+        request = QgsFeatureRequest(around).setFlags(QgsFeatureRequest.Flag.ExactIntersect)
+        nearest = min(layer.getFeatures(request), key=lambda seam: seam.geometry().distance(clicked), default=None)
+        if nearest is None:
+            return None
+        (row,) = read_windows([nearest], layer.fields().names())
+        return replace(row, reference=SEAM)
+
+    def _follow_selection(self) -> None:
+        if self._session.selected():
+            self.leave()

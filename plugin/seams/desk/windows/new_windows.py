@@ -1,12 +1,7 @@
-"""Windows come into being: drawn one by one, placed along the seams or found by a scan, and the file that holds them.
-
-All of that belongs to the interface's thread, and QGIS takes some 20 ms to write a GeoPackage and to open it; so it is
-done in steps, between which the interface has its turn.
-"""
+"""Windows come into being: drawn, placed along the seams or found by a scan, and the file that holds them."""
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -19,7 +14,6 @@ from ....imagery.grids import Extent, PixelWindow
 from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.message_bar import write_log
-from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import filled, tr
 from ... import jobs
 from ...measure import messages
@@ -30,7 +24,7 @@ from ...tables import window_file, window_layer
 from .. import messages as keeping_messages
 from ..inputs.block_cache import BlockCache
 from ..window_home import WindowHome
-from .window_steps import PresenceStep, WindowSteps
+from .window_results import WindowSteps
 from .window_watch import WindowWatch
 
 _PLACING = "placing"
@@ -38,7 +32,6 @@ DRAWN, PLACED, SCAN = "drawn", "placed", "scan"
 """The field ``origin`` of a window."""
 _SAME_PLACE = 0.5  # of the smaller of two windows: more of it was looked at than not when the other was judged
 _SAME = 0.999  # of it: coordinates are rounded where files and reference systems change
-_AT_ONCE = 50  # windows added, some 20 ms with all that follows them; then the interface has its turn
 
 
 Place = tuple[QgsGeometry, Mapping[str, object]]
@@ -46,7 +39,7 @@ Place = tuple[QgsGeometry, Mapping[str, object]]
 
 
 class NewWindows(QObject):
-    """Does one thing after the other, step by step."""
+    """Methods raise SeamInspectorError where inputs or layer do not allow what is asked."""
 
     layerMade = pyqtSignal(str)  # id of a new window layer in the project, to be followed from now on
     scanned = pyqtSignal(list)  # feature ids of the windows at the worst places of a scan, worst first
@@ -64,24 +57,17 @@ class NewWindows(QObject):
         self._watch = watch
         self._steps = steps
         self._background = background
-        self._waiting: deque[Iterator[None]] = deque()
-        self._is_at_work = False
-        self._clock = single_shot(self, self._go_on)
-
-    @property
-    def is_busy(self) -> bool:
-        """Whether there are steps left."""
-        return bool(self._waiting)
 
     def draw(self, window: PixelWindow) -> None:
-        """Add one window, or take the one that is there already; where there is a layer for it, at once."""
-        self._start(self._drawing(window))
+        """Add one window, or take the one that is there already."""
+        block = self._with_layer()
+        outlines = self._outlines(block, [window])
+        there = [fid for fid in self._there(outlines, window.width) if fid is not None]
+        words = filled(tr("drawing window {number}"), number=self._watch.next_number)
+        self.drawn.emit(there or self._add([(outlines[0], {"origin": DRAWN})], words))
 
     def place(self) -> None:
-        """Place windows along the seamlines; they are added when all are found.
-
-        Raises SeamInspectorError when the inputs do not allow it.
-        """
+        """Place windows along the seamlines; they are added when all are found."""
         block = self._block.required()
         lines = self._block.seamlines(block)
         if lines is None:
@@ -94,61 +80,13 @@ class NewWindows(QObject):
 
     def copy(self, outlines: Sequence[QgsGeometry]) -> None:
         """Add windows of these outlines, in the mosaic's reference system, to a new layer."""
-        self._start(self._copying(outlines))
-
-    def add_scanned(self, places: QgsVectorLayer) -> None:
-        """Take the worst places of a scan, and go to the first; one that shares most with a judged window is that."""
-        self._start(self._scanning(places))
-
-    def copy_file(self) -> None:
-        """Copy the windows of another format into a windows file, which is followed from then on."""
-        self._start(self._converting())
-
-    def abandon(self) -> None:
-        """What is under way is of a layer that is followed no more; a layer that is just being taken over is ours."""
-        if self._is_at_work:
-            return
-        self._clock.stop()
-        while self._waiting:
-            self._waiting.popleft().close()  # type: ignore[attr-defined]
-
-    # What there is to do, in steps
-
-    def _drawing(self, window: PixelWindow) -> Iterator[None]:
-        yield from self._with_layer(block := self._block.required())
-        outlines = self._outlines(block, [window])
-        there = [fid for fid in self._there(outlines, window.width) if fid is not None]
-        words = filled(tr("drawing window {number}"), number=self._watch.next_number)
-        added = self._added([(outlines[0], {"origin": DRAWN})], words)
-        self.drawn.emit(there or [fid for fids in added for fid in fids])
-
-    def _copying(self, outlines: Sequence[QgsGeometry]) -> Iterator[None]:
-        yield from self._with_layer(self._block.required())
+        self._with_layer()
         words = filled(tr("copying {count} windows"), count=len(outlines))
-        for _ in self._added([(outline, {"origin": DRAWN}) for outline in outlines], words):
-            yield
+        self._add([(outline, {"origin": DRAWN}) for outline in outlines], words)
 
-    def _placing(self, mosaic: str, placement: Placement) -> Iterator[None]:
-        if mosaic != self._block.inputs.mosaic:
-            return
-        placed = placement.windows
-        new: list[Place] = []
-        if placed:
-            yield from self._with_layer(block := self._block.required())
-            outlines = self._outlines(block, [place.window for place in placed])
-            there = self._there(outlines, placed[0].window.width)
-            new = [
-                (outline, {"origin": PLACED, "seam_id": place.seam_id, "station": place.station_m})
-                for place, outline, fid in zip(placed, outlines, there) if fid is None
-            ]  # fmt: skip
-            for _ in self._added(new, filled(tr("placing {count} windows"), count=len(new))):
-                yield
-        write_log(placement.dropped)
-        self.notified.emit(_placed_message(len(new), len(placed) - len(new), placement.dropped))
-
-    def _scanning(self, worst: QgsVectorLayer) -> Iterator[None]:
-        block = self._block.required()
-        yield from self._with_layer(block)
+    def add_scanned(self, worst: QgsVectorLayer) -> None:
+        """Take the worst places of a scan, and go to the first; one that shares most with a judged window is that."""
+        self._with_layer()
         layer = self._watch.writable()
         assert layer is not None
         features = sorted(worst.getFeatures(), key=lambda feature: feature["window_id"])
@@ -159,22 +97,21 @@ class NewWindows(QObject):
             (outline, {"origin": SCAN, "seam_id": feature["seam_id"], "station": feature["station"]})
             for feature, outline, fid in zip(features, outlines, there) if fid is None
         ]  # fmt: skip
-        parts = self._added(places, filled(tr("adding {count} places of a scan"), count=len(places)))
-        new = iter([fid for fids in parts for fid in fids])
+        new = iter(self._add(places, filled(tr("adding {count} places of a scan"), count=len(places))))
         fids = [next(new) if fid is None else fid for fid in there]
         self.notified.emit(keeping_messages.PLACES_TAKEN(count=len(places), there=len(fids) - len(places)))
         self.scanned.emit(fids)
 
-    def _converting(self) -> Iterator[None]:
+    def copy_file(self) -> None:
+        """Copy the windows of another format into a windows file, which is followed from then on."""
         layer, block = self._watch.layer, self._block.silent()
         if layer is None:
             return
         wkt = block.mosaic.wkt if block is not None else ""
         path = window_layer.copy_to_file(layer, self._block.inputs.levels, wkt, self._home.folder)
-        yield
         if (node := self._project.layerTreeRoot().findLayer(layer.id())) is not None:
             node.setItemVisibilityChecked(False)  # both would be labelled
-        yield from self._opened(path)
+        self._open(path)
         rows, state = [row for row in self._watch.rows() if row.verdict], self._block.state()
         if rows and state is not None:  # what they say is taken for what is so
             self._watch.prepare([row.fid for row in rows], 0)
@@ -182,24 +119,43 @@ class NewWindows(QObject):
             window_file.add_fingerprints(path, marks)
             self._watch.note_fingerprints(marks)
 
-    def _with_layer(self, block: Block) -> Iterator[None]:
+    def _take(self, mosaic: str, placement: Any) -> None:
+        try:
+            self._add_placed(mosaic, placement)
+        except SeamInspectorError as error:
+            self.notified.emit(error.message)
+
+    def _add_placed(self, mosaic: str, placement: Placement) -> None:
+        if mosaic != self._block.inputs.mosaic:
+            return
+        placed = placement.windows
+        new: list[Place] = []
+        if placed:
+            block = self._with_layer()
+            outlines = self._outlines(block, [place.window for place in placed])
+            there = self._there(outlines, placed[0].window.width)
+            new = [
+                (outline, {"origin": PLACED, "seam_id": place.seam_id, "station": place.station_m})
+                for place, outline, fid in zip(placed, outlines, there) if fid is None
+            ]  # fmt: skip
+            self._add(new, filled(tr("placing {count} windows"), count=len(new)))
+        write_log(placement.dropped)
+        self.notified.emit(_placed_message(len(new), len(placed) - len(new), placement.dropped))
+
+    def _with_layer(self) -> Block:
         """Make the window layer when there is none."""
+        block = self._block.required()
         if self._watch.writable() is None:
             fields = window_file.window_fields(self._block.inputs.levels)
-            path = window_file.write_window_file(block.mosaic.wkt, self._home.folder, fields)
-            yield
-            yield from self._opened(path)
+            self._open(window_file.write_window_file(block.mosaic.wkt, self._home.folder, fields))
+        return block
 
-    def _opened(self, path: Path) -> Iterator[None]:
+    def _open(self, path: Path) -> None:
         self._home.hold(path)
-        made = window_layer.open_window_layer(path)
-        yield
-        self._project.addMapLayer(made)
+        made = self._project.addMapLayer(window_layer.open_window_layer(path))
         if not self._project.homePath():
             self.notified.emit(keeping_messages.WINDOWS_KEPT_MEANWHILE(path=path))
-        yield
         self.layerMade.emit(made.id())
-        yield
 
     def _there(self, outlines: Sequence[QgsGeometry], width: int) -> list[int | None]:
         """The layer's windows at the same places, None where there is none: nothing is doubled. ``width``: px of all.
@@ -215,47 +171,15 @@ class NewWindows(QObject):
         assert layer is not None
         return self._block.outlines(block, layer, windows)
 
-    def _added(self, places: Sequence[Place], words: str) -> Iterator[list[int]]:
-        """Add windows as one step of undo, some at once; yields their feature ids each time."""
-        layer, step = self._watch.writable(), PresenceStep()
-        for start in range(0, len(places) if layer is not None else 0, _AT_ONCE):
-            assert layer is not None
-            part = places[start : start + _AT_ONCE]
-            self._watch.prepare([], self._block.inputs.levels)
-            outlines, known = zip(*part)
-            made = window_layer.new_windows(layer, outlines, self._watch.next_number, known)
-            numbers = step.come(layer, made, words)
-            if not start:
-                self._steps.note(step, words)
-            yield [row.fid for row in map(self._watch.numbered, numbers) if row is not None]
-            if step.is_undone:
-                return
-
-    def _take(self, mosaic: str, placement: Any) -> None:
-        self._start(self._placing(mosaic, placement))
-
-    def _start(self, steps: Iterator[None]) -> None:
-        self._waiting.append(steps)
-        if len(self._waiting) == 1:
-            self._go_on()
-
-    def _go_on(self) -> None:
-        """One step."""
-        self._is_at_work = True
-        try:
-            next(self._waiting[0])
-        except StopIteration:
-            self._waiting.popleft()
-        except SeamInspectorError as error:
-            self._waiting.popleft()
-            self.notified.emit(error.message)
-        except BaseException:
-            self._waiting.popleft()
-            raise
-        finally:
-            self._is_at_work = False
-            if self._waiting:
-                self._clock.start()
+    def _add(self, places: Sequence[Place], words: str) -> list[int]:
+        """Add windows as one step of undo; their feature ids."""
+        layer = self._watch.writable()
+        if layer is None or not places:
+            return []
+        self._watch.prepare([], self._block.inputs.levels)
+        outlines, known = zip(*places)
+        numbers = self._steps.add(window_layer.new_windows(layer, outlines, self._watch.next_number, known), words)
+        return [row.fid for row in map(self._watch.numbered, numbers) if row is not None]
 
 
 def _in_pixels(extent: Extent, origin: Extent, pixel: float) -> tuple[int, ...]:

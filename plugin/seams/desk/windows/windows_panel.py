@@ -1,42 +1,178 @@
-"""The windows as a sortable, filterable table whose selection is the window layer's."""
+"""The windows as a sortable table whose selection is the window layer's, filtered by kind, words or an expression."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import re
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache, partial
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsApplication
+from qgis.core import (
+    QgsExpression,
+    QgsExpressionContext,
+    QgsExpressionContextUtils,
+    QgsFeatureRequest,
+    QgsVectorLayer,
+)
 from qgis.gui import QgsFilterLineEdit
-from qgis.PyQt.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QKeySequence
+from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
-    QAction,
-    QApplication,
+    QComboBox,
     QHBoxLayout,
     QLabel,
-    QMenu,
+    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
-from ....imagery.errors import SettingsError, cell_text
-from ....imagery.statistics import Operator
-from ....toolkit.desk.widgets import is_confirmed, single_shot
+from ....imagery.errors import SettingsError
+from ....imagery.statistics import FIRST, UNSURE, VISIBLE, Operator
+from ....toolkit.desk.widgets import is_confirmed
 from ....toolkit.translation import filled, sentence, tr
-from .kind_box import KindBox
-from .window_columns import TableColumn
-from .windows_filter import window_filter
-from .windows_model import WindowsModel
-from .windows_table import WindowsTable
+from ...measure import messages
+from ...measure.window_records import WindowRecord
+from ...words import CLAIMS, VERDICTS, cause_word, observer_word, verdict_word
+from .window_columns import WINDOW_ID, verdict_chip
+from .windows_table import WindowsModel, WindowsTable
 
 if TYPE_CHECKING:
-    from ...measure.window_records import WindowRecord
     from ..session import Session
 
-_WIDE_LETTERS = 60  # the count of windows has room beside the search
-_TYPED_MS = 500  # without a letter: what is searched for stands
-_SELECT_ROWS = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
+
+Test = Callable[[WindowRecord], bool]
+_EXPRESSION = re.compile(r"[<>=()]|\bis\s+(not\s+)?null\b|\bi?like\b|\bbetween\b", re.IGNORECASE)
+_EXAMPLES = ("window_id", "verdict", "kept_1", "loss", "ratio_1", "cause", "observer", "confidence")
+
+
+def is_expression(text: str) -> bool:
+    """Whether a text is an expression, and no words."""
+    return _EXPRESSION.search(text) is not None
+
+
+def window_filter(text: str, layer: QgsVectorLayer | None, allowed: frozenset[str] | None) -> Test | None:
+    """Whether a window matches an expression on the layer as it is now, or all words of a text; None where the text
+    asks for nothing.
+
+    ``allowed``: the only fields that a text is about, while others are hidden. Raises SettingsError with a sentence for
+    an expression that is wrong, or asks for more.
+    """
+    if is_expression(text):
+        fids = matching_windows(text, layer, allowed) if layer is not None else set[int]()
+        return lambda row: row.fid in fids
+    words, words_of = text.casefold().split(), cache(_shown_words)
+    return (lambda row: all(_matches(row, word, allowed, words_of) for word in words)) if words else None
+
+
+def matching_windows(text: str, layer: QgsVectorLayer, allowed: frozenset[str] | None) -> set[int]:
+    """Feature ids of the windows for which an expression holds. Raises SettingsError."""
+    expression, names = QgsExpression(text), {name.lower(): name for name in layer.fields().names()}
+    if expression.hasParserError():
+        raise _not_understood(expression.parserErrorString())
+    for name in sorted(map(str.lower, expression.referencedColumns())):
+        if allowed is not None and names.get(name) not in allowed:
+            raise SettingsError(messages.FILTER_HIDDEN(word=name, known=", ".join(sorted(allowed))))
+        if name not in names and name != QgsFeatureRequest.ALL_ATTRIBUTES.lower():
+            known = ", ".join(example for example in _EXAMPLES if example in names)
+            raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=known))
+    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
+    expression.prepare(context)
+    if (first := next(layer.getFeatures(), None)) is not None:  # what is wrong with values shows only there
+        context.setFeature(first)
+        expression.evaluate(context)
+        if expression.hasEvalError():
+            raise _not_understood(expression.evalErrorString())
+    request = QgsFeatureRequest(expression, context)
+    return {feature.id() for feature in layer.getFeatures(request)}
+
+
+def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None, words_of: Callable[..., list[str]]) -> bool:
+    """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
+    anywhere in the reason, which names files. A number is a window's."""
+    if word.isdigit():
+        return str(row.window_id).startswith(word)
+    if allowed is not None:
+        said = row.observer if FIRST.observer in allowed else row.observer_2
+        return any(part.startswith(word) for part in observer_word(said).casefold().split())
+    words = words_of(row.verdict, row.cause, row.observer)
+    return any(part.startswith(word) for part in words) or word in row.reason.casefold()
+
+
+def _shown_words(verdict: str, cause: str, observer: str) -> list[str]:
+    """The words that the table says for these."""
+    return " ".join((verdict_word(verdict), cause_word(cause), observer_word(observer))).casefold().split()
+
+
+def _not_understood(error: str) -> SettingsError:
+    first = next((line.strip().rstrip(".") for line in error.splitlines() if line.strip()), "")
+    return SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=first))
+
+
+_LETTERS = 8  # of the box
+
+
+class KindBox(QComboBox):
+    """All windows, or those of one kind, beside the search: its data is the test that they pass."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setToolTip(tr("Which windows are shown."))
+        self.operator = FIRST  # whose verdicts are asked for
+        self.addItem(tr("all"), None)
+        for verdict in VERDICTS:
+            self.addItem(verdict_chip(verdict), verdict_word(verdict), partial(_has_verdict, verdict))
+        self._add(tr("not judged"), partial(self._is_said, ""), tr("Windows that no observer has judged."))
+        self._add(tr("not sure"), partial(self._is_said, UNSURE), tr("Windows where the observer was not sure."))
+        self._add(tr("changed"), attrgetter("stale"), tr("Windows to be inspected again."))
+        differing = self.count()
+        self._add(tr("tool differs"), tool_and_observer_disagree,
+                  tr("Windows where the tool and an observer disagree."))
+        self._add(tr("operators differ"), operators_disagree, tr("Windows where the two operators disagree."))
+        self._telling = [*range(1, len(VERDICTS)), *range(differing, self.count())]  # what is hidden while blind
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(_LETTERS)  # the longest of its words would leave little room for the search
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 2 * self.fontMetrics().height())
+        self.setMaxVisibleItems(self.count())
+
+    def test(self) -> Test | None:
+        """What the windows shown pass; None for all."""
+        test: Test | None = self.currentData()
+        return test
+
+    def set_blind(self, is_blind: bool) -> None:
+        """Whether what was found is hidden, and with it the kinds that tell it."""
+        for place in self._telling:
+            self.model().item(place).setEnabled(not is_blind)
+        if is_blind and self.currentIndex() in self._telling:
+            self.setCurrentIndex(0)
+
+    def _add(self, text: str, test: Test, tip: str) -> None:
+        self.addItem(text, test)
+        self.setItemData(self.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+
+    def _is_said(self, word: str, row: WindowRecord) -> bool:
+        """Whether a word was said of a window by the one whose verdicts are asked for."""
+        return bool(getattr(row, self.operator.observer) == word)
+
+
+def _has_verdict(verdict: str, row: WindowRecord) -> bool:
+    return row.verdict == verdict
+
+
+def tool_and_observer_disagree(row: WindowRecord) -> bool:
+    """Whether the tool flags what an observer does not see, or the other way round."""
+    flagged = row.verdict == "significant"
+    words = [word for word in (row.observer, row.observer_2) if word in ("visible", "invisible")]
+    return row.verdict in CLAIMS and any((word == VISIBLE) != flagged for word in words)
+
+
+def operators_disagree(row: WindowRecord) -> bool:
+    """Whether both looked and did not say the same."""
+    return bool(row.observer and row.observer_2) and row.observer != row.observer_2
+
+
 
 
 class WindowsPanel(QWidget):
@@ -44,7 +180,6 @@ class WindowsPanel(QWidget):
 
     zoomRequested = pyqtSignal(int)  # feature id of the window to be looked at
     orderChanged = pyqtSignal()  # other windows are shown, or in another order
-    filterChosen = pyqtSignal()
 
     def __init__(
         self, session: Session, parent: QWidget | None = None, confirm: Callable[[QWidget, str], bool] = is_confirmed
@@ -60,31 +195,24 @@ class WindowsPanel(QWidget):
         self._verdicts = KindBox(self)
         self._problem = QLabel(self)
         self._problem.setTextFormat(Qt.TextFormat.PlainText)
-        self._filter_time = single_shot(self, self.filterChosen, _TYPED_MS)
-        self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self)
         self.table.setToolTip(
-            tr("A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them. A right click "
-               "on the headings chooses columns, a drag moves them.")
+            tr("A click goes to a window on the map, Enter once more; Del removes the selected ones.")
         )
         self.table.setAccessibleName(tr("Windows"))
         self._search.setShowSearchIcon(True)
         self._search.setShowClearButton(True)
         self._search.setPlaceholderText(tr("Filter windows"))
         self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
-        self._count.setToolTip(tr("How many windows are shown."))
-        self._menu = self._rows_menu()
         self._lay_out()
 
         self._search.textChanged.connect(self._filter)
         self._verdicts.currentIndexChanged.connect(self._filter)
-        self.table.copyRequested.connect(self.copy)
         self.table.selectionModel().selectionChanged.connect(self._lead)
         self.table.doubleClicked.connect(self._zoom_to)
         self.table.zoomRequested.connect(self._zoom)
         self.table.removeRequested.connect(self._remove)
-        self.table.customContextMenuRequested.connect(self._show_menu)
-        self._windows.layoutChanged.connect(self._tell_order)
+        self._windows.modelReset.connect(self._take_order)
         session.windowsChanged.connect(self._take_windows)
         session.selectionChanged.connect(self._take_selection)
         self._take_windows()
@@ -93,39 +221,15 @@ class WindowsPanel(QWidget):
         """The order before the operator sorted otherwise."""
         self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
 
-    def set_blind(self, allowed: frozenset[str] | None) -> None:
-        """Show these columns and no others, and offer nothing that tells what was found; None: show all."""
-        self.table.set_blind(allowed)
-        self._allowed = allowed
-        if allowed is not None and self._windows.sorted_by.field not in allowed:
-            self.sort_by_number()  # another order would tell
-        self._verdicts.set_blind(allowed is not None)
-        self._filter()
-
-    def filter(self) -> tuple[str, str]:
-        """What is searched for, and the name of the kind of windows that is shown."""
-        return self._search.text(), self._verdicts.kind()
-
-    def set_filter(self, search: str, kind: str) -> None:
-        """Filter as it was before."""
-        if (search, kind) != self.filter():
-            self._search.setText(search)
-            self._verdicts.show_kind(kind)
-
-    @property
-    def operator(self) -> Operator:
-        """Whose verdicts the filter asks for."""
-        return self._verdicts.operator
-
-    @operator.setter
-    def operator(self, operator: Operator) -> None:
+    def show_for(self, operator: Operator, is_blind: bool) -> None:
+        """Filter by this operator's verdicts; while he is blind, show and offer nothing that tells what was found."""
         self._verdicts.operator = operator
-
-    def copy(self, *_: object) -> None:
-        """The selected rows to the clipboard."""
-        rows = [row for row in map(self._session.row, self.table.selected_fids()) if row is not None]
-        if rows:
-            QApplication.clipboard().setText(copied_rows(self.table.visible_columns(), rows))
+        self._allowed = allowed = frozenset((WINDOW_ID.name, *operator)) if is_blind else None
+        self.table.set_blind(allowed)
+        if allowed is not None and self._windows.sorted_by.name not in allowed:
+            self.sort_by_number()  # another order would tell
+        self._verdicts.set_blind(is_blind)
+        self._filter()
 
     def ordered_fids(self) -> list[int]:
         """The windows shown, from top to bottom: the same list while they are the same; not to be changed."""
@@ -136,18 +240,19 @@ class WindowsPanel(QWidget):
     def _take_windows(self) -> None:
         with self._following():
             self._windows.set_windows(self._session.windows())
+        if is_expression(self._search.text()):
+            self._filter()
 
     def _filter(self, *_: object) -> None:
         with self._following():
             problem, query = "", None
             try:
-                query = window_filter(self._search.text(), self._windows.levels, self._allowed, self._session.windows())
+                query = window_filter(self._search.text(), self._session.window_layer(), self._allowed)
             except SettingsError as error:  # which leaves no window out
                 problem = sentence(error.message)
             self._windows.set_filter(test for test in (query, self._verdicts.test()) if test is not None)
         self._problem.setText(problem)
         self._problem.setVisible(bool(problem))
-        self._filter_time.start()
 
     @contextmanager
     def _following(self) -> Iterator[None]:
@@ -158,9 +263,11 @@ class WindowsPanel(QWidget):
         selected = self._selected_numbers()
         with self._unmoved():
             yield
-        top = -1 if anchor is None else self._windows.row_numbered(anchor)
-        if top >= 0 and top != self.table.rowAt(0):
-            self.table.scrollTo(self._windows.index(top, 0), QAbstractItemView.ScrollHint.PositionAtTop)
+        rows = [] if anchor is None else [row.window_id for row in self._windows.windows()]
+        if anchor in rows and rows.index(anchor) != self.table.rowAt(0):
+            self.table.scrollTo(
+                self._windows.index(rows.index(anchor), 0), QAbstractItemView.ScrollHint.PositionAtTop
+            )
         self._show_selection(selected)
         self._describe()
         self.orderChanged.emit()
@@ -174,12 +281,8 @@ class WindowsPanel(QWidget):
     def _show_selection(self, before: set[int]) -> None:
         """Select what the session has selected, and bring it into sight where it was not selected ``before``."""
         rows = sorted(row for row in map(self._windows.row_of, self._session.selected()) if row >= 0)
-        selection = self.table.selectionModel()
         with self._unmoved():
-            if rows != self.table.selected_rows():
-                selection.select(self.table.rows_selection(rows), _SELECT_ROWS)
-            if rows and selection.currentIndex().row() not in rows:
-                selection.setCurrentIndex(self._windows.index(rows[0], 0), QItemSelectionModel.SelectionFlag.NoUpdate)
+            self.table.select_rows(rows)
         fresh = [row for row in rows if self._windows.windows()[row].window_id not in before]
         if fresh and not any(map(self.table.is_in_sight, rows)):
             self.table.scrollTo(self._windows.index(fresh[0], 0), QAbstractItemView.ScrollHint.PositionAtCenter)
@@ -204,18 +307,16 @@ class WindowsPanel(QWidget):
                 if len(fids) == 1:
                     self.zoomRequested.emit(fids[0])
 
-    def _tell_order(self, *_: object) -> None:
+    def _take_order(self) -> None:
+        """The operator sorted the windows."""
         if not self._is_following:
+            self._show_selection(set())
             self.orderChanged.emit()
 
     def _describe(self) -> None:
-        """How many windows are left by the filter, and what an empty table says."""
-        shown, count = self._windows.rowCount(), self._windows.count
-        has_room = self.width() > _WIDE_LETTERS * self.fontMetrics().averageCharWidth()  # the judge bar says it, too
-        self._count.setVisible(self._windows.is_filtered and count > 0 and has_room)
-        self._count.setText(filled(tr("{shown} of {count}"), shown=shown, count=count))
+        """What an empty table says."""
         hint = tr("Draw a window on the map, or place windows along the seamlines.")
-        if count:
+        if self._windows.all_windows():
             hint = tr("No window matches the filter.")
         if hint != self.table.hint:
             self.table.hint = hint
@@ -231,9 +332,6 @@ class WindowsPanel(QWidget):
         if current.isValid():
             self._zoom_to(current)
 
-    def _inspect(self, *_: object) -> None:
-        self._session.inspect(self.table.selected_fids())
-
     def _remove(self, *_: object) -> None:
         fids = self.table.selected_fids()
         rows = [row for row in map(self._session.row, fids) if row is not None]
@@ -242,45 +340,12 @@ class WindowsPanel(QWidget):
         if fids and (judged < 2 or self._confirm(self, question)):
             self._session.remove(fids)
 
-    def _show_menu(self, place: QPoint) -> None:
-        if self.table.selected_fids():
-            self._menu.popup(self.table.viewport().mapToGlobal(place))
-
     # Widgets
-
-    def _rows_menu(self) -> QMenu:
-        """The menu of the selected rows. Its shortcuts are only told there: the table takes the keys itself."""
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        for entry in (
-            (tr("Zoom to window"), "mActionZoomToSelected", self._zoom,
-             tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
-            (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows again."), None),
-            None,
-            (tr("Copy rows"), "mActionEditCopy", self.copy,
-             tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
-            None,
-            (tr("Remove"), "mActionDeleteSelected", self._remove,
-             tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
-        ):
-            if entry is None:
-                menu.addSeparator()
-                continue
-            text, icon, slot, tip, key = entry
-            action = QAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text, menu)
-            action.setToolTip(tip)
-            if key is not None:
-                action.setShortcut(QKeySequence(key))
-                action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-            action.triggered.connect(slot)
-            menu.addAction(action)
-        return menu
 
     def _lay_out(self) -> None:
         line = QHBoxLayout()
         line.addWidget(self._search, 1)
         line.addWidget(self._verdicts)
-        line.addWidget(self._count)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self._problem.setWordWrap(True)
@@ -289,9 +354,3 @@ class WindowsPanel(QWidget):
         layout.addWidget(self._problem)
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
-
-
-def copied_rows(columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> str:
-    """Rows as they are read in the table, tab separated, headings first."""
-    lines = [[column.title() for column in columns], *([column.text(row) for column in columns] for row in rows)]
-    return "\n".join("\t".join(cell_text(" ".join(cell.split())) for cell in line) for line in lines)

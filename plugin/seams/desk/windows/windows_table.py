@@ -1,45 +1,187 @@
-"""The view of the windows' table: its columns as they fit, keys, a hint when it is empty."""
+"""The table of windows: its rows, sorted and filtered, and its view with the columns that there is room for."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
-from qgis.PyQt.QtCore import QEvent, QItemSelection, QModelIndex, QPoint, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPaintEvent, QPalette, QResizeEvent
-from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
+from qgis.PyQt.QtCore import (
+    QAbstractTableModel,
+    QEvent,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QObject,
+    QSize,
+    Qt,
+    pyqtSignal,
+)
+from qgis.PyQt.QtGui import QFont, QIcon, QKeyEvent, QKeySequence, QPaintEvent, QPalette, QResizeEvent
+from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
+from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.painting import painting
-from .column_room import ColumnMeter, columns_menu, fitted_columns, load_choice, save_choice
-from .window_columns import TableColumn
-from .windows_model import WindowsModel
+from ....toolkit.translation import tr
+from .window_columns import ALIGNED_LEFT, COLUMNS, WINDOW_ID, TableColumn, used_columns, verdict_chip
+
+if TYPE_CHECKING:
+    from ...measure.window.window_result import WindowResult
+    from ...measure.window_records import WindowRecord
+
+_DISPLAY = Qt.ItemDataRole.DisplayRole
+_ASCENDING, _DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
+
+
+class WindowsModel(QAbstractTableModel):
+    """The session's windows, in the order of one column. Where only values change, views hear of their rows alone."""
+
+    def __init__(
+        self, parent: QObject | None = None, result: Callable[[int], WindowResult | None] = lambda fid: None
+    ) -> None:
+        super().__init__(parent)
+        self._result = result  # of a window, by its feature id: the numbers in tooltips
+        self.is_blind = False  # whether tooltips keep to themselves what was found
+        self.sorted_by, self.sort_order = WINDOW_ID, _ASCENDING
+        self._tests: Sequence[Callable[[WindowRecord], bool]] = ()
+        self._all: Sequence[WindowRecord] = ()  # in their own order
+        self._rows: list[WindowRecord] = []
+        self._fids: list[int] = []
+        self._places: dict[int, int] = {}
+        self._chips: dict[tuple[str, bool], QIcon] = {}
+        self._italic = QFont()
+        self._italic.setItalic(True)
+
+    def all_windows(self) -> Sequence[WindowRecord]:
+        """All windows, those included that are left out."""
+        return self._all
+
+    def windows(self) -> list[WindowRecord]:
+        """From top to bottom; not to be changed."""
+        return self._rows
+
+    def fids(self) -> list[int]:
+        """Feature ids of the shown windows, from top to bottom; not to be changed, one list while they are the same."""
+        return self._fids
+
+    def row_of(self, fid: int) -> int:
+        """The row a window is shown in; -1 when it is not."""
+        return self._places.get(fid, -1)
+
+    def set_windows(self, windows: Sequence[WindowRecord]) -> None:
+        """Take these; only those that changed are asked whether they pass."""
+        known, self._all = {row.fid: row for row in self._all}, windows
+        places = self._places
+        self._show([row for row in windows if (row.fid in places if known.get(row.fid) is row else self._passes(row))])
+
+    def set_filter(self, tests: Iterable[Callable[[WindowRecord], bool]]) -> None:
+        """Show the windows that pass all of these."""
+        self._tests = tuple(tests)
+        self._show(list(filter(self._passes, self._all)))
+
+    def sort(self, column: int, order: Qt.SortOrder = _ASCENDING) -> None:
+        """Sort by numbers and ranks; windows with nothing in the column come last in either order."""
+        self.sorted_by, self.sort_order = COLUMNS[max(column, 0)], order
+        self._show(self._rows)
+
+    def _passes(self, row: WindowRecord) -> bool:
+        return all(test(row) for test in self._tests)
+
+    def _show(self, windows: list[WindowRecord]) -> None:
+        rows = self._in_order(windows)
+        fids = [row.fid for row in rows]
+        if fids != self._fids:
+            self.beginResetModel()
+            self._rows, self._fids = rows, fids
+            self._places = {fid: place for place, fid in enumerate(fids)}
+            self.endResetModel()
+            return
+        before, self._rows = self._rows, rows
+        changed = [place for place, (old, new) in enumerate(zip(before, rows)) if old is not new and old != new]
+        if changed:
+            self.dataChanged.emit(self.index(changed[0], 0), self.index(changed[-1], len(COLUMNS) - 1))
+
+    def _in_order(self, windows: list[WindowRecord]) -> list[WindowRecord]:
+        key, by_number = self.sorted_by.key, sorted(windows, key=lambda row: row.window_id)
+        present = [row for row in by_number if key(row) is not None]
+        absent = [row for row in by_number if key(row) is None] if len(present) < len(by_number) else []
+        return sorted(present, key=key, reverse=self.sort_order != _ASCENDING) + absent
+
+    # What views ask
+
+    def rowCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(self._rows)
+
+    def columnCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(COLUMNS)
+
+    def data(self, index: QModelIndex, role: int = _DISPLAY) -> Any:
+        if not index.isValid():
+            return None
+        row, column = self._rows[index.row()], COLUMNS[index.column()]
+        if role == _DISPLAY:
+            return column.text(row)
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return column.alignment
+        if role == Qt.ItemDataRole.DecorationRole and column.name == "verdict":
+            return self._chip(row.verdict, row.stale)
+        if role == Qt.ItemDataRole.FontRole and row.stale:
+            return self._italic
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return None if self.is_blind else column.tip(row, self._result(row.fid))
+        return None
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = _DISPLAY) -> Any:
+        if orientation != Qt.Orientation.Horizontal or not 0 <= section < len(COLUMNS):
+            return None
+        column = COLUMNS[section]
+        if role == _DISPLAY:
+            return column.title()
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return rich_tip(tr(column.explanation))
+        if role == Qt.ItemDataRole.InitialSortOrderRole:  # by the first click on it
+            return _DESCENDING if column.name == "loss" else _ASCENDING
+        if role == Qt.ItemDataRole.TextAlignmentRole:  # the arrow is on the right, and may be drawn over the words
+            return ALIGNED_LEFT if column == self.sorted_by else column.alignment
+        return None
+
+    def _chip(self, verdict: str, stale: bool) -> QIcon:
+        if (verdict, stale) not in self._chips:
+            self._chips[verdict, stale] = verdict_chip(verdict, stale)
+        return self._chips[verdict, stale]
+
+
+_GIVING_WAY = (
+    "reason", "paper_verdict", "sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "observer_2",
+    "cause",
+)  # fmt: skip
+"""Columns without room, the first that go first; verdict, loss and observer always stay."""
+_BEFORE_CAUSES = _GIVING_WAY[:3]  # that go before causes are cut short
+_CAUSE_LETTERS = 12  # that causes have beyond their heading then
 
 
 class WindowsTable(QTableView):
     """Whole rows are selected. Delete and Enter are the table's own while it has the focus."""
 
     removeRequested = pyqtSignal()
-    copyRequested = pyqtSignal()
     zoomRequested = pyqtSignal()
 
     def __init__(self, windows: WindowsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.hint = ""  # what is said in the middle of an empty table
         self._windows = windows
-        self._fitted: tuple[object, ...] = ()  # the words that columns have room for
-        self._choice = load_choice()
-        self._blind: frozenset[str] | None = None  # columns that tell nothing; None: all may be seen
+        self._used = frozenset[str]()  # names of the columns that hold something
+        self._allowed: frozenset[str] | None = None  # those that tell nothing; None: all may be seen
         self.setModel(windows)
         self.setItemDelegate(ReadableItems(self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.setAlternatingRowColors(True)
         self.setShowGrid(False)
         self.setWordWrap(False)
         self.setTabKeyNavigation(False)
         self.setSortingEnabled(True)
-        self.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+        self.sortByColumn(0, _ASCENDING)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.verticalHeader().hide()
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
@@ -49,10 +191,7 @@ class WindowsTable(QTableView):
         header.setTextElideMode(Qt.TextElideMode.ElideRight)
         header.setMinimumSectionSize(1)
         header.sortIndicatorChanged.connect(self.fit)  # the arrow needs room in its column
-        header.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        header.customContextMenuRequested.connect(self._show_columns_menu)
-        windows.modelReset.connect(self.show_sorting)
-        windows.layoutChanged.connect(self._fit_words)
+        windows.modelReset.connect(self.fit)  # a column may be of use from now on, or a number longer
         self.fit()
 
     def selected_rows(self) -> list[int]:
@@ -65,25 +204,24 @@ class WindowsTable(QTableView):
         fids = self._windows.fids()
         return [fids[row] for row in self.selected_rows()]
 
-    def rows_selection(self, rows: list[int]) -> QItemSelection:
-        """Rows, in ascending order, as a selection."""
-        selection = QItemSelection()
-        first = 0
-        for place, row in enumerate(rows):
-            if place + 1 == len(rows) or rows[place + 1] != row + 1:
-                selection.select(self._windows.index(rows[first], 0), self._windows.index(row, 0))
-                first = place + 1
-        return selection
+    def select_rows(self, rows: list[int]) -> None:
+        """Select rows, in ascending order, and no others; one of them is the current one."""
+        if rows != self.selected_rows():
+            selection, first = QItemSelection(), 0
+            for place, row in enumerate(rows):
+                if place + 1 == len(rows) or rows[place + 1] != row + 1:
+                    selection.select(self._windows.index(rows[first], 0), self._windows.index(row, 0))
+                    first = place + 1
+            flags = QItemSelectionModel.SelectionFlag
+            self.selectionModel().select(selection, flags.ClearAndSelect | flags.Rows)
+        if rows and self.currentIndex().row() not in rows:
+            current = self._windows.index(rows[0], 0)
+            self.selectionModel().setCurrentIndex(current, QItemSelectionModel.SelectionFlag.NoUpdate)
 
     def is_in_sight(self, row: int) -> bool:
         """Whether the row is in the visible part of the table."""
         rect = self.visualRect(self._windows.index(row, 0))
         return rect.top() >= 0 and rect.bottom() < max(self.viewport().height(), rect.height())
-
-    def visible_columns(self) -> list[TableColumn]:
-        """Columns that are seen, from left to right."""
-        columns = enumerate(self._windows.columns)
-        return [column for section, column in columns if not self.isColumnHidden(section)]
 
     def set_fewest_rows(self, rows: int) -> None:
         """Show at least so many; 0: as few as there is room for."""
@@ -91,37 +229,81 @@ class WindowsTable(QTableView):
         self.setMinimumHeight(around + rows * self.verticalHeader().defaultSectionSize() if rows else 0)
 
     def set_blind(self, allowed: frozenset[str] | None) -> None:
-        """Show no other columns than these, by their fields, whatever was chosen; None: all that were chosen."""
-        if allowed != self._blind:
-            self._blind = allowed
-            self._windows.is_blind = allowed is not None
-            self.fit()
+        """Show no other columns than these; None: all that are of use."""
+        self._allowed = allowed
+        self._windows.is_blind = allowed is not None
+        self.fit()
+
+    # Columns and their widths
 
     def fit(self) -> None:
-        """Widths and heights for this font, these columns and this much room."""
-        metrics = QFontMetrics(self.font())
-        side = metrics.ascent()
-        self.setIconSize(QSize(side, side))
+        """Columns, widths and heights for this font, these windows and this much room."""
+        metrics = self.fontMetrics()
+        self.setIconSize(QSize(metrics.ascent(), metrics.ascent()))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
-        self._fitted = self._words()
-        room, columns, wanted = self.viewport().width(), self._windows.columns, self._chosen()
-        meter = ColumnMeter(self, self._windows)
-        if wanted is not None:
-            sizes = {place: meter.width(column) for place, column in enumerate(columns) if column.field in wanted}
-        else:
-            sizes = fitted_columns(columns, meter, room)
-        for section in range(len(columns)):
+        self._used = used_columns(self._windows.all_windows())
+        names = self._used if self._allowed is None else self._used & self._allowed
+        sizes = {place: self._least(column) for place, column in enumerate(COLUMNS) if column.name in names}
+        room = self.viewport().width()
+        for name in _GIVING_WAY:
+            causes = _CAUSE_LETTERS * metrics.averageCharWidth() if name in _BEFORE_CAUSES else 0
+            if sum(sizes.values()) + causes <= room:
+                break
+            sizes = {place: size for place, size in sizes.items() if COLUMNS[place].name != name}
+        spare = room - sum(sizes.values())
+        for place in sorted(sizes, reverse=True):  # causes before verdicts, which have a chip, too
+            if COLUMNS[place].name not in ("verdict", "cause"):
+                continue
+            wider = min(max(self._full(place) - sizes[place], 0), spare) if spare > 0 else 0
+            sizes[place], spare = sizes[place] + wider, spare - wider
+        for section in range(len(COLUMNS)):
             self.setColumnHidden(section, section not in sizes)
         for section, size in sizes.items():
             self.setColumnWidth(section, size)
 
-    def _fit_words(self, *_: object) -> None:
-        """A verdict's words, or a loss, may be longer than they were."""
-        if self._fitted != self._words():
-            self.fit()
+    def _least(self, column: TableColumn) -> int:
+        """With its heading and words; causes are cut short, as their first letters tell."""
+        words = [] if column.name == "cause" else [*column.words()]
+        if column.name == "loss":  # a number that is never cut
+            most = max(self._windows.all_windows(), key=lambda row: row.loss or 0.0, default=None)
+            words += [] if most is None else [column.text(most)]
+        return max([self._heading(column), *(self._of_words(column, text) for text in words)])
 
-    def _words(self) -> tuple[object, ...]:
-        return self._windows.has_stale, self._windows.most_lost, self._windows.verdicts
+    def _full(self, place: int) -> int:
+        column = COLUMNS[place]
+        texts = {column.text(row) for row in self._windows.all_windows()}
+        return max((self._of_words(column, text) for text in texts), default=0)
+
+    def _of_words(self, column: TableColumn, text: str) -> int:
+        margin = self.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self)
+        em = self.fontMetrics().horizontalAdvance("m")
+        chip = self.iconSize().width() + em // 2 if column.name == "verdict" else 0
+        return int(self.fontMetrics().horizontalAdvance(text) + 2 * (margin + 1) + em // 2 + chip)
+
+    def _heading(self, column: TableColumn) -> int:
+        """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
+        header, is_sorted = self.horizontalHeader(), column == self._windows.sorted_by
+        option = QStyleOptionHeader()
+        option.initFrom(header)
+        option.orientation = Qt.Orientation.Horizontal
+        option.text = column.title()
+        if is_sorted:
+            option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
+        style, metrics = header.style(), header.fontMetrics()
+        least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
+        margins = 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        needed = metrics.horizontalAdvance(column.title() + "m") + margins
+        if is_sorted:
+            needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
+        return max(int(least), int(needed))  # the style's own word is too little in Fusion
+
+    def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
+        """Paint the rows that changed, and no others as Qt 5 does."""
+        if self._used != used_columns(self._windows.all_windows()):
+            self.fit()
+        top = self.rowViewportPosition(first.row())
+        bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
+        self.viewport().update(0, top, self.viewport().width(), bottom - top)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -133,29 +315,6 @@ class WindowsTable(QTableView):
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
             self.fit()
 
-    def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and _is_table_key(event):
-            event.accept()  # else QGIS's own action on this key would compete for it
-            return True
-        return bool(super().event(event))
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if not _is_table_key(event):
-            super().keyPressEvent(event)
-        elif event.matches(QKeySequence.StandardKey.Copy):
-            self.copyRequested.emit()
-        elif event.matches(QKeySequence.StandardKey.Delete):
-            self.removeRequested.emit()
-        else:
-            self.zoomRequested.emit()
-
-    def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
-        """Paint the rows that changed, and no others as Qt 5 does."""
-        self._fit_words()
-        top = self.rowViewportPosition(first.row())
-        bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
-        self.viewport().update(0, top, self.viewport().width(), bottom - top)
-
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.hint and self._windows.rowCount() == 0:
@@ -165,43 +324,25 @@ class WindowsTable(QTableView):
                 room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
                 painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
 
-    def show_sorting(self) -> None:
-        """The arrow may stand on another column after the columns changed."""
-        header = self.horizontalHeader()
-        blocked = header.blockSignals(True)
-        header.setSortIndicator(self._windows.columns.index(self._windows.sorted_by), self._windows.sort_order)
-        header.blockSignals(blocked)
-        self.fit()
+    # Keys
 
-    # Columns that the operator chose
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and _is_table_key(event):
+            event.accept()  # else QGIS's own action on this key would compete for it
+            return True
+        return bool(super().event(event))
 
-    def _chosen(self) -> frozenset[str] | None:
-        """The fields of the columns to be seen; None where they are those there is room for."""
-        if self._blind is not None:
-            return self._blind
-        known = {column.field for column in self._windows.columns}.intersection(self._choice)
-        return frozenset(known) or None
-
-    def _choose(self, fields: tuple[str, ...]) -> None:
-        self._choice = fields
-        save_choice(fields)
-        self.fit()
-
-    def _show_columns_menu(self, place: QPoint) -> None:
-        if self._blind is None:
-            self.columns_menu().popup(self.horizontalHeader().mapToGlobal(place))
-
-    def columns_menu(self) -> QMenu:
-        """The columns that are seen."""
-        visible = [column.field for column in self.visible_columns()]
-        menu = columns_menu(self._windows.columns, visible, self._choose, self)
-        menu.aboutToHide.connect(menu.deleteLater)
-        return menu
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not _is_table_key(event):
+            super().keyPressEvent(event)
+        elif event.matches(QKeySequence.StandardKey.Delete):
+            self.removeRequested.emit()
+        else:
+            self.zoomRequested.emit()
 
 
 def _is_table_key(event: QKeyEvent) -> bool:
     enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-    keys = (QKeySequence.StandardKey.Delete, QKeySequence.StandardKey.Copy)
-    return any(map(event.matches, keys)) or (
+    return event.matches(QKeySequence.StandardKey.Delete) or (
         enter and event.modifiers() in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
     )

@@ -319,19 +319,3 @@ class SeamIndex:
         points = self._start + share * self._step
         best = points[np.argmin(abs(points - place))]
         return (float(best.real), float(best.imag)) if abs(best - place) <= reach else None
-
-    def points(self, x: float, y: float, reach: float, spacing: float) -> np.ndarray:
-        """(n, 2) points on the seams, some ``spacing`` apart, in the square of that reach around a place."""
-        if not len(self._start):
-            return np.empty((0, 2))
-        end = self._start + self._step
-        low = np.minimum(self._start.real, end.real), np.minimum(self._start.imag, end.imag)
-        high = np.maximum(self._start.real, end.real), np.maximum(self._start.imag, end.imag)
-        near = (low[0] <= x + reach) & (high[0] >= x - reach) & (low[1] <= y + reach) & (high[1] >= y - reach)
-        start, step = self._start[near], self._step[near]
-        counts = np.ceil(abs(step) / spacing).astype(np.int64) + 1
-        which = np.repeat(np.arange(len(start)), counts)
-        place = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-        points = start[which] + place / np.maximum(counts - 1, 1)[which] * step[which]
-        inside = (abs(points.real - x) <= reach) & (abs(points.imag - y) <= reach)
-        return np.column_stack([points.real, points.imag])[inside]

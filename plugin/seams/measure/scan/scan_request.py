@@ -21,7 +21,6 @@ from ..blocks.scan_block import BlockRequest
 from ..blocks.scan_settings import ScanSettings
 from ..blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
 from ..inputs.grey_values import grey_factor
-from ..inputs.valid_cells import is_whole
 from ..inputs.whole_images import whole_images
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
@@ -317,3 +316,9 @@ def scan_request(
         unnamed = request.named[1] if request.sources else None
         notices = [*notices, *given.notices, *(notice for notice in (outside, unnamed) if notice is not None)]
     return request, notices
+
+
+def is_whole(source: OpenRaster) -> bool:
+    """Whether nothing in a raster can say that a pixel is none."""
+    is_plain = source.roles.alpha is None and source.roles.palette is None
+    return is_plain and source.is_all_valid and not source.raster.data_type.startswith("float")

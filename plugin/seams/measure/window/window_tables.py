@@ -1,8 +1,8 @@
 """The tables of an inspection, one entry per column: its field, and how its value comes from a result; and a window's
 result as bytes that are kept beside the window layer, and back.
 
-The field names are contracts. Of a window's fields also what people call them: layers, records, aliases, plain rows,
-the desk's columns and its filter are made of these entries.
+The field names are contracts. Of a window's fields also what people call them: layers, records, aliases
+and plain rows are made of these entries.
 """
 from __future__ import annotations
 
@@ -118,21 +118,13 @@ PAIR_COLUMNS: tuple[Column[PairRow], ...] = (
 
 @dataclass(frozen=True)
 class WindowField(Column):  # of WindowResult; said so typing would keep the plugin when it is unloaded
-    """A column of OUTPUT, and of every window layer: also what it is called, how the desk shows it, and its filter."""
+    """A column of OUTPUT, and of every window layer: also what it is called."""
 
     value: Callable[[WindowResult], Any] = lambda result: None
     attribute: str = ""
     """Attribute of a WindowRecord; empty: the name, where the record has one, else it is among its ``others``."""
     title: str = ""
     """What layers call it, with ``{level}`` where it has one; empty where all our layers call it so."""
-    heading: str = ""
-    """Heading of its column in the desk; empty where that is written otherwise, or there is none."""
-    help: str = ""
-    shown: str = "number"
-    """How its column shows it: ``number``, ``tenths``, ``percent`` (of a share), ``of 100``, ``metres``, ``px``,
-    ``square metres``, ``whole``, ``words``, ``observer`` or ``causes``."""
-    called: tuple[str, ...] = ()
-    """What else the filter calls it."""
     most: float | None = None
     """No measurement is above it, nor below 0; None where any number may be."""
 
@@ -147,7 +139,7 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
 
 
 MEASURED = (
-    WindowField("window_id", "integer", lambda result: result.window_id, called=("id",)),
+    WindowField("window_id", "integer", lambda result: result.window_id),
     WindowField("verdict", "text", lambda result: result.judgement.verdict.value),
     WindowField("reason", "text", lambda result: result.judgement.reason),
     WindowField("sources", "integer", lambda result: result.source_count),
@@ -174,79 +166,33 @@ MEASURED = (
         title=QT_TR_NOOP("share where no source wins clearly"),
     ),
     WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
-    WindowField(
-        "causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None,
-        heading=QT_TR_NOOP("all causes"), shown="causes",
-        help=QT_TR_NOOP("All that changed the contrast, the largest loss first."),
-    ),
+    WindowField("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
     WindowField("reference", "text", lambda result: result.reference),
-    WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value, called=("paper",)),
-    WindowField(
-        "kept", "real", lambda result: result.profile and result.profile.kept, by_level=True,
-        most=MOST_KEPT,
-    ),
-    WindowField(
-        "kept_low", "real", lambda result: result.profile and result.profile.low,
-        heading=QT_TR_NOOP("kept from"), shown="percent",
-        help=QT_TR_NOOP("Lower end of the 95 % interval of what is kept along the seam."),
-    ),
-    WindowField(
-        "kept_high", "real", lambda result: result.profile and result.profile.high,
-        heading=QT_TR_NOOP("kept to"), shown="percent",
-        help=QT_TR_NOOP("Upper end of the 95 % interval of what is kept along the seam."),
-    ),
-    WindowField(
-        "band_width", "real", lambda result: result.band_width_m,
-        heading=QT_TR_NOOP("band width"), shown="metres", called=("band",),
-        help=QT_TR_NOOP("Width of the band along the seam in which detail was lost."),
-    ),
-    WindowField(
-        "feather_width", "real", lambda result: result.feather_width_m,
-        heading=QT_TR_NOOP("feather width"), shown="metres", called=("feather",),
-        help=QT_TR_NOOP(
-            "Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut."
-        ),
-    ),
-    WindowField(
-        "visibility", "real", lambda result: result.visibility, heading=QT_TR_NOOP("visibility"), shown="tenths",
-        most=MOST_VISIBLE,
-        help=QT_TR_NOOP(
-            "How many times the loss along the seam exceeds what an eye just notices side by side at 2x (just "
-            "noticeable differences, JND)."
-        ),
-    ),
-    WindowField(
-        "misfit", "real", lambda result: result.misfit,
-        title=QT_TR_NOOP("images apart in the mosaic (px)"), heading=QT_TR_NOOP("misfit"), shown="px",
-        help=QT_TR_NOOP("How far apart the two images lie where they meet, as the mosaic has them."),
-    ),
+    WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value),
+    WindowField("kept", "real", lambda result: result.profile and result.profile.kept, by_level=True, most=MOST_KEPT),
+    WindowField("kept_low", "real", lambda result: result.profile and result.profile.low),
+    WindowField("kept_high", "real", lambda result: result.profile and result.profile.high),
+    WindowField("band_width", "real", lambda result: result.band_width_m),
+    WindowField("feather_width", "real", lambda result: result.feather_width_m),
+    WindowField("visibility", "real", lambda result: result.visibility, most=MOST_VISIBLE),
+    WindowField("misfit", "real", lambda result: result.misfit, title=QT_TR_NOOP("images apart in the mosaic (px)")),
     WindowField(
         "contrast_1", "real", lambda result: result.explanation and result.explanation.contrast,
-        attribute="contrast", called=("contrast",), most=MOST_RATIO,
+        attribute="contrast", most=MOST_RATIO,
     ),
     WindowField(
         "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,
-        attribute="sharpness", heading=QT_TR_NOOP("sharpness"), shown="percent", called=("sharpness",),
-        help=QT_TR_NOOP("Sharpness of the whole window against the composite of its sources."),
+        attribute="sharpness",
     ),
     WindowField(
         "added_1", "real", lambda result: result.explanation and result.explanation.added,
-        attribute="added", heading=QT_TR_NOOP("added"), shown="percent", called=("added",),
-        help=QT_TR_NOOP("Share of the mosaic's finest detail that its sources don't have."),
+        attribute="added",
     ),
     WindowField(
         "explained", "real", lambda result: result.explained,
-        title=QT_TR_NOOP("share that the sources explain"), heading=QT_TR_NOOP("explained"), shown="percent",
-        help=QT_TR_NOOP("Share of the pixels whose detail the given sources explain."),
+        title=QT_TR_NOOP("share that the sources explain"),
     ),
-    WindowField(
-        "loss", "real", lambda result: result.lost_m2,
-        title=QT_TR_NOOP("loss (m2)"), heading=QT_TR_NOOP("loss"), shown="square metres",
-        help=QT_TR_NOOP(
-            "The finest detail that is missing, along the seam or in the whole window, given as the square metres of "
-            "the window that hold as much; 0 where no loss is certain."
-        ),
-    ),
+    WindowField("loss", "real", lambda result: result.lost_m2, title=QT_TR_NOOP("loss (m2)")),
     WindowField(
         "reason_code", "text", lambda result: result.judgement.reason_code or None,
         title=QT_TR_NOOP("code of the reason"),
@@ -255,56 +201,23 @@ MEASURED = (
 """OUTPUT of ``inspectwindows``: one polygon per window, as measured; ``observer`` is the operator's word, not ours."""
 
 SAID = (
-    WindowField(
-        "observer_2", JUDGING_FIELDS["observer_2"],
-        title=QT_TR_NOOP("observer 2"), heading=QT_TR_NOOP("observer 2"), shown="observer",
-        help=QT_TR_NOOP("What the second operator saw at 2x magnification."),
-    ),
-    WindowField(
-        "confidence", JUDGING_FIELDS["confidence"],
-        title=QT_TR_NOOP("sure (%)"), heading=QT_TR_NOOP("sure"), shown="of 100", called=("sure",),
-        help=QT_TR_NOOP("How sure the observer is, 0 to 100 %."),
-    ),
-    WindowField(
-        "confidence_2", JUDGING_FIELDS["confidence_2"],
-        title=QT_TR_NOOP("sure 2 (%)"), heading=QT_TR_NOOP("sure 2"), shown="of 100",
-        help=QT_TR_NOOP("How sure the second operator is, 0 to 100 %."),
-    ),
-    WindowField(
-        "remark", JUDGING_FIELDS["remark"], title=QT_TR_NOOP("remark"), heading=QT_TR_NOOP("remark"), shown="words",
-        help=QT_TR_NOOP("The observer's remark."),
-    ),
-    WindowField(
-        "remark_2", JUDGING_FIELDS["remark_2"],
-        title=QT_TR_NOOP("remark 2"), heading=QT_TR_NOOP("remark 2"), shown="words",
-        help=QT_TR_NOOP("The second operator's remark."),
-    ),
+    WindowField("observer_2", JUDGING_FIELDS["observer_2"], title=QT_TR_NOOP("observer 2")),
+    WindowField("confidence", JUDGING_FIELDS["confidence"], title=QT_TR_NOOP("sure (%)")),
+    WindowField("confidence_2", JUDGING_FIELDS["confidence_2"], title=QT_TR_NOOP("sure 2 (%)")),
+    WindowField("remark", JUDGING_FIELDS["remark"], title=QT_TR_NOOP("remark")),
+    WindowField("remark_2", JUDGING_FIELDS["remark_2"], title=QT_TR_NOOP("remark 2")),
 )  # fmt: skip
 """What operators say, there as soon as one of them does."""
 
 PLACED = (
-    WindowField(
-        "seam_id", "integer", heading=QT_TR_NOOP("seam"), shown="whole", called=("seam",),
-        help=QT_TR_NOOP("Number of the seam that the window was placed on."),
-    ),
-    WindowField(
-        "station", "real", heading=QT_TR_NOOP("station"), shown="metres",
-        help=QT_TR_NOOP("How far along its seam the window lies."),
-    ),
-    WindowField(
-        "origin", "text", title=QT_TR_NOOP("origin"), heading=QT_TR_NOOP("origin"), shown="words",
-        help=QT_TR_NOOP("Whether the window was drawn, placed along the seams, or is a worst place of a scan."),
-    ),
+    WindowField("seam_id", "integer"),
+    WindowField("station", "real"),
+    WindowField("origin", "text", title=QT_TR_NOOP("origin")),
 )  # fmt: skip
 """Origin of a window: of one that was placed, where; ``drawn``, ``placed`` or ``scan``."""
 
 WINDOW_FIELDS: tuple[WindowField, ...] = (*MEASURED, *SAID, *PLACED)
 _ROW_COLUMNS = tuple(column for column in MEASURED if column.name != "observer")
-
-
-def in_filter(fields: Sequence[WindowField] = WINDOW_FIELDS) -> dict[str, WindowField]:
-    """Fields by all names that a filter may call them, those by level without it."""
-    return {name: field for field in fields for name in (field.name, *field.called)}
 
 
 def window_rows(results: Iterable[WindowResult]) -> TableRows:

@@ -4,20 +4,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from qgis.core import QgsSettings
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QWidget
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession
-
-
-@pytest.fixture
-def own_settings(qgis_app: QApplication) -> Iterator[None]:
-    """No choice of columns from elsewhere, and none left behind."""
-    QgsSettings().remove("SeamInspector/window_columns")
-    yield
-    QgsSettings().remove("SeamInspector/window_columns")
 
 
 @pytest.fixture

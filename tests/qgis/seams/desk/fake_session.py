@@ -1,12 +1,13 @@
 """A session without tasks: what the map tool and the inputs panel ask of it, and a record of what they do."""
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.seams.desk.map.window_coverage import Coverage
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
@@ -17,7 +18,6 @@ class FakeSession(QObject):
     """Inputs that can be set; one seam along a meridian; three sources over every window."""
 
     inputsChanged = pyqtSignal()
-    coverageChanged = pyqtSignal()
     progressChanged = pyqtSignal(int, int)
 
     def __init__(self, inputs: Inputs, columns: int = 4096, rows: int = 2048) -> None:
@@ -25,9 +25,7 @@ class FakeSession(QObject):
         self.inputs = inputs
         self.grid: Grid | None = Grid(*ORIGIN, PIXEL, PIXEL, columns, rows)
         self.seam_x: float | None = None
-        self.source_count, self.unread = 3, 0
-        self.missing: float | None = 0.0
-        self.judgeable: PixelWindow | None = None
+        self.source_count = 3
         self.hovered: tuple[PixelWindow, bool] | None = None
         """The window under the mouse, and whether its curves follow."""
         self.added: list[PixelWindow] = []
@@ -52,11 +50,8 @@ class FakeSession(QObject):
     def problem(self) -> Message | None:
         return None if self.mosaic_grid() is not None else seams_messages.NO_MOSAIC()
 
-    def coverage(self, window: PixelWindow) -> Coverage:
-        return Coverage(self.source_count, self.unread, self.missing)
-
-    def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
-        return self.judgeable
+    def block(self) -> SimpleNamespace:
+        return SimpleNamespace(sources_over=lambda window: range(self.source_count))
 
     def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         return (self.seam_x, y) if self.seam_x is not None and abs(x - self.seam_x) <= reach else None

@@ -6,12 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.seams.desk import accepting
-from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
-from seam_inspector.plugin.seams.desk.accepting import suggested_files
+from seam_inspector.plugin.seams.desk.accept_page import AcceptPage, suggested_files
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
 from tests.numbers.synthetic import write_raster
@@ -60,24 +58,6 @@ def test_any_earlier_document_gives_all_another_number(delivery: Delivery, tmp_p
     (tmp_path / "project" / earlier).touch()
     names = {"ortho_5_report_2.html", "ortho_5_defects_2.gpkg", "ortho_5_quality_2.xml"}
     assert {file.name for file in delivery.suggested().values()} == names
-
-
-def test_a_project_without_a_file_has_its_documents_beside_the_scan(delivery: Delivery, tmp_path: Path) -> None:
-    assert delivery.suggested()["REPORT"].parent == delivery.folder
-    delivery.scan(tmp_path / "scans")
-    assert delivery.suggested()["REPORT"].parent == tmp_path / "scans"
-
-
-def test_nothing_is_left_in_the_profile_or_where_nothing_can_be_written(
-    delivery: Delivery, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    profile = tmp_path / "profile"
-    delivery.scan(profile)
-    monkeypatch.setattr(QgsApplication, "qgisSettingsDirPath", lambda: f"{profile}/")
-    assert delivery.suggested()["REPORT"].parent == delivery.folder
-    monkeypatch.setattr(Path, "home", lambda: tmp_path)
-    monkeypatch.setattr(accepting.os, "access", lambda path, mode: Path(path) != delivery.folder)
-    assert delivery.suggested()["REPORT"].parent == tmp_path
 
 
 # The page

@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
-from seam_inspector.plugin.seams.desk.map.clicked_pieces import ClickedPieces
+from seam_inspector.plugin.seams.desk.map.window_tool import ClickedPieces
 
 from tests.qgis.acceptance.seam_scenes import file, sealed
 from tests.qgis.scenes import at, layer, line

@@ -12,14 +12,14 @@ from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.charts.curves_painter import CurvesPainter
-from seam_inspector.plugin.seams.desk.charts.curves_panel import CurvesPanel
+from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves
+from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
-from seam_inspector.plugin.toolkit.desk.theme import chart_style, contrast
+from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.seams.desk.windows_session import WindowsSession
 
@@ -108,17 +108,17 @@ def text_of(panel: CurvesPanel) -> str:
     return panel._text.text() if panel._pages.currentWidget() is panel._text else ""
 
 
-def painter(panel: CurvesPanel) -> CurvesPainter:
+def painter(panel: CurvesPanel) -> LegendedCurves:
     made = panel._chart.painter()
     assert made is not None
     return made
 
 
 def labels(panel: CurvesPanel) -> list[str]:
-    """The curves that are drawn, and the limit."""
+    """The names in the legend, of curves that are all drawn."""
     chart = panel._chart.chart
-    shown = [curve.label for curve in chart.curves if curve.key not in chart.hidden]
-    return [*shown, "limit"] if painter(panel).limit is not None else shown
+    assert len(painter(panel).places) == 4 * len(chart.curves)
+    return [entry.name for entry in painter(panel).entries]
 
 
 def seen(panel: CurvesPanel, point: tuple[int, int]) -> QColor:
@@ -140,16 +140,6 @@ def point_at(panel: CurvesPanel, point: tuple[int, int]) -> None:
     event = QMouseEvent(QEvent.Type.MouseMove, where, none, none, Qt.KeyboardModifier.NoModifier)
     QApplication.sendEvent(chart, event)
     settle()
-
-
-def ink(panel: CurvesPanel, row: int) -> float:
-    """How much the name of a legend's entry stands out."""
-    legend = panel._legend
-    box = legend.visualItemRect(legend.item(row)).adjusted(legend.iconSize().width() + 4, 0, 0, 0)
-    image = legend.viewport().grab(box).toImage()
-    back = image.pixelColor(image.width() - 1, 0)
-    colours = {image.pixel(x, y) for x in range(image.width()) for y in range(image.height())}
-    return max(contrast(QColor(colour), back) for colour in colours)
 
 
 def select_one(session: CurvesSession, result: WindowResult | None = None) -> None:
@@ -219,23 +209,14 @@ def test_values_under_the_mouse(session: CurvesSession, panel: CurvesPanel) -> N
     assert panel._status.text() == "Window 12"
 
 
-def test_a_hidden_raster_stays_hidden_by_its_name(session: CurvesSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    name = "ortho_2024_flight_0412_0031.tif"
-    panel._legend.itemClicked.emit(panel._legend.item(1))
-    settle()
-    assert name not in labels(panel)
-    assert place_of(panel, (1, 0)) is None
-    assert ink(panel, 1) < 0.8 * ink(panel, 2)
-    assert painter(panel).limit == pytest.approx(0.5 * 0.039)  # what is hidden still counts
-
-    session.add(2, make_result(13, level_1=0.02))
-    session.select([2])
-    settle()
-    assert name not in labels(panel)
-    panel._legend.itemClicked.emit(panel._legend.item(1))
-    settle()
-    assert name in labels(panel)
+def test_of_many_sources_as_many_stand_in_the_legend_as_there_is_room_for(
+    session: CurvesSession, panel: CurvesPanel
+) -> None:
+    panel.resize(420, 300)
+    select_one(session, make_result(sources=40))
+    names = labels(panel)
+    assert names[:2] == ["mosaic.tif", "ortho_2024_flight_0412_0031.tif"]
+    assert names[-1] == f"and {43 - len(names)} more"  # of 42 names and this one
 
 
 def test_a_source_keeps_its_colour_from_window_to_window(session: CurvesSession, panel: CurvesPanel) -> None:

@@ -9,7 +9,7 @@ import pytest
 from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtWidgets import QWidget
-from seam_inspector.plugin.seams.desk.map.flicker import Flicker
+from seam_inspector.plugin.seams.desk.map.hard_cut import Flicker
 
 from tests.qgis.plugin_lives import action_of
 from tests.qgis.scenes import Scene

@@ -10,7 +10,7 @@ from qgis.core import QgsRasterLayer
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.desk.map.compared_layer import looks_alike, write_composite
+from seam_inspector.plugin.seams.desk.map.hard_cut import looks_alike, write_composite
 from seam_inspector.plugin.seams.measure.window.explained_window import WindowComposite
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.desk.charts.profile_panel import CurvesAndProfile
+from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesAndProfile
 from seam_inspector.plugin.seams.measure.window import measured_window
 
 from tests.qgis.scenes import BLURRED

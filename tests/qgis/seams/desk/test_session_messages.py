@@ -1,7 +1,7 @@
 """What the user of a session can get wrong is told in one sentence; many windows are no burden."""
 from __future__ import annotations
 
-from qgis.core import Qgis, QgsGeometry, QgsPointXY
+from qgis.core import Qgis
 from seam_inspector.plugin.imagery.grids import PixelWindow
 
 from tests.qgis.runs import assert_sentence
@@ -37,23 +37,6 @@ def test_bad_inputs_are_told_in_one_sentence(desk: Desk) -> None:
     desk.session.place_windows()
     desk.wait()
     assert_sentence(desk.messages.pop(), "seamline layer is empty")
-
-
-def test_a_window_that_is_no_rectangle_is_told_to_be_measured_as_one(desk: Desk) -> None:
-    drawn = desk.use(windows(BLURRED, SHARP))
-    desk.session.inspect_pending()
-    desk.wait()
-    assert not [message for message in desk.messages if "boxes around them" in message]
-    box = drawn.getFeature(1).geometry().boundingBox()
-    corners = [(box.xMinimum(), box.yMinimum()), (box.xMinimum(), box.yMaximum()), (box.xMaximum(), box.yMinimum())]
-    triangle = QgsGeometry.fromPolygonXY([[QgsPointXY(*corner) for corner in corners]])
-    drawn.startEditing()
-    assert drawn.changeGeometry(1, triangle)
-    desk.session.inspect([1, 2])
-    desk.wait()
-    assert [message for message in desk.messages if "boxes around them" in message] == [
-        "Windows that are not rectangles along the mosaic's axes are measured in the boxes around them: 1."
-    ]
 
 
 def test_a_file_that_cant_be_written_to_is_told_and_stops_the_run(desk: Desk) -> None:

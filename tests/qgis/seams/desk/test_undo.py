@@ -4,11 +4,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from qgis.PyQt.QtWidgets import QMainWindow
-from seam_inspector.plugin.imagery.statistics import SECOND
-from seam_inspector.plugin.seams.desk.windows.undo_actions import UndoActions
+from seam_inspector.plugin.seams.desk.desk_keys import UndoActions
 
 from tests.qgis.scenes import BLURRED, SHARP, windows
-from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_until
+from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, wait_until
 
 
 def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) -> None:
@@ -79,7 +78,7 @@ def test_a_result_that_arrives_while_its_window_is_undone_is_there_on_redo(desk:
 
 def test_placed_windows_are_one_step_of_the_button(desk: Desk) -> None:
     window = QMainWindow()
-    actions = UndoActions(desk.session, window, window)
+    actions = UndoActions(desk.session.steps, window, window)
     desk.session.place_windows()
     desk.wait()
     count = len(desk.session.windows())
@@ -91,23 +90,3 @@ def test_placed_windows_are_one_step_of_the_button(desk: Desk) -> None:
     actions.redo.trigger()
     assert [row.read("origin") for row in desk.session.windows()] == ["placed"] * count
     actions.close()
-
-
-def test_who_judges_blind_undoes_no_steps_of_others(desk: Desk) -> None:
-    """What the first operator said is out of sight, and would go unseen."""
-    window = QMainWindow()
-    steps = UndoActions(desk.session, window, window)
-    first = desk.add()
-    desk.session.judge([first], "visible")
-    steps.keep_steps(True)
-    assert not steps.undo.isEnabled()
-    desk.session.judge([first], "invisible", SECOND)
-    assert steps.undo.isEnabled()
-    for _ in range(3):
-        steps.undo.trigger()
-        settle()
-    (row,) = desk.session.windows()
-    assert (row.observer, row.observer_2) == ("visible", "")
-    steps.keep_steps(False)
-    assert steps.undo.isEnabled()
-    steps.close()

@@ -21,7 +21,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QLocale, QSize
-from seam_inspector.plugin.seams.desk.windows.window_columns import columns_of
+from seam_inspector.plugin.seams.desk.windows.window_columns import COLUMNS
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.seams.desk.selections import selection_scope
@@ -108,7 +108,7 @@ def test_a_label_tells_the_loss_as_the_table_does(
     message, worked = layer.loadNamedStyle(str(repository / "resources" / "styles" / "windows.qml"))
     assert worked, message
     label = QgsExpression(layer.labeling().settings().fieldName)
-    (column,) = [item for item in columns_of(3) if item.name == "loss"]
+    (column,) = [item for item in COLUMNS if item.name == "loss"]
     for loss in (None, 0.0, 0.26, 9.94, 10.0, 81.4, 8704.0):
         feature = QgsFeature(layer.fields())
         feature.setAttributes([1, loss])

@@ -8,7 +8,6 @@ from qgis.core import (
     QgsExpressionContext,
     QgsExpressionContextUtils,
     QgsFeature,
-    QgsFillSymbol,
     QgsGeometry,
     QgsMapRendererParallelJob,
     QgsMapSettings,
@@ -115,15 +114,20 @@ def test_the_worst_lies_on_top_and_a_selected_one_above_it(project: QgsProject) 
 # A layer that the desk takes for its windows
 
 
-def test_a_layer_that_its_user_styled_stays_as_it_is(desk: Desk) -> None:
+def test_only_a_windows_file_gets_our_style_and_only_once(desk: Desk) -> None:
     outside = windows(SHARP)
-    outlines = QgsFillSymbol.createSimple({"style": "no", "outline_color": "red"})
-    outside.setRenderer(QgsSingleSymbolRenderer(outlines))
     desk.project.addMapLayer(outside)
     desk.set(desk.inputs(windows=outside.id()))
     assert outside.renderer().type() == "singleSymbol"
-    plain = desk.use(windows(SHARP))
-    plain.setRenderer(QgsSingleSymbolRenderer(QgsSymbol.defaultSymbol(plain.geometryType())))
     desk.set(desk.inputs(windows=""))
-    desk.set(desk.inputs(windows=plain.id()))
-    assert plain.renderer().type() == "singleSymbol"  # so he wanted it
+    desk.add()
+    source = desk.layer().source()
+    desk.project.removeMapLayer(desk.layer().id())
+    again = QgsVectorLayer(source, "windows", "ogr")
+    desk.project.addMapLayer(again)
+    desk.set(desk.inputs(windows=again.id()))
+    assert again.renderer().type() == "categorizedSymbol"
+    again.setRenderer(QgsSingleSymbolRenderer(QgsSymbol.defaultSymbol(again.geometryType())))
+    desk.set(desk.inputs(windows=""))
+    desk.set(desk.inputs(windows=again.id()))
+    assert again.renderer().type() == "singleSymbol"  # so its user wanted it

@@ -171,23 +171,12 @@ def test_label_says_why_a_drag_is_no_window(
     assert why in operator.text
 
 
-def test_a_click_where_nothing_can_be_judged_goes_to_the_nearest_place_that_can_be(operator: Operator) -> None:
-    session = operator.session
-    session.missing, session.judgeable = 0.25, PixelWindow(2048 - 64 + 50, 1024 - 64, 128, 128)
+def test_where_no_source_lies_the_outline_says_so_and_a_click_makes_it_all_the_same(operator: Operator) -> None:
+    operator.session.source_count = 0
     operator.move(MIDDLE)
-    assert "5.0 m aside" in operator.text
-    assert operator.outline.xMinimum() == pytest.approx(at(2034, 0)[0])
+    assert operator.text.endswith("no source lies there")
     operator.click(MIDDLE)
-    operator.modifiers = CONTROL
-    operator.click(MIDDLE)  # here all the same
-    here = PixelWindow(2048 - 64, 1024 - 64, 128, 128)
-    assert session.added == [session.judgeable, here]
-    operator.modifiers = Qt.KeyboardModifier.NoModifier
-    session.judgeable = PixelWindow(2048 - 64, 1024 - 64 - 300, 128, 128)  # too far off
-    operator.move(MIDDLE)
-    assert operator.text.endswith("25 % of the mosaic is empty there")
-    operator.click(MIDDLE)
-    assert session.added[-1] == here
+    assert operator.session.added == [PixelWindow(2048 - 64, 1024 - 64, 128, 128)]
 
 
 def test_other_map_reference_system(operator: Operator) -> None:

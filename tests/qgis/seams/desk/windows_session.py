@@ -5,10 +5,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.statistics import FIRST, Operator
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.windows.window_columns import COLUMNS
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.seams.measure.window.explained_window import LiveWindow
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
@@ -31,6 +33,7 @@ class WindowsSession(QObject):
         super().__init__()
         self.rows = list(rows or [])
         self.chosen: list[int] = []
+        self.layer: QgsVectorLayer | None = None
         self.inputs = Inputs()
         self.live: LiveWindow | None = None
         self.pending: set[int] = set()
@@ -46,6 +49,9 @@ class WindowsSession(QObject):
     def change(self, fid: int, **values: Any) -> None:
         """Other values of one window."""
         self.put([replace(row, **values) if row.fid == fid else row for row in self.rows])
+
+    def window_layer(self) -> QgsVectorLayer | None:
+        return self.layer
 
     def windows(self) -> list[WindowRecord]:
         return list(self.rows)
@@ -139,3 +145,8 @@ def filter_to(panel: WindowsPanel, text: str = "", choice: str = "all") -> list[
     panel._search.setText(text)
     panel._verdicts.setCurrentText(choice)
     return panel.ordered_fids()
+
+
+def columns_of(panel: WindowsPanel) -> list[str]:
+    """The names of the columns that are seen, from left to right."""
+    return [column.name for place, column in enumerate(COLUMNS) if not panel.table.isColumnHidden(place)]

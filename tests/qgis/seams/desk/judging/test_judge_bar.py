@@ -4,6 +4,7 @@ from __future__ import annotations
 import pytest
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QLineEdit
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
@@ -99,10 +100,10 @@ def test_confidence_and_remark_are_written_where_the_operator_is(
     bar.key_actions()["sure 70"]()
     assert session.row(1).confidence == 70  # type: ignore[union-attr]
     bar.key_actions()["sure 100"]()
-    assert bar.notes.confidence.value() == session.row(1).confidence == 100  # type: ignore[union-attr]
-    bar.notes.confidence.setValue(85)
+    assert bar.confidence.value() == session.row(1).confidence == 100  # type: ignore[union-attr]
+    bar.confidence.setValue(85)
     judging.change(operator=2)
-    assert bar.notes.confidence.text() == "- %"
+    assert bar.confidence.text() == "- %"
     bar.key_actions()["sure 10"]()
     row = session.row(1)
     assert row is not None
@@ -131,25 +132,23 @@ def _sure(session: WindowsSession) -> dict[int, int]:
 
 
 def test_a_remark_takes_one_key_and_enter(bar: JudgeBar, session: WindowsSession) -> None:
+    def remark(words: str, key: Qt.Key) -> None:
+        assert bar.key_actions()["remark"]()
+        assert bar.question.labelText() == "Remark on window 1:"
+        QTest.keyClicks(bar.question.findChild(QLineEdit), words)
+        QTest.keyClick(bar.question, key)
+
     session.select([1])
-    bar.activateWindow()
-    QTest.qWaitForWindowActive(bar)
-    assert bar.notes.isHidden()
-    assert bar.key_actions()["remark"]()
-    assert bar.notes._label.text() == "Remark on window 1:"
-    QTest.keyClicks(bar.notes._edit, "by the kerb")
-    QTest.keyClick(bar.notes._edit, Qt.Key.Key_Return)
+    remark("by the kerb", Qt.Key.Key_Return)
     assert session.row(1).remark == "by the kerb"  # type: ignore[union-attr]
-    assert not bar.notes._edit.hasFocus()
+    assert bar.remark.isChecked()
+    assert "by the kerb" in bar.remark.toolTip()
+    remark("no", Qt.Key.Key_Escape)
+    assert session.row(1).remark == "by the kerb"  # type: ignore[union-attr]
     session.select([2])
-    assert bar.notes.isHidden()
-    session.select([1])
-    assert bar.notes._edit.text() == "by the kerb"
-    bar.key_actions()["remark"]()
-    QTest.keyClicks(bar.notes._edit, "no")
-    QTest.keyClick(bar.notes._edit, Qt.Key.Key_Escape)
-    assert session.row(1).remark == "by the kerb"  # type: ignore[union-attr]
-    assert bar.notes._edit.text() == "by the kerb"
+    assert not bar.remark.isChecked()
+    session.select([])
+    assert not bar.key_actions()["remark"]()
 
 
 def test_blind_tells_nothing_of_what_was_found(bar: JudgeBar, session: WindowsSession, judging: Judging) -> None:
@@ -158,4 +157,4 @@ def test_blind_tells_nothing_of_what_was_found(bar: JudgeBar, session: WindowsSe
     assert bar.sentence() == "Window 2. Results are hidden."
     assert bar._chip.isHidden()
     assert "significant" not in bar._sentence.toolTip().lower()
-    assert "blind" in bar.operators.text()
+    assert "blind" in bar.operators.currentText()

@@ -28,8 +28,7 @@ from qgis.PyQt.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
-from seam_inspector.plugin.seams.desk.desk_keys import DeskKeys
-from seam_inspector.plugin.seams.desk.keys import JUDGING
+from seam_inspector.plugin.seams.desk.desk_keys import JUDGING, DeskKeys
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import Show, WindowsSession, window

@@ -6,12 +6,13 @@ from dataclasses import replace
 import pytest
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
+from seam_inspector.plugin.imagery.statistics import FIRST
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.judging.conftest import Asked
-from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to, window
+from tests.qgis.seams.desk.windows_session import WindowsSession, columns_of, filter_to, window
 
 VERDICT = 1
 
@@ -183,20 +184,17 @@ def test_the_second_operators_verdicts_stand_beside_the_first_s(judging: Judging
 
 # Blind
 
-OWN = frozenset(("window_id", "observer", "confidence", "remark"))
-
-
 def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: WindowsSession) -> None:
     session.change(2, observer_2="visible", confidence=60)
     panel.table.sortByColumn(VERDICT, Qt.SortOrder.DescendingOrder)
-    panel.set_blind(OWN)
+    panel.show_for(FIRST, is_blind=True)
     assert panel.ordered_fids() == [1, 2, 3, 4, 10, 12]  # nor does their order tell
-    assert [column.title() for column in panel.table.visible_columns()] == ["id", "observer", "sure"]
+    assert columns_of(panel) == ["window_id", "observer", "confidence"]
     index = panel.table.model().index(1, 0)
     assert index.data(Qt.ItemDataRole.ToolTipRole) is None
     assert not panel._verdicts.model().item(1).isEnabled()
-    panel.set_blind(None)
-    assert "verdict" in [column.title() for column in panel.table.visible_columns()]
+    panel.show_for(FIRST, is_blind=False)
+    assert "verdict" in columns_of(panel)
 
 
 # The project
@@ -205,7 +203,7 @@ def test_blind_hides_all_columns_that_tell(panel: WindowsPanel, session: Windows
 def test_the_project_keeps_how_windows_are_judged_and_where_one_was(
     judging: Judging, session: WindowsSession, project: QgsProject, tmp_path: object
 ) -> None:
-    judging.change(operator=2, search="kept < 0.7", shown="not_judged")
+    judging.change(operator=2)
     session.select([12])
     path = f"{tmp_path}/judged.qgs"
     assert project.write(path)
@@ -213,5 +211,5 @@ def test_the_project_keeps_how_windows_are_judged_and_where_one_was(
     project.clear()
     assert judging.settings == JudgingSettings()
     assert project.read(path)
-    assert judging.settings == JudgingSettings(2, False, "kept < 0.7", "not_judged", 12)
+    assert judging.settings == JudgingSettings(2, False, 12)
     assert session.selected() == [12]

@@ -9,8 +9,13 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay
-from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
+from seam_inspector.plugin.seams.desk.map.lost_detail import (
+    LossLegend,
+    LossOverlay,
+    PictureOverlay,
+    PlacedPicture,
+    rgba_image,
+)
 
 from tests.qgis.seams.desk.profile.profile_desk import (
     SEAM_COLUMN,
@@ -56,13 +61,13 @@ def is_on(colour: QColor) -> bool:
 
 def test_every_pixel_lies_where_it_is_on_the_ground(canvas: QgsMapCanvas) -> None:
     """Squares of 20 px in turn, up to two pixels from their edges."""
-    overlay = PictureOverlay(canvas, smooth=False)
+    overlay = PictureOverlay(canvas)
     row, column = np.mgrid[:6, :5]
     rgba = np.zeros((6, 5, 4), np.uint8)
     rgba[(row + column) % 2 == 0] = (200, 0, 0, 255)
     session = ProfileSession()
     extent = session.grid.window_extent(WINDOW)
-    overlay.show([PlacedPicture(rgba_image(rgba), extent, extent)], UTM33)
+    overlay.show([PlacedPicture(rgba_image(np.kron(rgba, np.ones((20, 20, 1), np.uint8))), extent, extent)], UTM33)
     settle()
     for y in range(6):
         for x in range(5):

@@ -11,7 +11,7 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
-from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
+from seam_inspector.plugin.seams.desk.charts.curves_tab import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
@@ -71,7 +71,7 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     assert 0 < len(dashes) < len(row)
 
 
-def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -> None:
+def test_the_mixture_is_a_quiet_line(panel: ProfilePanel) -> None:
     bins = (replace(PROFILE.bins[0], mixture=0.4), replace(PROFILE.bins[1], mixture=0.1), *PROFILE.bins[2:])
     mixed = replace(PROFILE, bins=bins, feather_width_px=15.0)
     panel.show_profile(mixed, PIXEL, 0.7)
@@ -87,9 +87,6 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
     drawn = panel.chart.grab().toImage()
     panel.show_profile(PROFILE, PIXEL, 0.7)
     assert panel.chart.grab().toImage() != drawn
-    assert not panel.chart.painter().mixture
-    panel.show_profile(mixed, PIXEL, 0.7)
-    panel.chart.show_levels(frozenset({2}))
     assert not panel.chart.painter().mixture
 
 
@@ -126,8 +123,6 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
 def test_words_where_there_is_no_profile(
     panel: ProfilePanel, session: ProfileSession, selected: list[int], found: str | None, pending: bool, words: str
 ) -> None:
-    followed: list[object] = []
-    panel.followed.connect(followed.append)
     little = Explained(None)
     little.has_seam = True
     nothing = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,) * 3, None), messages.TOO_LITTLE_GROUND())
@@ -141,7 +136,6 @@ def test_words_where_there_is_no_profile(
     settle()
     assert panel._pages.currentWidget() is panel._text
     assert panel.words == words
-    assert followed == [None]
     assert not panel._save.isEnabled()
 
 

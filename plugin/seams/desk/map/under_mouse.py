@@ -1,24 +1,64 @@
-"""The window under the mouse: measured while it moves, and measured ahead where the mouse rests."""
+"""What lies under the mouse: seams, and a window whose curves follow while it moves."""
 from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import ReadingLanes
-from ....toolkit.background_tasks import LatestOnly
+from ....toolkit.background_tasks import BackgroundTasks, LatestOnly
 from ....toolkit.desk.widgets import single_shot
+from ....toolkit.translation import tr
+from ... import jobs
+from ...measure.planning.window_placing import SeamIndex
 from ...measure.window.explained_window import LiveWindow, live_profile, read_live
 from ...measure.window.inspection import window_request
 from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow
 from ...measure.window.window_request import WindowRequest
+from ..inputs.block_cache import BlockCache
 
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import SeamProfile
-    from ..inputs.block_cache import BlockCache
+
+class SeamFinder:
+    """Looks for the seams once for each layer of seamlines and mosaic, and when the seamlines are edited."""
+
+    def __init__(self, block: BlockCache, background: BackgroundTasks) -> None:
+        self._block = block
+        self._background = background
+        self.forget()
+
+    def forget(self) -> None:
+        """Another project."""
+        self.index = SeamIndex([])  # empty while they are being found
+        self._key: object = None  # what was searched
+        self._turn = object()
+
+    def refresh(self, anew: bool = False) -> None:
+        """The inputs or the project's layers have changed; ``anew``: so have the seamlines themselves."""
+        block = self._block.silent()
+        lines = self._block.seamlines(block) if block is not None else None
+        if block is None or lines is None:
+            self.forget()
+            return
+        seamlines = self._block.inputs.seamlines
+        key = seamlines, self._block.seen(seamlines), block.mosaic
+        if key == self._key and not anew:
+            return
+        if key != self._key:  # else those of before are better than none
+            self.forget()
+        self._key = key
+        self._turn = turn = object()
+        job = jobs.seams_job(lines, block.mosaic.grid.pixel_width)
+        self._background.start(tr("Find seams"), job, partial(self._take, turn))
+
+    def _take(self, turn: object, seams: Any) -> None:
+        if turn is self._turn:
+            self.index = seams
+
 
 _REST_MS = 60  # a mouse that stays this long may be about to click
 _IDLE_MS = 20_000  # after that the files are closed and the pixels forgotten
