@@ -35,9 +35,9 @@ class CheckDelivery(SeamInspectorAlgorithm):
     NAME = QT_TR_NOOP("Check a delivery")
     HELP = QT_TR_NOOP(
         "Checks the files of a delivery before their seams: sheets that are missing, were not ordered, have no data "
-        "inside their outline, or can't be read; pixel size, reference system, bands, type of the pixels and names. "
-        "Writes the sheets with their findings, ready for 'Accept or reject a delivery', and one mosaic over all that "
-        "were ordered, ready for the scan."
+        "inside their outline, can't be read, or hide each other; pixel size, reference system, bands, type of the "
+        "pixels and names. Writes the sheets with their findings, ready for 'Accept or reject a delivery', and one "
+        "mosaic over all that were ordered, ready for the scan."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:

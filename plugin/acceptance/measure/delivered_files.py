@@ -5,6 +5,7 @@ import fnmatch
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Callable
 
 import numpy as np
@@ -21,9 +22,11 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import geometry_on, same_system, system_name
 from . import messages
 from .delivery import SheetState
+from .overlapping_sheets import overlapping_otherwise
 
 _AT_ONCE = 1 << 22  # pixels
 _LEAST_MISSING = 1e-9  # of an outline: less is rounding
+_READ = 0.9  # of the time: the rest is to compare sheets where they overlap
 _MOSTLY = 0.5  # of an outline
 _EDGE_PX = 1.0  # a sheet that ends so near to its outline covers it: outlines are drawn on the ground, not on pixels
 
@@ -75,16 +78,21 @@ def checked_sheets(
     checked: list[CheckedSheet] = []
 
     def tell(share: float) -> None:
-        if not goes_on((len(checked) + share) / len(sheets)):
+        if not goes_on(share):
             raise CancelledError(messages.CHECK_STOPPED())
 
     try:
-        for sheet, (raster, trouble) in zip(sheets, opened):
-            tell(0.0)
-            checked.append(_checked(sheet, raster, trouble, form, tell))
+        for done, (sheet, (raster, trouble)) in enumerate(zip(sheets, opened)):
+            tell(_READ * done / len(sheets))
+            part = partial(_part_done, tell, _READ * done / len(sheets), _READ / len(sheets))
+            checked.append(_checked(sheet, raster, trouble, form, part))
+        return with_states(checked, partial(_part_done, tell, _READ, 1 - _READ))
     except CancelledError:
         return None
-    return list(with_states(checked))
+
+
+def _part_done(tell: Callable[[float], None], before: float, part: float, share: float) -> None:
+    tell(before + part * share)
 
 
 def fitting(sheets: Sequence[CheckedSheet]) -> list[CheckedSheet]:
@@ -99,16 +107,26 @@ def fitting(sheets: Sequence[CheckedSheet]) -> list[CheckedSheet]:
     return [sheet for _, sheet in max(groups, key=len, default=[])]
 
 
-def with_states(sheets: Sequence[CheckedSheet]) -> Iterator[CheckedSheet]:
-    """The sheets with what they are to the mosaic of all of them."""
-    shown = {id(sheet) for sheet in fitting(sheets)}
+def with_states(sheets: Sequence[CheckedSheet], tell: Callable[[float], None]) -> list[CheckedSheet]:
+    """The sheets with what they are to the mosaic of all of them; those that hide each other with other pixels say so.
+
+    ``tell``: is told the share that is done; what it raises ends the look.
+    """
+    shown = fitting(sheets)
+    others = overlapping_otherwise([sheet.raster for sheet in shown if sheet.raster is not None], tell)
+    names = {id(sheet): [shown[other].sheet.name for other in others[number]] for number, sheet in enumerate(shown)}
+    checked = []
     for sheet in sheets:
         if not sheet.sheet.is_ordered:
-            yield replace(sheet, state=SheetState.NOT_ORDERED)
-        elif id(sheet) in shown:
-            yield sheet
-        else:
-            yield replace(sheet, findings=sheet.findings or (messages.NOT_IN_MOSAIC(),), state=SheetState.LEFT_OUT)
+            sheet = replace(sheet, state=SheetState.NOT_ORDERED)
+        elif id(sheet) not in names:
+            findings = sheet.findings or (messages.NOT_IN_MOSAIC(),)
+            sheet = replace(sheet, findings=findings, state=SheetState.LEFT_OUT)
+        elif hidden := names[id(sheet)]:
+            finding = messages.SHOWS_OTHERWISE(names=", ".join(hidden))
+            sheet = replace(sheet, findings=(*sheet.findings, finding), state=SheetState.OVERLAPS)
+        checked.append(sheet)
+    return checked
 
 
 def build_mosaic(path: str, sheets: Sequence[CheckedSheet]) -> None:

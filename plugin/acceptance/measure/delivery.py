@@ -112,8 +112,9 @@ class SeenWindow:
 class SheetState(Enum):
     """What a sheet is to the mosaic of all sheets. The values are words of the checked layer."""
 
-    SHOWN = "shown"  # it is a part of the mosaic
+    SHOWN = "shown"  # the mosaic shows all of it
     DAMAGED = "damaged"  # some of its pixels can't be read
+    OVERLAPS = "overlaps"  # it and another sheet differ where they overlap, and the mosaic shows one of them
     LEFT_OUT = "left_out"  # it was ordered, and is no part of the mosaic
     NOT_ORDERED = "not_ordered"  # it was not ordered, and is no part of the mosaic
 

@@ -84,14 +84,15 @@ def _not_looked_at(
     blank = [layer.name for layer in delivery.layers if layer.is_blank]
     if not delivery.is_part and any(sheet.measured_m for sheet in sheets):
         blank += [sheet.name for sheet in sheets if sheet.judged_m > most and not sheet.measured_m]
-    left_out, damaged = (
+    left_out, damaged, overlapping = (
         [sheet.name for sheet in delivery.outlines if sheet.state is state]
-        for state in (SheetState.LEFT_OUT, SheetState.DAMAGED)
+        for state in (SheetState.LEFT_OUT, SheetState.DAMAGED, SheetState.OVERLAPS)
     )
     yield from _doubts(
         (blank, messages.DOUBT_NOT_MEASURED, messages.WOULD_SEE_SHEETS),
         (left_out, messages.DOUBT_LEFT_OUT, messages.WOULD_SEE_SHEETS),
         (damaged, messages.DOUBT_DAMAGED, messages.WOULD_SEE_SHEETS),
+        (overlapping, messages.DOUBT_OVERLAP, messages.WOULD_SEE_SHEETS),
     )
 
 

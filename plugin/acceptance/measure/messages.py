@@ -78,6 +78,8 @@ MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be r
 DOUBT_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({names})", INFO)
 DOUBT_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
 DOUBT_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
+DOUBT_OVERLAP = Message(
+    "sheets that differ from others where they overlap, which nobody has checked: {count} ({names})", INFO)
 DOUBT_LAYERS_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
 DOUBT_SCANNED_TWICE = Message("different scans of one mosaic are given: {count} ({names})", INFO)
 DOUBT_WITHOUT_SEAL = Message("layers of seams without the seal of a scan: {count} ({names})", INFO)
@@ -169,8 +171,8 @@ WOULD_CUT = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a "
     "longer piece may pass although a part of it failed.", WARNING)
 WOULD_SEE_SHEETS = Message(
-    "What would decide it: a scan of all sheets, complete and readable; leave out the layer of a sheet without "
-    "seams.", WARNING)
+    "What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the "
+    "layer of a sheet without seams.", WARNING)
 WOULD_LEAVE_OUT = Message("What would decide it: one scan of each mosaic.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
     "What would decide it: a scan with the complete orthoimages as rectified, and no others.", WARNING)
@@ -280,5 +282,6 @@ SYSTEM_OTHER = Message("its reference system is {system} instead of {wanted}", I
 BANDS_OTHER = Message("it has {bands} bands instead of {wanted}", INFO)
 TYPE_OTHER = Message("its pixels are {kind} instead of {wanted}", INFO)
 DATA_MISSING = Message("{share:.2%} of its outline has no data", INFO)
+SHOWS_OTHERWISE = Message("it does not show the same as {names} where they overlap", INFO)
 NOT_IN_MOSAIC = Message("it is not part of the mosaic of all sheets", INFO)
 MISSING_UNKNOWN = Message("it is unknown whether it has data everywhere", INFO)

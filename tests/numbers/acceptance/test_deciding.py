@@ -354,6 +354,7 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
         ("sheets of which nothing was measured: 1 (b)", delivery(seam([0.95] * 100), unknown)),
         ("missing in the mosaic that was scanned: 1 (x)", with_sheet(sound, SheetState.LEFT_OUT)),
         ("whose pixels can't all be read: 1 (x)", with_sheet(sound, SheetState.DAMAGED)),
+        ("which nobody has checked: 1 (x)", with_sheet(sound, SheetState.OVERLAPS)),
     ):  # fmt: skip
         found = decide(one, rules())
         assert found.outcome is UNDECIDED

@@ -153,6 +153,45 @@ def test_the_form_of_most_sheets_makes_the_mosaic_whatever_comes_first(
     }
 
 
+def wide(folder: Path, name: str, column: int, scene: np.ndarray, **more: object) -> OrderedSheet:
+    """70 columns of a scene, of which the next sheet shows 10 as well."""
+    path = write_raster(folder / f"{name}.tif", scene[:, :, column : column + 70], 1.0, (LEFT + column, TOP), **more)
+    return OrderedSheet(name, path, None, system())
+
+
+@pytest.mark.parametrize("options", [["COMPRESS=DEFLATE"], ["COMPRESS=JPEG", "JPEG_QUALITY=75", "TILED=YES"]])
+def test_sheets_that_hide_each_other_are_named(tmp_path: Path, options: list[str]) -> None:
+    scene, other = (orthoimage((64, 256), seed=seed) for seed in (1, 2))
+    more = {"system": 32633, "options": options}
+    alike = [wide(tmp_path, f"s{column}", column, scene, **more) for column in (0, 60, 120)]
+    assert not any(findings(alike).values())
+    assert set(states(alike).values()) == {"shown"}
+    odd = [*alike, wide(tmp_path, "t180", 180, other, **more)]
+    assert findings(odd) == {
+        "s0": [], "s60": [], "s120": ["it does not show the same as t180 where they overlap"],
+        "t180": ["it does not show the same as s120 where they overlap"],
+    }
+    assert states(odd) == {"s0": "shown", "s60": "shown", "s120": "overlaps", "t180": "overlaps"}
+
+
+def test_pixels_without_data_hide_nothing(tmp_path: Path) -> None:
+    scene = orthoimage((64, 256), seed=1)
+    holed = scene.copy()
+    holed[:, :, 60:70] = 0
+    more = {"system": 32633, "nodata": 0}
+    pair = [wide(tmp_path, "s0", 0, scene, **more), wide(tmp_path, "s60", 60, holed, **more)]
+    assert states(pair) == {"s0": "shown", "s60": "shown"}
+
+
+def test_sheets_on_other_pixels_that_overlap_are_named(tmp_path: Path) -> None:
+    scene = orthoimage((64, 256), seed=1)
+    first = wide(tmp_path, "s0", 0, scene, system=32633)
+    path = write_raster(tmp_path / "aside.tif", scene[:, :, 60:130], 1.0, (LEFT + 60.5, TOP), system=32633)
+    beside = write_raster(tmp_path / "beside.tif", scene[:, :, 60:130], 1.0, (LEFT + 69.5, TOP + 300), system=32633)
+    sheets = [first, *(OrderedSheet(Path(one).stem, one, None, system()) for one in (path, beside))]
+    assert states(sheets) == {"s0": "overlaps", "aside": "overlaps", "beside": "shown"}
+
+
 @pytest.mark.parametrize("compression", ["JPEG", "DEFLATE", "NONE"])
 def test_a_truncated_sheet_is_a_finding(tmp_path: Path, compression: str) -> None:
     options = [f"COMPRESS={compression}", "TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=64"]
@@ -194,7 +233,7 @@ def test_a_sheet_that_is_mostly_empty_is_a_finding_in_a_second(tmp_path: Path) -
     path = sparse(tmp_path / "vast.tif", 400_000, 512)
     begin = time.process_time()
     found = findings([OrderedSheet("vast", path, None, ""), OrderedSheet("again", path, None, "")])
-    assert time.process_time() - begin < 4  # two of them
+    assert time.process_time() - begin < 4  # two of them, and whether they hide each other
     assert found == {name: ["100.00% of its outline has no data"] for name in ("vast", "again")}
 
 

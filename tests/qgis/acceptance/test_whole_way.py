@@ -124,6 +124,18 @@ def test_what_nobody_ordered_hides_nothing(sound: tuple[Files, Path], scene: Fil
     assert (mosaic.ReadAsArray() == gdal.Open(scene.mosaic).ReadAsArray()).all()
 
 
+def test_sheets_that_hide_others_leave_it_open(sound: tuple[Files, Path], scene: Files, tmp_path: Path) -> None:
+    """An ordered sheet that reaches over all seams of another one, which are the same there or worse."""
+    files, folder = sound
+    for name, hidden, outcome in (("same", files.mosaic, "Accepted"), ("other", scene.mosaic, "Undecided")):
+        (tmp_path / name).mkdir()
+        gdal.Translate(str(tmp_path / name / "sheet_a.tif"), hidden, srcWin=[0, 0, 350, 520])
+        gdal.Translate(str(tmp_path / name / "sheet_b.tif"), files.mosaic, srcWin=[150, 0, 550, 520])
+        headline = decided(tmp_path / name, ordered(folder), files, tmp_path / f"{name} out")
+        assert headline.startswith(outcome)
+        assert ("differ from others" in headline) == ("sheet_a, sheet_b" in headline) == (name == "other")
+
+
 def test_sheets_that_are_missing_or_damaged_leave_it_open(sound: tuple[Files, Path], tmp_path: Path) -> None:
     files, folder = sound
     headline = decided(folder, ordered(folder, "sheet_z"), files, tmp_path / "missing")
