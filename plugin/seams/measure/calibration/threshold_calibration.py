@@ -276,7 +276,7 @@ def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: N
         return Interval(*[float(values[0])] * 3)
     (middle,), (is_skewed,) = _thresholds(kinds, [np.ones((1, len(kind))) for kind in kinds])
     drawn, _ = _thresholds(kinds, neighbourhoods.resamples())
-    spread = float((np.log(drawn.clip(np.finfo(float).tiny)) if is_skewed else drawn).std(ddof=1))
+    spread = float((np.log(drawn.clip(values.min())) if is_skewed else drawn).std(ddof=1))
     count = max(neighbourhoods.fewest, 1.5)
     reach = spread * float(critical_t(0.95, max(DEGREES_OF_FREEDOM * (count - 1), 1)))
     low, high = (float(middle * np.exp(end) if is_skewed else middle + end) for end in (-reach, reach))
