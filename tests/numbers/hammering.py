@@ -91,7 +91,6 @@ HAMMERED: dict[str, Callable[[], object]] = {
     "scipy.sparse.csc_matrix": lambda: GRAPH.tocsc() @ POINTS,
     "scipy.sparse.csgraph.connected_components": lambda: csgraph.connected_components(GRAPH, directed=False)[1],
     "scipy.sparse.csgraph.dijkstra": lambda: csgraph.dijkstra(GRAPH, directed=False, indices=[0, 7], limit=2.0),
-    "scipy.sparse.csr_matrix": lambda: GRAPH @ POINTS,
     "scipy.sparse.diags": lambda: sparse.diags([-1.0, 3.0, -3.0, 1.0], [0, 1, 2, 3], shape=(20, 23)).toarray(),
     "scipy.sparse.linalg.spsolve": lambda: spsolve(NORMAL, VALUES[:8]),
     "scipy.spatial.cKDTree": lambda: near(spatial.cKDTree(POINTS)),
