@@ -1,16 +1,20 @@
 """Copies of a mosaic among its sources: they would explain all of it, and hide every loss.
 
 A copy has pixels wherever the mosaic has, is like it in every place, and other sources are like it too, each in some
-places. No true orthoimage is all of that; what is some of it takes part, and is told.
+places. No true orthoimage is all of that; what is some of it takes part, and is told. So is an image that others
+explain wherever it lies, with less detail than they have: a blurred mosaic, or a mean of orthoimages.
 """
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from enum import Enum
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ....imagery.clips import read_clip
 from ....imagery.errors import Message, RasterError
@@ -34,36 +38,77 @@ MOST_MISSING = 0.05  # of a patch, where the mosaic has pixels and a copy has no
 MOST_LACKING = 0.08
 LEAST_UNLIKE = 0.25  # Brighton: all orthoimages lack more somewhere, by 0.96 and more
 ROUNDING = 0.0005  # is lacking where values were scaled
+# Share of an image's detail that 3 x 3 px of the others explain. Brighton and PackO, lossless or JPEG 75: of a mosaic
+# blurred by 0.7 to 3 px, or a mean, 0.85 in nine places of ten, of an orthoimage less than 0.25 in one of ten.
+LEAST_EXPLAINED = 0.9
+MOST_ELSEWHERE = 0.15  # of the places, that a thing of others may be unlike them, as where one of them is not given
+FEWEST_EXPLAINED = 8  # places
+MOST_OTHERS = 6  # images that explain one at a place, those most alike
+LEAST_SHARP = 0.95  # of the others' fine detail by their coarser: an image that is given twice hides nothing
 LEAST_SHOWN = 0.5  # of the places, by other images. Brighton: 0.7 and more of a mosaic, 0.2 of a single orthoimage
 
 
+class Likeness(Enum):
+    """What a source is to the mosaic."""
+
+    OTHER = "other"
+    COPY = "copy"
+    EQUAL = "equal"
+    """The mosaic wherever they were compared: one of its orthoimages, or a copy of it or of a part of it."""
+    LIKE = "like"
+    """Nearly so."""
+    OF_OTHERS = "of others"
+    """Explained by other sources wherever it lies, with less detail."""
+
+
 def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
-    """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those and of doubtful ones.
+    """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those and of doubtful ones."""
+    likeness = likenesses(mosaic, sources)
+    named: dict[Likeness, list[Source]] = {kind: [] for kind in Likeness}
+    for source, kind in zip(sources, likeness):
+        named[kind].append(source)
+    return [
+        replace(source, may_be_copy=kind is not Likeness.OTHER) for source, kind in zip(sources, likeness)
+        if kind is not Likeness.COPY
+    ], [
+        *(messages.COPY_AMONG_SOURCES(name=source.ref.name) for source in named[Likeness.COPY]),
+        *(messages.MAY_BE_COPY(name=source.ref.name) for source in named[Likeness.EQUAL]),
+        *(messages.MAY_BE_ALTERED_COPY(name=source.ref.name) for source in named[Likeness.LIKE]),
+        *(messages.MADE_OF_OTHERS(name=source.ref.name) for source in named[Likeness.OF_OTHERS]),
+    ]
+
+
+def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
+    """What each source is to the mosaic.
 
     Those on a tenth of the mosaic or more are opened and compared with it in up to 72 places; others where one of
     these is like it.
     """
+    likeness = [Likeness.OTHER] * len(sources)
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     parts = {n: vrt_parts(path) if os.path.isfile(path := sources[n].ref.path) else () for n in on_mosaic}
-    doubts = {
-        n: messages.COPY_AMONG_SOURCES for n in on_mosaic
-        if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])
-    }
-    if candidates := [n for n in on_mosaic if n not in doubts]:
+    copies = [n for n in on_mosaic if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])]
+    candidates = [n for n in on_mosaic if n not in copies]
+    if candidates:
         with RasterPool() as pool:
             comparison = _Comparison(mosaic, sources, pool)
             for n in filter(comparison.is_alike, candidates):
                 is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
                 if is_whole and is_shown:
-                    doubts[n] = messages.COPY_AMONG_SOURCES
+                    likeness[n] = Likeness.COPY
                 elif is_whole or is_shown:
-                    is_equal = comparison.is_alike(n, ROUNDING)
-                    doubts[n] = messages.MAY_BE_COPY if is_equal else messages.MAY_BE_ALTERED_COPY
-    kept = [
-        replace(source, may_be_copy=n in doubts) for n, source in enumerate(sources)
-        if doubts.get(n) is not messages.COPY_AMONG_SOURCES
-    ]
-    return kept, [doubts[n](name=sources[n].ref.name) for n in sorted(doubts)]
+                    likeness[n] = Likeness.EQUAL if comparison.is_alike(n, ROUNDING) else Likeness.LIKE
+            others = {n for n in range(len(sources)) if n not in copies and likeness[n] is not Likeness.COPY}
+            while soft := [
+                (sharpness, n) for n in candidates if n in others
+                and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
+            ]:
+                softest = min(soft)[1]
+                others.remove(softest)  # which does not explain what it was made of
+                likeness[softest] = Likeness.OF_OTHERS
+    for n in copies:
+        likeness[n] = Likeness.COPY
+    return likeness
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,6 +132,32 @@ class _Patch:
         return np.concatenate([across[where[:, 1:] & where[:, :-1]], down[where[1:] & where[:-1]]])
 
 
+def _explained(patch: _Patch, others: Sequence[_Patch]) -> float:
+    """Share of a patch's detail that neighbourhoods of 3 x 3 px in others explain; nan where few pixels are in all."""
+    inner = (slice(1, -1),) * 2
+    near = [sliding_window_view(other.values, (3, 3)).reshape(*other.values[inner].shape, 9) for other in others]
+    both = patch.valid[inner] & np.all(
+        [sliding_window_view(other.valid, (3, 3)).all(axis=(2, 3)) for other in others], axis=0
+    )
+    detail = _Patch(patch.values[inner], both).differences(both)
+    if both.mean() < LEAST_SHARED or not detail.any() or not np.isfinite(detail).all():
+        return np.nan
+    taps = np.stack([
+        _Patch(plane, both).differences(both) for planes in near for plane in np.moveaxis(planes, 2, 0)
+    ], axis=1)  # fmt: skip
+    if not np.isfinite(taps).all():
+        return np.nan
+    remainder = detail - taps @ np.linalg.lstsq(taps, detail, rcond=None)[0]
+    pixels = len(detail) / 2  # which have two differences each
+    return float(1 - (remainder @ remainder) / (detail @ detail) * pixels / max(pixels - taps.shape[1], 1))
+
+
+def _energy(patch: _Patch) -> float:
+    """Energy of a patch's detail, of a pixel."""
+    detail = patch.differences(patch.valid)
+    return float(np.mean(detail**2)) if len(detail) else 0.0
+
+
 def _lacking(mosaic: _Patch, source: _Patch) -> float:
     """Share of the detail of the mosaic that a source does not show; nan where too few pixels are in both."""
     both = mosaic.valid & source.valid
@@ -103,6 +174,7 @@ class _Comparison:
     def __init__(self, mosaic: Raster, sources: Sequence[Source], pool: RasterPool) -> None:
         self._mosaic, self._sources, self._pool = mosaic, sources, pool
         self._known: dict[tuple[int, int], tuple[float, float]] = {}
+        self._patches: dict[tuple[int, int], _Patch | None] = {}
         patches = []
         for window in _windows(mosaic):
             with suppress(RasterError):
@@ -137,6 +209,46 @@ class _Comparison:
         )
         return shown >= LEAST_SHOWN * len(places)
 
+    def sharpness(self, number: int, others: Collection[int]) -> float | None:
+        """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
+        it; None for one that shows what they don't."""
+        places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
+        detail, missed, likest_pairs = [], 0, []
+        for k in places:
+            patch = self._patch(number, k)
+            if patch is None:
+                continue
+            coarse = patch.averaged(AVERAGED_PX)
+            seen = {n: other for n in sorted(self._over[k] & {*others}) if (other := self._patch(n, k)) is not None}
+            averaged = {n: other.averaged(AVERAGED_PX) for n, other in seen.items()}
+            lacking = {n: _lacking(coarse, other) for n, other in averaged.items()}
+            likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])
+            if not likest:
+                continue
+            first = likest[0]
+            explained = _explained(coarse, [averaged[n] for n in likest[:MOST_OTHERS]])
+            likest_pairs.append((first, coarse, averaged[first]))
+            missed += explained < LEAST_EXPLAINED
+            if missed > MOST_ELSEWHERE * len(places):
+                return None
+            if not np.isnan(explained):
+                detail.append(list(map(_energy, (patch, coarse, seen[first], averaged[first]))))
+        if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
+            return None
+        alone = Counter(n for n, patch, other in likest_pairs if _explained(patch, [other]) >= LEAST_EXPLAINED)
+        if max(alone.values(), default=0) >= (1 - MOST_ELSEWHERE) * len(detail):
+            return None  # another image given twice, as in a second system
+        fine, coarse, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
+        return fine * their_coarse / (coarse * their_fine) if coarse * their_fine else None
+
+    def _patch(self, number: int, k: int) -> _Patch | None:
+        """A source at a place; None where it can't be read."""
+        if (number, k) not in self._patches:
+            self._patches[number, k] = None
+            with suppress(RasterError):  # the scan says so where it needs it
+                self._patches[number, k] = self._read(self._sources[number].ref, self._places[k][0])
+        return self._patches[number, k]
+
     def _is_another(self, number: int) -> bool:
         """Whether a source is another image of the ground somewhere, or may be; what was made of the mosaic is not."""
         known = [lacking for lacking in self._lacking(number) if not np.isnan(lacking)]
@@ -150,16 +262,13 @@ class _Comparison:
         the mosaic has pixels and it has none."""
         if number not in self._over[k]:
             return np.nan, 1.0
-        if (number, k) not in self._known:
-            window, patch = self._places[k]
-            self._known[number, k] = np.nan, 1.0
-            with suppress(RasterError):  # the scan says so where it needs it
-                source = self._read(self._sources[number].ref, window)
-                size = self._pool.open(self._sources[number].ref).raster.ground_sample_distance
-                side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
-                lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
-                self._known[number, k] = lacking, float((patch.valid & ~source.valid).mean())
-        return self._known[number, k]
+        source, patch = self._patch(number, k), self._places[k][1]
+        if source is not None and (number, k) not in self._known:
+            size = self._pool.open(self._sources[number].ref).raster.ground_sample_distance
+            side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
+            lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
+            self._known[number, k] = lacking, float((patch.valid & ~source.valid).mean())
+        return self._known.get((number, k), (np.nan, 1.0))
 
     def _read(self, ref: RasterRef, window: PixelWindow) -> _Patch:
         clip = read_clip(self._pool.open(ref), self._mosaic, window, partly=True)
