@@ -80,6 +80,7 @@ def filtered(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
 MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
 MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
 MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
+MAX_LEFT_CLEAR = 0.1  # of the fine detail: JPEG 90 leaves over .03 to .11, JPEG 75 .13 and more
 LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
 MOST_LEFT_OF_BEST = 0.5  # of what is left over of the ground that is explained best, by a filter that is learned there
 
@@ -275,17 +276,28 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
     numbers = present(labels)
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}
-        # Of what is explained best: some of a part may be of another source, or hold a seam.
-        fitted = {
-            i: fit_filter(fine, reference, _best_explained(fine, common, part), gain=1.0) for i, part in parts.items()
-        }
-        single = {
-            i: kernel for i, kernel in fitted.items() if kernel is not None
-            and _explains_more(fine, common, filtered(reference, kernel), parts[i], MIN_SINGLE_GAIN)
-        }
-        if single:
+        fitted = {i: _single_filter(fine, reference, common, part) for i, part in parts.items()}
+        single = {i: kernel for i, kernel in fitted.items() if kernel is not None}
+        if any(
+            _explains_more(fine, common, filtered(reference, kernel), parts[i], MIN_SINGLE_GAIN)
+            for i, kernel in single.items()
+        ):
             return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
+
+
+def _single_filter(
+    fine: np.ndarray, reference: np.ndarray, common: np.ndarray, part: np.ndarray
+) -> np.ndarray | None:
+    """Taps (5, 5) of a source by its part; where noise hides that some of it holds a seam, or is of another image, by
+    the half that ``common`` explains best. None where too few pixels count."""
+    taps = fit_filter(fine, reference, part, gain=1.0)
+    if taps is None:
+        return None
+    observed, made = _chosen(part[SAMPLE], fine[SAMPLE], filtered(reference, taps)[SAMPLE])
+    if np.square(observed - made).sum() <= MAX_LEFT_CLEAR * np.square(observed).sum():
+        return taps
+    return fit_filter(fine, reference, _best_explained(fine, common, part), gain=1.0)
 
 
 def _is_a_multiple(
