@@ -1179,12 +1179,12 @@
         <translation>Grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="34"/>
+        <location filename="../plugin/resolution/charts.py" line="33"/>
         <source>resolved</source>
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="96"/>
+        <location filename="../plugin/resolution/charts.py" line="78"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
@@ -3597,12 +3597,12 @@
         <translation>w poprzek kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="35"/>
+        <location filename="../plugin/resolution/charts.py" line="34"/>
         <source>not resolved</source>
         <translation>nierozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="36"/>
+        <location filename="../plugin/resolution/charts.py" line="35"/>
         <source>aliasing</source>
         <translation>aliasing</translation>
     </message>
@@ -3610,11 +3610,6 @@
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/charts.py" line="148"/>
-        <source>group {group}, {grd:.2f} cm: {verdict}</source>
-        <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
@@ -6425,12 +6420,12 @@
         <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="144"/>
+        <location filename="../plugin/resolution/charts.py" line="137"/>
         <source>group {group} {direction}</source>
         <translation>grupa {group} {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="145"/>
+        <location filename="../plugin/resolution/charts.py" line="138"/>
         <source>{grd:.2f} cm: {verdict}</source>
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
