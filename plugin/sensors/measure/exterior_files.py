@@ -16,6 +16,7 @@ from osgeo import osr
 from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import Message, SensorModelError
+from ...imagery.reference_systems import spatial_reference
 from . import messages
 from .camera_files import BROKEN, VERSION, document, inpho_blocks, inpho_value, numbers_of, pix4d_photos, read_cameras
 from .frames import EARTH_CURVATURE, camera_axes
@@ -249,10 +250,7 @@ def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray)
 
 def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Exterior of a camera in geocentric coordinates (WGS 84): in the plane below, from which the Earth curves away."""
-    systems = osr.SpatialReference(), osr.SpatialReference()
-    for system, code in zip(systems, (4978, 4979)):
-        system.ImportFromEPSG(code)
-        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    systems = spatial_reference("EPSG:4978"), spatial_reference("EPSG:4979")
     longitude, latitude, height = osr.CoordinateTransformation(*systems).TransformPoint(*position.tolist())
     plane = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
     local = _local_axes(longitude, latitude) @ axes
