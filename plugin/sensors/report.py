@@ -13,6 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ..imagery.errors import WARNING, Message
 from ..toolkit.charts.figure_files import new_figure, svg_text
+from ..toolkit.charts.round_ticks import round_below
 from ..toolkit.pages.templates import HowMeasured, save_page, sentences_once, system_name
 from ..toolkit.translation import filled, formatted, sentence, tr
 from .measure.adjustment import LEAVE_ONE_OUT, Accuracy, Adjustment, Comparison
@@ -50,8 +51,8 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
         reach += [places, places + arrows]
         axes.plot(*places.T, marker, color=colour, ms=4, label=label, ls="none")
         axes.quiver(*places.T, *arrows.T, color=colour, **_ARROWS)
-    step = _round(usual)
-    if step > 0:
+    if usual > 0:
+        step = round_below(usual)
         key = axes.quiver([box[0]], [box[1]], [0], [0], color=_QUIET, **_ARROWS)
         words = formatted(step, "g") + " px"
         axes.quiverkey(key, 0.85, 0.04, step * factor, words, labelpos="E", coordinates="figure", color=_QUIET)
@@ -92,14 +93,6 @@ def comparison_chart(result: Comparison) -> Figure:
         axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2, frameon=False, fontsize=9, handletextpad=0.2)
     axes.spines[["top", "right", "left"]].set_visible(False)
     return figure
-
-
-def _round(value: float) -> float:
-    """A length of one digit, 1, 2 or 5, near a value."""
-    if value <= 0 or not math.isfinite(value):
-        return 0.0
-    power = 10.0 ** math.floor(math.log10(value))
-    return power * next(step for step in (5, 2, 1) if step * power <= value * 1.0001)
 
 
 _MOST_POINTS = 200  # listed one by one

@@ -302,12 +302,10 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
     rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields, count)
     turned = np.array([row[1] for row in rows])[:, 3:]
     unit = angles if angles != AUTO else _angle_unit(lines[:start] + lines[start : start + 1])
-    notices: tuple[Message, ...] = ()
     largest = float(np.abs(turned).max())
-    if not unit and _LEAST_RADIANS < largest <= math.pi:
-        notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
-    elif not unit and largest > 180:
-        notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
+    perhaps = RADIANS if _LEAST_RADIANS < largest <= math.pi else GON if largest > 180 else ""
+    doubt = messages.ANGLES_PERHAPS_OTHERS(name=path.name, angle=largest, unit=perhaps)
+    notices = (doubt,) if perhaps and not unit else ()
     system = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines[:start]))  # in a comment, as by Metashape
 
     def exterior(cells: list[str], numbers: list[float]) -> FrameExterior:
