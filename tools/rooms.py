@@ -42,7 +42,7 @@ BOUNDS = {
     "plugin/radiometry": Measures(2047, 0, 0),
     "plugin/resolution": Measures(3185, 0, 0),
     "plugin/photos": Measures(3510, 0, 0),
-    "plugin/sensors": Measures(5607, 0, 0),
+    "plugin/sensors": Measures(5604, 0, 0),
     "plugin": Measures(369, 1, 1),
     "python": Measures(1075, 0, 0),
     "tests": Measures(48898, 771, 53),

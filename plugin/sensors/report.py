@@ -67,19 +67,16 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
 
 def comparison_chart(result: Comparison) -> Figure:
     """The mean errors of all models that were judged, on a logarithmic scale, the recommended one marked."""
-    judged = [row for row in result.rows if row.errors is not None and row.errors.rmse is not None]
+    judged = [(row, row.errors) for row in result.rows if row.errors is not None and row.errors.rmse is not None]
     figure = new_figure(6.4, 1.1 + 0.3 * max(len(judged), 1))
     axes = figure.add_subplot()
-    for place, row in enumerate(judged):
-        assert row.errors is not None
-        chosen = row is result.recommended
-        low, high = sorted((row.errors.rmse_x or 0.0, row.errors.rmse_y or 0.0))
-        axes.plot([low, high], [place, place], color="#d0d7de", lw=2, zorder=1)
-        colour = _CHECK if chosen else _CONTROL
-        for value, marker, name in ((row.errors.rmse_x, "o", "X"), (row.errors.rmse_y, "D", "Y")):
+    for place, (row, errors) in enumerate(judged):
+        axes.plot([errors.rmse_x, errors.rmse_y], [place, place], color="#d0d7de", lw=2, zorder=1)
+        colour = _CHECK if row is result.recommended else _CONTROL
+        for value, marker, name in ((errors.rmse_x, "o", "X"), (errors.rmse_y, "D", "Y")):
             axes.plot([value], [place], marker, color=colour, ms=6, label=name if place == 0 else None)
-    axes.set_yticks(range(len(judged)), [row.request.name for row in judged], fontsize=9)
-    for label, row in zip(axes.get_yticklabels(), judged):
+    axes.set_yticks(range(len(judged)), [row.request.name for row, _ in judged], fontsize=9)
+    for label, (row, _) in zip(axes.get_yticklabels(), judged):
         if row is result.recommended:
             label.set_color(_CHECK)
             label.set_fontweight("bold")
