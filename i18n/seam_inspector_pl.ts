@@ -3286,7 +3286,7 @@
         <translation>Wiersz (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="89"/>
+        <location filename="../plugin/sensors/report.py" line="86"/>
         <source>Mean error on points not used in the fit (m)</source>
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
@@ -3726,7 +3726,7 @@
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="107"/>
+        <location filename="../plugin/sensors/report.py" line="104"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
@@ -3770,7 +3770,7 @@
         <translation>Niewiadome</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="114"/>
+        <location filename="../plugin/sensors/report.py" line="111"/>
         <source>{count}, held by priors</source>
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
@@ -3874,12 +3874,12 @@
         <translation>Błąd gruby</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="107"/>
+        <location filename="../plugin/sensors/report.py" line="104"/>
         <source>control</source>
         <translation>fotopunkt</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="109"/>
+        <location filename="../plugin/sensors/report.py" line="106"/>
         <source>yes</source>
         <translation>tak</translation>
     </message>
@@ -3924,7 +3924,7 @@
         <translation>Porównanie modeli sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="149"/>
+        <location filename="../plugin/sensors/report.py" line="146"/>
         <source>unknown</source>
         <translation>nieznane</translation>
     </message>
@@ -5650,7 +5650,7 @@
         <translation>około {size:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="116"/>
+        <location filename="../plugin/sensors/report.py" line="113"/>
         <source>reference system of the points</source>
         <translation>układ współrzędnych punktów</translation>
     </message>
