@@ -1179,12 +1179,12 @@
         <translation>Grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="34"/>
+        <location filename="../plugin/resolution/charts.py" line="33"/>
         <source>resolved</source>
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="96"/>
+        <location filename="../plugin/resolution/charts.py" line="78"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
@@ -2294,7 +2294,7 @@
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="206"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="204"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -3159,67 +3159,62 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 for these.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
         <source>The terrain model {name} has {count} million pixels under the image, but at most {most} million can be used; resample it, 10 to 30 m work best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
-        <source>Both a model file and an RPC file are given; choose one of them.</source>
-        <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3229,7 +3224,7 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="277"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3276,22 +3271,22 @@
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="42"/>
+        <location filename="../plugin/sensors/report.py" line="43"/>
         <source>Blunders</source>
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="60"/>
+        <location filename="../plugin/sensors/report.py" line="61"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="60"/>
+        <location filename="../plugin/sensors/report.py" line="61"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="88"/>
+        <location filename="../plugin/sensors/report.py" line="86"/>
         <source>Mean error on points not used in the fit (m)</source>
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
@@ -3597,12 +3592,12 @@
         <translation>w poprzek kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="35"/>
+        <location filename="../plugin/resolution/charts.py" line="34"/>
         <source>not resolved</source>
         <translation>nierozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="36"/>
+        <location filename="../plugin/resolution/charts.py" line="35"/>
         <source>aliasing</source>
         <translation>aliasing</translation>
     </message>
@@ -3610,11 +3605,6 @@
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/charts.py" line="148"/>
-        <source>group {group}, {grd:.2f} cm: {verdict}</source>
-        <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
@@ -3736,7 +3726,7 @@
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="114"/>
+        <location filename="../plugin/sensors/report.py" line="104"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
@@ -3780,7 +3770,7 @@
         <translation>Niewiadome</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="121"/>
+        <location filename="../plugin/sensors/report.py" line="111"/>
         <source>{count}, held by priors</source>
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
@@ -3884,12 +3874,12 @@
         <translation>Błąd gruby</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="114"/>
+        <location filename="../plugin/sensors/report.py" line="104"/>
         <source>control</source>
         <translation>fotopunkt</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="116"/>
+        <location filename="../plugin/sensors/report.py" line="106"/>
         <source>yes</source>
         <translation>tak</translation>
     </message>
@@ -3934,7 +3924,7 @@
         <translation>Porównanie modeli sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="156"/>
+        <location filename="../plugin/sensors/report.py" line="146"/>
         <source>unknown</source>
         <translation>nieznane</translation>
     </message>
@@ -5660,7 +5650,7 @@
         <translation>około {size:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="123"/>
+        <location filename="../plugin/sensors/report.py" line="113"/>
         <source>reference system of the points</source>
         <translation>układ współrzędnych punktów</translation>
     </message>
@@ -5745,132 +5735,122 @@
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="143"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="151"/>
-        <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check the orthoimage&apos;s position.</source>
-        <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="174"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="172"/>
         <source>{name} does not name the image {image} exactly once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="186"/>
-        <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
-        <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="190"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="187"/>
         <source>The exterior orientation is not in metres, which the camera&apos;s perspective needs; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="190"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="198"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="195"/>
         <source>The camera of {name} looks at the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="201"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="217"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
         <source>The constant height is {height:.6g} m, which is impossible on Earth; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which is impossible on Earth; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="237"/>
         <source>The terrain model {name} has a grid spacing of {mesh:.0f} m: relief between its points is lost, and the orthoimage is displaced there; 10 to 30 m work best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
         <source>The terrain model {name} has a grid spacing of {mesh:.1f} m: on a satellite image so fine a grid may bend straight lines such as roads; 10 to 30 m work best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="257"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -6425,12 +6405,12 @@
         <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="144"/>
+        <location filename="../plugin/resolution/charts.py" line="137"/>
         <source>group {group} {direction}</source>
         <translation>grupa {group} {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="145"/>
+        <location filename="../plugin/resolution/charts.py" line="138"/>
         <source>{grd:.2f} cm: {verdict}</source>
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
@@ -8530,12 +8510,12 @@
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
         <source>The orthoimage is up to {most:.1f} px off the exact model, since an RPC approximates it.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="201"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="198"/>
         <source>The distortion of the camera is not valid at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
@@ -9605,32 +9585,27 @@
         <translation>Liczba punktów leżących poza obrazem ({names}) tam, gdzie widzi je także jego RPC: {count}; są używane.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="141"/>
         <source>{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac that does.</source>
         <translation>{name} nie zawiera kamery, którą można odczytać; wybierz plik programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac, który ją zawiera.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="147"/>
         <source>{name} is read by the Python package PyYAML, which is not installed; install it, or give a camera as JSON or XML.</source>
         <translation>{name} odczytuje pakiet PyYAML języka Python, którego brak; zainstaluj go albo podaj kamerę jako JSON lub XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
-        <source>Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.</source>
-        <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; ustaw ich jednostkę, jeśli są w gradach.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
         <source>The camera of {name} has a distortion that is not supported ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
         <translation>Kamera z {name} ma dystorsję, która nie jest tu znana ({kind}); znane są obiektywy bez dystorsji, Browna, OpenCV i rybie oko.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="171"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
         <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
         <translation>{name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa albo plik programu OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="173"/>
         <source>An interior orientation needs an exterior one; give it, too.</source>
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
@@ -9964,42 +9939,42 @@
         <translation>Modelu parametrycznego nie da się dopasować do tych punktów; sprawdź, czy współrzędne nie są zamienione, a wysokości błędne, albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="148"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
         <source>According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
         <source>The rotation of {name} is read as {way} usually writes it, since no file states it; check the orthoimage&apos;s position.</source>
         <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="157"/>
         <source>{name} is read in the plane tangent to the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read correctly only inside its project&apos;s folder.</source>
         <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w katalogu swojego projektu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
         <source>Photos are placed by {exact}, the exact reconstruction beside {name}.</source>
         <translation>Zdjęcia są umieszczone według {exact}, dokładnej rekonstrukcji obok {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="163"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
         <source>{name} is read in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some decimetres off in a block of a kilometre.</source>
         <translation>{name} jest odczytany w układzie {system} z przesunięciem z {offsets}, dokąd OpenDroneMap przelicza go w przybliżeniu: błąd do kilku decymetrów w bloku kilometrowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="180"/>
         <source>{name} is oriented and is not in {folder}; it is left out.</source>
         <translation>{name} ma orientację, a nie ma go w {folder}; zostaje pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="184"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
         <source>None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).</source>
         <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich katalog (PHOTOS).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
         <source>The terrain is that of the project: {name}.</source>
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
@@ -10172,12 +10147,12 @@
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="176"/>
         <source>Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>Wskaż katalog projektu OpenDroneMap (PHOTOS) albo plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="180"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
         <source>{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
         <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
     </message>
@@ -10226,7 +10201,7 @@
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="237"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
         <source>The terrain model {name} has {count} million pixels and no overviews to find its lowest and highest place by; build some (gdaladdo), or clip it to the photos.</source>
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
@@ -10416,37 +10391,37 @@
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="266"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
         <source>Use {model}: {rmse:.2f} m on points not used in its fit (the best has {best:.2f} m). {why}</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
         <source>A parametric model needs few points and does not oscillate between them.</source>
         <translation>Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="265"/>
         <source>The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>Without a parametric basis, quotients are the soundest models, but they need many, well spread points.</source>
         <translation>Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
         <source>It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="273"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
         <source>Polynomials suit small areas only and oscillate between the points, so watch the check points.</source>
         <translation>Wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
         <source>The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>

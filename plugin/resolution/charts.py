@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, band_colour
-from ..toolkit.charts.figure_files import new_figure, plain_figure
+from ..toolkit.charts.figure_files import plain_figure
 from ..toolkit.translation import band_title, filled, tr
 from .distance_words import direction_title
 from .measure.bar_groups import GroupResult
@@ -16,8 +16,7 @@ from .measure.target import DIRECTIONS
 
 VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "#cc79a7", "unmeasured": "#777777"}
 _MOST_ROWS = 10  # of panels below each other
-_ROW_WIDTH, _ROW_HEIGHT = 7.08, 1.32  # inches of a row of two panels: as wide as A4 between its margins
-_PANELS = ((0.075, 0.16, 0.41, 0.66), (0.575, 0.16, 0.41, 0.66))  # left, bottom, width and height in a row
+_PANEL_WIDTH, _ROW_HEIGHT = 3.54, 1.32  # inches: two panels are as wide as A4 between its margins
 
 
 def verdict_of(results: Sequence[GroupResult]) -> str:
@@ -72,34 +71,14 @@ def _draw_threshold(axes: Axes, reading: BarReading, criterion: float) -> None:
 
 
 def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
-    """The profiles group by group, the coarsest first: along the flight on the left, across on the right."""
-    lines = lines_of(results)
-    drawn = {line[0].measured.line.direction for line in lines}
-    directions = [direction for direction in DIRECTIONS if direction in drawn] or [DIRECTIONS[0]]
-    groups, by_place = _by_place(lines)
-    strands = 2 if len(groups) > _MOST_ROWS else 1  # of panels for each direction, so that the page stays a page
-    rows = max(1, -(-len(groups) // strands))
-    figure = new_figure(1.0 + (4.0, 3.2)[strands - 1] * strands * len(directions), 0.9 + 1.45 * rows)
-    parts = figure.add_gridspec(rows + 1, strands * len(directions), height_ratios=[1.0] * rows + [0.12])
-    handles: dict[str, object] = {}
-    for column, direction in enumerate(directions):
-        for place, group in enumerate(groups):
-            strand, row = divmod(place, rows)
-            panel = figure.add_subplot(parts[row, strands * column + strand])
-            _draw_panel(panel, by_place.get((group, direction), []), criterion)
-            if place == 0:
-                panel.annotate(
-                    direction_title(direction), (0, 1), xytext=(0, 22), xycoords="axes fraction",
-                    textcoords="offset points", fontsize=10, fontweight="bold",
-                )  # fmt: skip
-            if row == rows - 1 or place == len(groups) - 1:
-                panel.set_xlabel(tr("along the line, px"), fontsize=8)
-            for handle, label in zip(*panel.get_legend_handles_labels()):
-                handles.setdefault(label, handle)
-    legend = figure.add_subplot(parts[rows, :])
-    legend.set_axis_off()
-    if len(handles) > 1:
-        legend.legend(handles.values(), handles.keys(), loc="center", ncol=6, fontsize=8, frameon=False)
+    """The profiles of all groups on one page, in the order of ``profile_rows``, with the names of their bands."""
+    panels = _panels(results) or [[]]
+    columns = 2 if len(panels) <= 2 * _MOST_ROWS else 4
+    figure = _panel_figure(panels, columns, criterion, legend_height=0.35)
+    figure.supxlabel(tr("along the line, px"), fontsize=8)
+    named = {label: line for axes in figure.axes for line, label in zip(*axes.get_legend_handles_labels())}
+    if len(named) > 1:
+        figure.legend(named.values(), named.keys(), loc="upper center", ncol=6, fontsize=8, frameon=False)
     return figure
 
 
@@ -108,14 +87,32 @@ def profile_rows(results: Sequence[GroupResult], criterion: float) -> Iterator[F
 
     Along the flight on the left and across it on the right; of one direction alone, group after group.
     """
+    panels = _panels(results)
+    for first in range(0, len(panels), 2):
+        yield _panel_figure(panels[first : first + 2], 2, criterion)
+
+
+def _panel_figure(
+    panels: Sequence[Sequence[GroupResult]], columns: int, criterion: float, legend_height: float = 0.0
+) -> Figure:
+    """Panels row by row; ``legend_height``: inches above and below them that are left free."""
+    rows = -(-len(panels) // columns)
+    height = _ROW_HEIGHT * rows + 2 * legend_height
+    figure = plain_figure(_PANEL_WIDTH * columns, height)
+    below, above = legend_height + 0.16 * _ROW_HEIGHT, legend_height + 0.18 * _ROW_HEIGHT
+    grid = figure.add_gridspec(
+        rows, columns, left=0.15 / columns, right=1 - 0.03 / columns, bottom=below / height, top=1 - above / height,
+        wspace=0.22, hspace=0.52,
+    )  # fmt: skip
+    for place, line in enumerate(panels):
+        _draw_panel(figure.add_subplot(grid[place]), line, criterion)
+    return figure
+
+
+def _panels(results: Sequence[GroupResult]) -> list[Sequence[GroupResult]]:
     groups, by_place = _by_place(lines_of(results))
-    directions = [direction for direction in DIRECTIONS if any(direction == direction for _, direction in by_place)]
-    panels = [by_place.get((group, direction), []) for group in groups for direction in directions]
-    for first in range(0, len(panels), len(_PANELS)):
-        figure = plain_figure(_ROW_WIDTH, _ROW_HEIGHT)
-        for place, line in zip(_PANELS, panels[first : first + len(_PANELS)]):
-            _draw_panel(figure.add_axes(place), line, criterion, with_direction=True)
-        yield figure
+    directions = [direction for direction in DIRECTIONS if any(direction == known for _, known in by_place)]
+    return [by_place.get((group, direction), []) for group in groups for direction in directions]
 
 
 def _by_place(
@@ -128,9 +125,7 @@ def _by_place(
     return sorted(widths, key=lambda group: -widths[group]), by_place
 
 
-def _draw_panel(
-    panel: Axes, results: Sequence[GroupResult], criterion: float, with_direction: bool = False
-) -> None:
+def _draw_panel(panel: Axes, results: Sequence[GroupResult], criterion: float) -> None:
     """The profiles of one line below its group, distance and verdict; nothing where there is no line."""
     panel.tick_params(labelsize=7)
     panel.set_axis_off()
@@ -138,16 +133,10 @@ def _draw_panel(
         return
     readings = {result.band: result.reading for result in results if result.reading is not None}
     verdict, first = verdict_of(results), results[0]
-    group, grd, colour = first.measured.line.group, first.grd_cm, VERDICT_COLOURS[verdict]
-    if with_direction:
-        where = direction_title(first.measured.line.direction)
-        panel.set_title(filled(tr("group {group} {direction}"), group=group, direction=where), fontsize=6.5, loc="left")
-        words = filled(tr("{grd:.2f} cm: {verdict}"), grd=grd, verdict=verdict_word(verdict))
-        panel.set_title(words, fontsize=6.5, loc="right", color=colour)
-    else:
-        words = tr("group {group}, {grd:.2f} cm: {verdict}")
-        title = filled(words, group=group, grd=grd, verdict=verdict_word(verdict))
-        panel.set_title(title, fontsize=8, loc="left", color=colour, fontweight="bold")
+    group, where = first.measured.line.group, direction_title(first.measured.line.direction)
+    panel.set_title(filled(tr("group {group} {direction}"), group=group, direction=where), fontsize=6.5, loc="left")
+    words = filled(tr("{grd:.2f} cm: {verdict}"), grd=first.grd_cm, verdict=verdict_word(verdict))
+    panel.set_title(words, fontsize=6.5, loc="right", color=VERDICT_COLOURS[verdict])
     if readings:
         panel.set_axis_on()
         draw_profiles(panel, readings, criterion)

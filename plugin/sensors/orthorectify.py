@@ -183,10 +183,8 @@ class Orthorectify(OrthoAlgorithm):
         from .measure.sensor_model import WGS84
 
         path, is_photo = run.path(MODEL_FILE), run.path(INTERIOR) or run.path(EXTERIOR)
-        if path and run.path(RPC):
-            raise SettingsError(messages.MODEL_AND_RPC())
-        if is_photo and (path or run.path(RPC)):
-            raise SettingsError(messages.ORIENTATION_AND_MODEL())
+        if sum(map(bool, (path, run.path(RPC), is_photo))) > 1:
+            raise SettingsError(messages.SEVERAL_MODELS())
         if is_photo:
             frame = self._block(run, run.path(EXTERIOR)).frame(image)
             run.tell(*frame.notices)

@@ -13,6 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ..imagery.errors import WARNING, Message
 from ..toolkit.charts.figure_files import new_figure, svg_text
+from ..toolkit.charts.round_ticks import round_below
 from ..toolkit.pages.templates import HowMeasured, save_page, sentences_once, system_name
 from ..toolkit.translation import filled, formatted, sentence, tr
 from .measure.adjustment import LEAVE_ONE_OUT, Accuracy, Adjustment, Comparison
@@ -50,8 +51,8 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
         reach += [places, places + arrows]
         axes.plot(*places.T, marker, color=colour, ms=4, label=label, ls="none")
         axes.quiver(*places.T, *arrows.T, color=colour, **_ARROWS)
-    step = _round(usual)
-    if step > 0:
+    if usual > 0:
+        step = round_below(usual)
         key = axes.quiver([box[0]], [box[1]], [0], [0], color=_QUIET, **_ARROWS)
         words = formatted(step, "g") + " px"
         axes.quiverkey(key, 0.85, 0.04, step * factor, words, labelpos="E", coordinates="figure", color=_QUIET)
@@ -66,19 +67,16 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
 
 def comparison_chart(result: Comparison) -> Figure:
     """The mean errors of all models that were judged, on a logarithmic scale, the recommended one marked."""
-    judged = [row for row in result.rows if row.errors is not None and row.errors.rmse is not None]
+    judged = [(row, row.errors) for row in result.rows if row.errors is not None and row.errors.rmse is not None]
     figure = new_figure(6.4, 1.1 + 0.3 * max(len(judged), 1))
     axes = figure.add_subplot()
-    for place, row in enumerate(judged):
-        assert row.errors is not None
-        chosen = row is result.recommended
-        low, high = sorted((row.errors.rmse_x or 0.0, row.errors.rmse_y or 0.0))
-        axes.plot([low, high], [place, place], color="#d0d7de", lw=2, zorder=1)
-        colour = _CHECK if chosen else _CONTROL
-        for value, marker, name in ((row.errors.rmse_x, "o", "X"), (row.errors.rmse_y, "D", "Y")):
+    for place, (row, errors) in enumerate(judged):
+        axes.plot([errors.rmse_x, errors.rmse_y], [place, place], color="#d0d7de", lw=2, zorder=1)
+        colour = _CHECK if row is result.recommended else _CONTROL
+        for value, marker, name in ((errors.rmse_x, "o", "X"), (errors.rmse_y, "D", "Y")):
             axes.plot([value], [place], marker, color=colour, ms=6, label=name if place == 0 else None)
-    axes.set_yticks(range(len(judged)), [row.request.name for row in judged], fontsize=9)
-    for label, row in zip(axes.get_yticklabels(), judged):
+    axes.set_yticks(range(len(judged)), [row.request.name for row, _ in judged], fontsize=9)
+    for label, (row, _) in zip(axes.get_yticklabels(), judged):
         if row is result.recommended:
             label.set_color(_CHECK)
             label.set_fontweight("bold")
@@ -92,14 +90,6 @@ def comparison_chart(result: Comparison) -> Figure:
         axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2, frameon=False, fontsize=9, handletextpad=0.2)
     axes.spines[["top", "right", "left"]].set_visible(False)
     return figure
-
-
-def _round(value: float) -> float:
-    """A length of one digit, 1, 2 or 5, near a value."""
-    if value <= 0 or not math.isfinite(value):
-        return 0.0
-    power = 10.0 ** math.floor(math.log10(value))
-    return power * next(step for step in (5, 2, 1) if step * power <= value * 1.0001)
 
 
 _MOST_POINTS = 200  # listed one by one

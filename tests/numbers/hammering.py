@@ -84,6 +84,7 @@ HAMMERED: dict[str, Callable[[], object]] = {
     "scipy.ndimage.spline_filter1d": lambda: ndimage.spline_filter1d(PIXELS, 3, 0, mode="mirror"),
     "scipy.ndimage.uniform_filter": lambda: ndimage.uniform_filter(PIXELS, 5),
     "scipy.ndimage.zoom": lambda: ndimage.zoom(PIXELS, 2, order=1, mode="nearest", grid_mode=True),
+    "scipy.optimize.least_squares": lambda: optimize.least_squares(lambda x: SQUARE @ x - VALUES[:8], SHARES[:8]).x,
     "scipy.optimize.minimize_scalar": lambda: optimize.minimize_scalar(
         lambda x: float(np.abs(VALUES - x).sum()), bounds=(-3, 3), method="bounded").x,
     "scipy.signal.find_peaks": lambda: signal.find_peaks(VALUES, prominence=0.5)[0],

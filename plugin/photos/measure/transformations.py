@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
+from scipy.optimize import least_squares
 
 from ...imagery.errors import PhotoError
 from . import messages
@@ -87,12 +88,12 @@ def _misfit(matrix: np.ndarray, source: np.ndarray, target: np.ndarray) -> float
 
 
 def _similarity(source: np.ndarray, target: np.ndarray, mirrored: bool) -> np.ndarray:
+    """A complex factor and shift; the points are mirrored before."""
     sign = -1.0 if mirrored else 1.0
-    x, y = source.T
-    ones, zeros = np.ones_like(x), np.zeros_like(x)
-    rows = np.concatenate([np.stack([x, -sign * y, ones, zeros], 1), np.stack([sign * y, x, zeros, ones], 1)])
-    a, b, c, d = np.linalg.lstsq(rows, np.concatenate([target[:, 0], target[:, 1]]), rcond=None)[0]
-    return np.array([[a, -sign * b, c], [b, sign * a, d], [0.0, 0.0, 1.0]])
+    numbers, aim = source @ [1, sign * 1j], target @ [1, 1j]
+    factor, shift = np.linalg.lstsq(np.column_stack([numbers, np.ones(len(numbers))]), aim, rcond=None)[0]
+    a, b = factor.real, factor.imag
+    return np.array([[a, -sign * b, shift.real], [b, sign * a, shift.imag], [0.0, 0.0, 1.0]])
 
 
 def _affine(source: np.ndarray, target: np.ndarray) -> np.ndarray:
@@ -101,31 +102,20 @@ def _affine(source: np.ndarray, target: np.ndarray) -> np.ndarray:
 
 
 def _projective(source: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Direct linear transformation, then a few steps of Gauss and Newton on the residuals themselves."""
-    undetermined = messages.MARKS_ON_A_LINE(model=messages.WORDS[PlaneModel.PROJECTIVE.value])
+    """The least squares of the residuals themselves, from the affine transformation on."""
     shift, scale = target.mean(axis=0), max(float(np.abs(target - target.mean(axis=0)).max()), 1e-300)
     aim = (target - shift) / scale
-    parameters = np.append(_affine(source, aim)[:2].ravel(), [0.0, 0.0])
-    x, y = source.T
-    for turn in range(20):
-        a, b, c, d, e, f, g, h = parameters
-        below = g * x + h * y + 1
-        u, v = (a * x + b * y + c) / below, (d * x + e * y + f) / below
-        none = np.zeros_like(x)
-        columns = np.stack([x, y, np.ones_like(x)], 1) / below[:, np.newaxis]
-        nothing = np.stack([none] * 3, 1)
-        rows = np.concatenate([
-            np.column_stack([columns, nothing, -u * x / below, -u * y / below]),
-            np.column_stack([nothing, columns, -v * x / below, -v * y / below]),
-        ])
-        if not np.isfinite(rows).all():
-            raise PhotoError(undetermined)
-        step, _, _, singular = np.linalg.lstsq(rows, np.concatenate([aim[:, 0] - u, aim[:, 1] - v]), rcond=None)
-        if turn == 0 and singular[-1] < MIN_CONDITION * singular[0]:
-            raise PhotoError(undetermined)
-        parameters = parameters + step
-        if np.abs(step).max() < 1e-14:
-            break
-    made = np.append(parameters, 1.0).reshape(3, 3)
+
+    def matrix(parameters: np.ndarray) -> np.ndarray:
+        return np.append(parameters, 1.0).reshape(3, 3)
+
+    def residuals(parameters: np.ndarray) -> np.ndarray:
+        return (Transformation(PlaneModel.PROJECTIVE, matrix(parameters))(source) - aim).ravel()
+
+    start = np.append(_affine(source, aim)[:2].ravel(), [0.0, 0.0])
+    made = least_squares(residuals, start, "3-point", ftol=1e-15, xtol=1e-15, gtol=1e-15)
+    singular = np.linalg.svd(made.jac, compute_uv=False)
+    if singular[-1] < MIN_CONDITION * singular[0]:
+        raise PhotoError(messages.MARKS_ON_A_LINE(model=messages.WORDS[PlaneModel.PROJECTIVE.value]))
     back = np.array([[scale, 0, shift[0]], [0, scale, shift[1]], [0, 0, 1]])
-    return np.asarray(back @ made)
+    return np.asarray(back @ matrix(made.x))

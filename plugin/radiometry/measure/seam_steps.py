@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...imagery.grids import Grid, PixelWindow
-from ...imagery.lines import Seam, vertex_stations
+from ...imagery.lines import Seam, points_at, vertex_stations
 from ...imagery.open_raster import OpenRaster
 from . import limits
 from .image_statistics import figure_bands
@@ -68,9 +68,8 @@ def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         along = np.arange(first, min(first + _RUN, int(ends[-1]))) + 0.5
         piece = np.clip(np.searchsorted(ends, along, side="right") - 1, 0, len(lengths) - 1)
         directions = np.diff(vertices, axis=0)[piece] / lengths[piece, np.newaxis]
-        points = vertices[piece] + directions * (along - ends[piece])[:, np.newaxis]
         normals = np.column_stack([directions[:, 1], -directions[:, 0]])  # rows run down, so this is left
-        yield points, normals
+        yield points_at(vertices, ends, along), normals
 
 
 def _stations(

@@ -113,22 +113,14 @@ def _colour_indices(pattern: str, shape: tuple[int, ...]) -> np.ndarray:
     return np.array(["RGB".index(colour) for colour in pattern])[rows % 2 * 2 + columns % 2]
 
 
-_SIDES = np.array([[0, 1, 0], [1, 0, 1], [0, 1, 0]])
-_CORNERS = np.array([[1, 0, 1], [0, 0, 0], [1, 0, 1]])
-
-
 def _bilinear(chip: np.ndarray, pattern: str) -> np.ndarray:
-    """Pixels of the colour as they are, else the mean of those at the sides, or at the corners where none are there."""
-    indices = _colour_indices(pattern, chip.shape)
+    """Pixels of the colour as they are, else the mean of those around: two or four at the sides, or at the corners."""
+    indices, around = _colour_indices(pattern, chip.shape), np.ones((3, 3))
     result = np.empty((3, *chip.shape))
     for index in range(3):
-        there = (indices == index).astype(np.float64)
-        sums, counts = (
-            [ndimage.correlate(values, kernel, mode="constant") for kernel in (_SIDES, _CORNERS)]
-            for values in (chip * there, there)
-        )
-        sides, corners = (total / np.maximum(count, 1) for total, count in zip(sums, counts))
-        result[index] = np.where(there > 0, chip, np.where(counts[0] > 0, sides, corners))
+        there = indices == index
+        total, count = (ndimage.correlate(values, around, mode="constant") for values in (chip * there, there * 1.0))
+        result[index] = np.where(there, chip, total / np.maximum(count, 1))
     return result
 
 

@@ -16,6 +16,7 @@ from osgeo import osr
 from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import Message, SensorModelError
+from ...imagery.reference_systems import spatial_reference
 from . import messages
 from .camera_files import BROKEN, VERSION, document, inpho_blocks, inpho_value, numbers_of, pix4d_photos, read_cameras
 from .frames import EARTH_CURVATURE, camera_axes
@@ -249,10 +250,7 @@ def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray)
 
 def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Exterior of a camera in geocentric coordinates (WGS 84): in the plane below, from which the Earth curves away."""
-    systems = osr.SpatialReference(), osr.SpatialReference()
-    for system, code in zip(systems, (4978, 4979)):
-        system.ImportFromEPSG(code)
-        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    systems = spatial_reference("EPSG:4978"), spatial_reference("EPSG:4979")
     longitude, latitude, height = osr.CoordinateTransformation(*systems).TransformPoint(*position.tolist())
     plane = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
     local = _local_axes(longitude, latitude) @ axes
@@ -304,12 +302,10 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
     rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields, count)
     turned = np.array([row[1] for row in rows])[:, 3:]
     unit = angles if angles != AUTO else _angle_unit(lines[:start] + lines[start : start + 1])
-    notices: tuple[Message, ...] = ()
     largest = float(np.abs(turned).max())
-    if not unit and _LEAST_RADIANS < largest <= math.pi:
-        notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
-    elif not unit and largest > 180:
-        notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
+    perhaps = RADIANS if _LEAST_RADIANS < largest <= math.pi else GON if largest > 180 else ""
+    doubt = messages.ANGLES_PERHAPS_OTHERS(name=path.name, angle=largest, unit=perhaps)
+    notices = (doubt,) if perhaps and not unit else ()
     system = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines[:start]))  # in a comment, as by Metashape
 
     def exterior(cells: list[str], numbers: list[float]) -> FrameExterior:

@@ -134,7 +134,8 @@ RPC_OF_WHOLE_SCENE = Message(
 NO_MODEL_FILE = Message("{name} is not a sensor model file; choose one that Fit sensor model has written.")
 MODEL_FILE_VERSION = Message(
     "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model again.")
-MODEL_AND_RPC = Message("Both a model file and an RPC file are given; choose one of them.")
+SEVERAL_MODELS = Message(
+    "Several of a model file, an RPC file and a photo's orientation are given; choose one of them.")
 # frame cameras
 NO_INTERIOR = Message(
     "{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, "
@@ -147,11 +148,8 @@ YAML_MISSING = Message(
 PIXELS_NOT_SQUARE = Message(
     "According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are "
     "interchanged.")
-ANGLES_PERHAPS_RADIANS = Message(
-    "All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check the "
-    "orthoimage's position.", WARNING)
-ANGLES_PERHAPS_GON = Message(
-    "Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.", WARNING)
+ANGLES_PERHAPS_OTHERS = Message(
+    "Angles of {name} reach {angle:.6g} and are taken as degrees; if they are in {unit}, set their unit.", WARNING)
 ROTATION_TAKEN = Message(
     "The rotation of {name} is read as {way} usually writes it, since no file states it; check the orthoimage's "
     "position.", INFO)
@@ -183,7 +181,6 @@ PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left o
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
 PROJECT_TERRAIN = Message("The terrain is that of the project: {name}.", INFO)
-ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or RPC file are given; choose one of them.")
 EXTERIOR_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system and the image has none; set that of the exterior orientation.")
 EXTERIOR_NOT_METRIC = Message(

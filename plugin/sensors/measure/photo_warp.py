@@ -181,8 +181,6 @@ class PhotoWarp:
     ) -> None:  # fmt: skip
         with reading:
             height = self._height_of(heights, part)
-        if not self._may_show(part, height):
-            return
         column, row = self._seen(part, height)
         across, down = resampler.margin_px
         shown = (column >= 0) & (row >= 0) & (column < self.image.columns) & (row < self.image.rows)
@@ -226,26 +224,10 @@ class PhotoWarp:
         window, unread = (part.column, part.row, part.width, part.height), imagery_messages.NOT_READABLE(name=name)
         return np.asarray(gdal_pixels(lambda: heights.ReadAsArray(*window), unread, partial(damaged, name, part)))
 
-    def _may_show(self, part: PixelWindow, height: np.ndarray) -> bool:
-        """Whether a part may be in the photo, by a few of its places at its lowest and its highest height."""
-        known = height[np.isfinite(height)]
-        if not known.size:
-            return False
-        seen = [self._seen(part, np.full((9, 9), level, float), 9) for level in (known.min(), known.max())]
-        column, row = (np.stack(axis) for axis in zip(*seen))
-        if np.isnan(column).any():
-            return not np.isnan(column).all()
-        sides = (column, self.image.columns), (row, self.image.rows)
-        bends = [np.ptp(axis) / 8 for axis in (column, row)]  # an edge bends by less
-        return all(at.max() >= -bend and at.min() <= side + bend for (at, side), bend in zip(sides, bends))
-
-    def _seen(self, part: PixelWindow, height: np.ndarray, count: int = 0) -> tuple[np.ndarray, np.ndarray]:
-        """Columns and rows of the photo, (rows, columns) or ``count`` a side each, that show places at their ``height``
-        (m); NaN where none does."""
-        columns, rows = (
-            np.linspace(first, first + size, count) if count else first + np.arange(size) + 0.5
-            for first, size in ((part.column, part.width), (part.row, part.height))
-        )
+    def _seen(self, part: PixelWindow, height: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Columns and rows of the photo, (rows, columns) each, that show places at their ``height`` (m); NaN where none
+        does."""
+        columns, rows = part.column + np.arange(part.width) + 0.5, part.row + np.arange(part.height) + 0.5
         if same_system(self.grid.wkt, self.wkt):
             grid = self.grid
             x, y = grid.left + columns * grid.pixel_width, grid.top - rows[:, None] * grid.pixel_height
