@@ -25,7 +25,7 @@ SIDE, PIXEL_M = 384, 0.1
 
 
 class DataArray:
-    """As much of xarray's as is asked for."""
+    """The part of xarray's class that is asked for."""
 
     def __init__(self, values: np.ndarray, dims: tuple[str, ...] = ("y", "x"), first_x: float = 0.0) -> None:
         self.values, self.dims, self.attrs = values, dims, dict[str, object]()

@@ -102,7 +102,7 @@ def test_imports_run_one_way(repository: Path) -> None:
 
 
 def arrows(package: Path) -> set[tuple[str, str]]:
-    """Which file imports which, also for types alone or within functions; a folder's own ``__init__`` takes no part."""
+    """Imports among files, also for types alone or within functions; a folder's own ``__init__`` takes no part."""
     files = {".".join(("plugin", *path.relative_to(package).with_suffix("").parts)): path
              for path in package.rglob("*.py") if path.name != "__init__.py"}  # fmt: skip
     return {(name, target) for name, path in files.items()

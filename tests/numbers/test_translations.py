@@ -15,9 +15,9 @@ from seam_inspector.plugin.imagery.errors import Message
 from tools import template_texts
 
 TEXT_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1, "QT_TR_NOOP": 0}
-"""Which argument of a call is a text to translate."""
+"""The argument of a call that is a text to translate."""
 CONTEXT = "@default"
-"""Where the plugin looks for all translations."""
+"""The context where the plugin looks for all translations."""
 
 
 @pytest.fixture(scope="module")

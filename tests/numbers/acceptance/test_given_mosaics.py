@@ -1,4 +1,4 @@
-"""Which mosaic each layer of seams is of, beside those that are given."""
+"""The mosaic that each layer of seams is of, beside those that are given."""
 from __future__ import annotations
 
 from collections.abc import Callable

@@ -48,7 +48,7 @@ def test_a_piece_that_lost_its_line_is_missed(line: np.ndarray) -> None:
 
 
 def test_rows_of_which_none_is_a_piece_are_refused() -> None:
-    """As where somebody wrote another word into the field ``level`` of all of them."""
+    """Rows in which somebody wrote another word into the field ``level`` of all of them."""
     held = [{**row, "level": "stretch", "geometry": "LINESTRING(0 0, 25 0)"} for row, _ in rows()]
     with pytest.raises(SettingsError, match="none of their rows is a piece of seam"):
         make_delivery({"a": held}, "")

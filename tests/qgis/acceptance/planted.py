@@ -23,7 +23,7 @@ SHAPE = ROWS, STRIP * STRIPS
 
 
 def seam_column(seam: int) -> np.ndarray:
-    """Where a seam crosses each row."""
+    """The column where a seam crosses each row."""
     return STRIP * (seam + 1) + 12 * np.sin(np.arange(ROWS) / 60 + seam)
 
 

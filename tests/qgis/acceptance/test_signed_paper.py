@@ -108,7 +108,7 @@ def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_ke
 def test_without_orthoimages_there_is_the_mosaic_alone(
     tmp_path: Path, feathered: Files, paper: tuple[Run, Path]
 ) -> None:
-    """As with an export, which lost what its scan wrote beside its rows."""
+    """The layer is like an export, which lost what its scan wrote beside its rows."""
     exported = str(tmp_path / "seams.shp")
     gdal.VectorTranslate(exported, str(paper[1] / "seams.gpkg"), layers=["seams"])
     made = run(

@@ -29,7 +29,7 @@ TAKEN = {
     "file": {"outputFile"},
     "number": {"outputNumber"},
 }
-"""Which outputs the modeler offers for an input, by their types."""
+"""Outputs that the modeler offers for an input, by their types."""
 
 
 def tool(repository: Path, name: str) -> ModuleType:

@@ -47,7 +47,7 @@ def images(
 
 
 def seam_columns(rows: int, columns: int) -> np.ndarray:
-    """Where the seam crosses each row."""
+    """The column where the seam crosses each row."""
     return 0.3 * columns + 0.04 * columns * np.sin(np.arange(rows) / 40)
 
 

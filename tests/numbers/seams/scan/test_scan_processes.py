@@ -49,9 +49,9 @@ def scanned(request: ScanRequest, loss: Path, executor: Executor, ahead: int) ->
 @pytest.fixture(scope="module")
 def by_threads(request_: ScanRequest, tmp_path_factory: pytest.TempPathFactory) -> list[object]:
     with ThreadPoolExecutor(2) as executor:
-        found = scanned(request_, tmp_path_factory.mktemp("threads") / "loss.tif", executor, 4)
-    assert len(found[0]) > 20  # type: ignore[arg-type]  # pieces
-    return found
+        result = scanned(request_, tmp_path_factory.mktemp("threads") / "loss.tif", executor, 4)
+    assert len(result[0]) > 20  # type: ignore[arg-type]  # pieces
+    return result
 
 
 def test_processes_give_the_same_bytes_as_threads(

@@ -1,4 +1,4 @@
-"""Which windows are to be inspected again, whatever was changed, undone or saved since."""
+"""Windows that are to be inspected again, whatever was changed, undone or saved since."""
 from __future__ import annotations
 
 from dataclasses import replace

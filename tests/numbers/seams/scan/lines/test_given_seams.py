@@ -243,8 +243,8 @@ def test_shapefiles_cut_each_name_of_a_polygon_s_field(tmp_path: Path, name: str
 @pytest.mark.parametrize("names", PAIRED, ids="/".join)
 def test_shapefiles_cut_each_pair_of_a_line_s_fields(tmp_path: Path, names: tuple[str, str]) -> None:
     written = written_names(tmp_path, *names)
-    found = seam_fields([dict.fromkeys(written, "x")])
-    assert written in ([found.left, found.right], [found.left_date, found.right_date])
+    fields = seam_fields([dict.fromkeys(written, "x")])
+    assert written in ([fields.left, fields.right], [fields.left_date, fields.right_date])
 
 
 def written_names(folder: Path, *names: str) -> list[str]:
@@ -267,8 +267,8 @@ def test_a_field_can_be_chosen() -> None:
 
 def features_of(path: Path, layer: str = "") -> list[SeamFeature]:
     dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR)
-    found = dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
-    return [(dict(row.items()), bytes(row.GetGeometryRef().ExportToIsoWkb())) for row in found]
+    rows = dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
+    return [(dict(row.items()), bytes(row.GetGeometryRef().ExportToIsoWkb())) for row in rows]
 
 
 MOSAIC_ELEMENTS = """<?xml version="1.0" encoding="UTF-8"?>
