@@ -90,9 +90,9 @@ def test_polish_words_have_three_forms_by_a_count_of_the_source(entries: list[El
     inflected = {source(entry): forms(translation(entry)) for entry in entries if forms(translation(entry))}
     assert inflected
     wrong = {
-        text: found
-        for text, found in inflected.items()
-        for count, words in found
+        text: forms
+        for text, forms in inflected.items()
+        for count, words in forms
         if words != 3 or count not in {name for name, _, _ in placeholders(text)}
     }
     assert wrong == {}
