@@ -88,7 +88,7 @@ def test_exactly_the_limit_passes() -> None:
     assert decide(delivery(pieces), rules(share=share, run=longest - 1e-6)).outcome is REJECTED
 
 
-def told(decision: object) -> str:
+def text_of(decision: object) -> str:
     return " ".join(map(str, decision.sentences))  # type: ignore[attr-defined]
 
 
@@ -98,13 +98,13 @@ def test_too_little_measured_is_undecided_and_says_what_would_decide_it() -> Non
     assert (decision.outcome, decision.accepted) == (UNDECIDED, None)
     assert str(decision.sentences[0]).startswith("Undecided by 'contract': ")
     assert "80.0% of the metres were measured" in str(decision.sentences[0])
-    assert "measuring at least 10 of the 20 m that were not measured" in told(decision)
-    assert "20.0 of 100.0 m of seam could not be measured" in told(decision)
+    assert "measuring at least 10 of the 20 m that were not measured" in text_of(decision)
+    assert "20.0 of 100.0 m of seam could not be measured" in text_of(decision)
     files = {SOURCE_FILES: states_text([("/a.tif", FileState(1, 1, "d"))])}
     wide = [replace(item, kept_low=0.48, kept_high=1.2, verdict="not_comparable") for item in seam([0.76] * 10)]
     made = replace(delivery(wide), layers=(DeliveredLayer("a", Seal.WHOLE, 0.0, files),))
-    assert "with pieces of 20 m, with which some 100% would be measured" in told(decide(made, rules()))
-    assert "Pieces of 10 m would measure some 0%, and longer ones" in told(decide(made, rules(run=10.0)))
+    assert "with pieces of 20 m, with which some 100% would be measured" in text_of(decide(made, rules()))
+    assert "Pieces of 10 m would measure some 0%, and longer ones" in text_of(decide(made, rules(run=10.0)))
 
 
 def test_what_was_measured_rejects_where_the_rest_could_not_save_it() -> None:
@@ -119,7 +119,7 @@ def test_pieces_too_coarse_for_what_may_fail_leave_it_open() -> None:
     """40 of 1600 m failed inside of a seam and 32 m may. Pieces of 20 m leave 16 m of that open, those of 2 m 1.6 m."""
     coarse = decide(delivery(seam([0.9] * 30 + [0.4] * 2 + [0.9] * 48, 20.0)), rules())
     assert (coarse.outcome, coarse.whole.failed_m) == (UNDECIDED, 40)
-    assert "with pieces of 20 m the failed length is known only to 16 m, and 32 m may fail" in told(coarse)
+    assert "with pieces of 20 m the failed length is known only to 16 m, and 32 m may fail" in text_of(coarse)
     assert decide(delivery(seam([0.9] * 300 + [0.4] * 20 + [0.9] * 480, 2.0)), rules()).outcome is REJECTED
     whole_seam = seam([0.4] * 2, 20.0), seam([0.9] * 78, 20.0, seam_id="2", start=(0, 50), number=2)
     assert decide(delivery(*whole_seam), rules()).outcome is REJECTED  # it ends where the seam does
@@ -134,10 +134,10 @@ def test_ground_without_detail_is_no_part_of_what_is_judged() -> None:
     assert decision.outcome is ACCEPTED
     assert (decision.whole.total_m, decision.whole.no_detail_m, decision.whole.judged_m) == (1000, 260, 740)
     assert decision.whole.measured_share == 1
-    assert "260 of 1000 m of seam lie on ground without detail" in told(decision)
+    assert "260 of 1000 m of seam lie on ground without detail" in text_of(decision)
     nothing = decide(delivery(smooth), rules())
     assert (nothing.outcome, nothing.whole.measured_share) == (UNDECIDED, 0)
-    assert "an operator's look" in told(nothing)
+    assert "an operator's look" in text_of(nothing)
 
 
 def test_a_share_that_intervals_leave_open_is_undecided() -> None:
@@ -146,7 +146,7 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     rest = seam([0.95] * 97, start=(30, 0), number=3)
     decision = decide(delivery(unclear, rest), rules(run=None))
     assert (decision.outcome, decision.whole.failed_m) == (UNDECIDED, 30)  # by value, as anybody adds it up
-    assert "an operator's look at the pieces whose intervals include the limit (30 m, pieces: 3)" in told(decision)
+    assert "an operator's look at the pieces whose intervals include the limit (30 m, pieces: 3)" in text_of(decision)
     assert decision.outcomes[0].low < 0.02 < decision.whole.failed_share < decision.outcomes[0].high
     assert decide(delivery(sure(unclear), rest), rules(run=None)).outcome is REJECTED
     row = [replace(item, kept_low=0.6, kept_high=0.79) for item in seam([0.69] * 8)]  # one that passed would break it
@@ -167,7 +167,7 @@ def test_layers_that_lack_seams_are_not_accepted() -> None:
         assert opened.outcome is not ACCEPTED
     whole = decide(replace(made, layers=(replace(layer, seal=Seal.WHOLE, lacking_m=0.0),)), rules())
     assert whole.outcome is ACCEPTED
-    assert "as their scans left them" in told(whole)
+    assert "as their scans left them" in text_of(whole)
 
 
 def test_sheets_are_decided_by_the_same_limits() -> None:
@@ -184,7 +184,7 @@ def test_sheets_that_were_not_measured_alike_are_told() -> None:
     lengths = {"a": "10", "b": "25"}
     sheets = [DeliveredLayer(name, Seal.WHOLE, 0.0, {"piece_m": length}) for name, length in lengths.items()]
     decision = decide(replace(delivery(seam([0.95] * 40)), layers=tuple(sheets)), rules())
-    assert "measured with different settings: piece_m is 10, 25" in told(decision)
+    assert "measured with different settings: piece_m is 10, 25" in text_of(decision)
 
 
 @pytest.mark.parametrize(("piece", "limit", "accepted"), [
@@ -197,8 +197,8 @@ def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, lim
     assert decision.accepted is accepted
     if not accepted:
         assert f"pieces are up to {piece:.1f} m long, which can hide a longer one" in str(decision.sentences[0])
-        assert "pieces of 25 m or less" in told(decision)
-        assert "measuring the rows" not in told(decision)
+        assert "pieces of 25 m or less" in text_of(decision)
+        assert "measuring the rows" not in text_of(decision)
 
 
 @pytest.mark.parametrize(
@@ -245,13 +245,13 @@ def test_a_sample_is_drawn_with_its_seed() -> None:
 
 
 def test_a_sample_that_lacks_pieces_decides_only_what_they_can_not_change() -> None:
-    def found(failed: int, missing: int) -> bool | None:
+    def passed(failed: int, missing: int) -> bool | None:
         kept = [0.4] * failed + [None] * missing + [0.9] * (80 - failed - missing)
         pieces = [replace(piece, sample_number=place + 1) for place, piece in enumerate(seam(kept))]
         made = replace(delivery(pieces), lot_size=1000)
         return decide(made, rules(None, None, measured=0, sampling=SAMPLING)).outcomes[0].passed
 
-    assert (found(1, 1), found(1, 2), found(3, 5)) == (True, None, False)
+    assert (passed(1, 1), passed(1, 2), passed(3, 5)) == (True, None, False)
 
 
 @pytest.mark.parametrize("sampling", [None, SAMPLING])
@@ -264,10 +264,10 @@ def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | N
     assert decision.longest_failure_m is None
     assert {sheet.longest_failure_m for sheet in (decision.whole, *decision.sheets)} == {None}
     assert "can't be determined from a sample" in str(decision.sentences[0])
-    assert "a sample of 80 pieces" in told(decision)
-    assert "the layers of the whole scan" in told(decision)
-    assert "without a break: " not in told(decision)
-    assert ("decide by the plan" in told(decision)) == (sampling is None)
+    assert "a sample of 80 pieces" in text_of(decision)
+    assert "the layers of the whole scan" in text_of(decision)
+    assert "without a break: " not in text_of(decision)
+    assert ("decide by the plan" in text_of(decision)) == (sampling is None)
     assert decide(part, rules(share=0.02, run=None, sampling=sampling)).accepted  # the share can be estimated
     too_long = next(outcome for outcome in decide(part, rules(run=5.0)).outcomes if outcome.check == "longest_failure")
     assert too_long.passed is False  # what the sample shows is at least as long in the delivery
@@ -305,7 +305,7 @@ def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
         (rule,) = (outcome for outcome in decision.outcomes if outcome.check == LONGEST_FAILURE)
         assert (rule.passed, rule.high) == (None, longest)
         assert decision.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
-        assert "measuring the rows of pieces longer than 50 m" in told(decision)
+        assert "measuring the rows of pieces longer than 50 m" in text_of(decision)
 
 
 def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:

@@ -51,7 +51,7 @@ class Image:
 Pair = tuple[Image, Image]
 
 
-def found(a: Image, b: Image, seconds: np.ndarray, width: float, ramp: str) -> KeptDetail:
+def blended_detail(a: Image, b: Image, seconds: np.ndarray, width: float, ramp: str) -> KeptDetail:
     """Details of ``a`` and ``b`` feathered over the border of ``seconds``, where ``b`` is followed, over what is."""
     distance = np.where(seconds, ndimage.distance_transform_edt(seconds) - 0.5,
                         0.5 - ndimage.distance_transform_edt(~seconds))
@@ -132,7 +132,7 @@ def errors(
     for a, b in pairs:
         seconds = (crooked if is_seam_known else straight)(len(a.plane), rng)
         places = [signed(seconds)] if is_seam_known else assumed_seams(*a.plane.shape, PIXEL)
-        expected, seen = foretold(a.plane, b.plane, places, width, ramp), found(a, b, seconds, width, ramp)
+        expected, seen = foretold(a.plane, b.plane, places, width, ramp), blended_detail(a, b, seconds, width, ramp)
         windows.append(np.subtract(expected.window, seen.window))
         strips.append(np.subtract(expected.strip, seen.strip))
     return np.array(windows), np.array(strips)
