@@ -82,9 +82,9 @@ def see(pages: Mapping[str, str]) -> dict[str, SeenPage]:
     finally:
         server.shutdown()
         server.server_close()
-    found = re.search("<pre>FOUND(.*)END</pre>", shown, re.DOTALL)
-    assert found is not None, shown[-500:]
-    seen = {name: SeenPage(**load) for name, load in json.loads(unescape(found.group(1))).items()}
+    match = re.search("<pre>FOUND(.*)END</pre>", shown, re.DOTALL)
+    assert match is not None, shown[-500:]
+    seen = {name: SeenPage(**load) for name, load in json.loads(unescape(match.group(1))).items()}
     for path in asked:
         if (name := path.split("/")[1]) in seen:
             seen[name].asked.append(path)

@@ -30,9 +30,9 @@ def seen_colour(colour: str, dichromat: str = "") -> Lab:
     return float(116 * fy - 16), float(500 * (fx - fy)), float(200 * (fy - fz))
 
 
-def ciede2000(one: Lab, other: Lab) -> float:
+def ciede2000(first: Lab, other: Lab) -> float:
     """Sharma, Wu, Dalal 2005, all weights 1."""
-    (l1, a1, b1), (l2, a2, b2) = one, other
+    (l1, a1, b1), (l2, a2, b2) = first, other
     mean_chroma = (hypot(a1, b1) + hypot(a2, b2)) / 2
     stretch = 1 + 0.5 * (1 - sqrt(mean_chroma**7 / (mean_chroma**7 + 25.0**7)))
     c1, c2 = hypot(stretch * a1, b1), hypot(stretch * a2, b2)

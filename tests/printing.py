@@ -118,7 +118,7 @@ def _words(body: str) -> list[PrintedWord]:
 
 
 def _ink(picture: Path) -> np.ndarray:
-    """Where a PGM file is not white."""
+    """Pixels of a PGM file that are not white."""
     data = picture.read_bytes()
     header = re.match(rb"P5\s+(\d+)\s+(\d+)\s+255\s", data)
     assert header is not None

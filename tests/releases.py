@@ -23,9 +23,9 @@ def run_tool(
     clone: Path, tool: str, *arguments: str, environment: Mapping[str, str] | None = None, umask: int = -1
 ) -> subprocess.CompletedProcess[str]:
     """One of the clone's own tools."""
-    own = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "GIT_"))}
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "GIT_"))}
     return subprocess.run(
-        [sys.executable, "-m", f"tools.{tool}", *arguments], cwd=clone, env={**own, **(environment or {})},
+        [sys.executable, "-m", f"tools.{tool}", *arguments], cwd=clone, env={**inherited, **(environment or {})},
         capture_output=True, text=True, check=False, umask=umask,
     )  # fmt: skip
 

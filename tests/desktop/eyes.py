@@ -144,7 +144,7 @@ def tab_stops(dock: QWidget) -> list[QWidget]:
 
 
 def steps_up(dock: QWidget) -> list[str]:
-    """Where Tab goes up, but into a column to the right, or to the left in a row."""
+    """Steps of Tab that go up, but into a column to the right, or to the left in a row."""
     faults = []
     stops = [stop for stop in tab_stops(dock) if not stop.visibleRegion().isEmpty()]  # else it is scrolled there
     for before, after in zip(stops, stops[1:]):

@@ -124,7 +124,7 @@ def _lags_px(wavelet: str, level: int) -> np.ndarray:
     """Pixels by which the energy of a point lies behind it in each detail, down and across, (3, 2): the mean over
     points on all places beside the grid."""
     step, side = 2**level, 64 * 2**level
-    found = np.zeros((3, 2))
+    lags = np.zeros((3, 2))
     for place in range(side // 2, side // 2 + step):
         point = np.zeros((side, side))
         point[place, place] = 1
@@ -132,8 +132,8 @@ def _lags_px(wavelet: str, level: int) -> np.ndarray:
             energy = np.square(part)
             for axis in (0, 1):
                 at = step * np.arange(len(energy)) + (step - 1) / 2
-                found[direction, axis] += (energy.sum(axis=1 - axis) @ at / energy.sum() - place) / step
-    return found
+                lags[direction, axis] += (energy.sum(axis=1 - axis) @ at / energy.sum() - place) / step
+    return lags
 
 
 def decompose(band: np.ndarray, wavelet: str = "coif3", levels: int = 3) -> Decomposition:

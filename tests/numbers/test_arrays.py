@@ -25,7 +25,7 @@ SIDE, PIXEL_M = 384, 0.1
 
 
 class DataArray:
-    """As much of xarray's as is asked for."""
+    """The part of xarray's class that is asked for."""
 
     def __init__(self, values: np.ndarray, dims: tuple[str, ...] = ("y", "x"), first_x: float = 0.0) -> None:
         self.values, self.dims, self.attrs = values, dims, dict[str, object]()
@@ -47,13 +47,13 @@ def images() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 def test_arrays_measure_as_their_files_do(images: tuple[np.ndarray, ...], make_raster: MakeRaster) -> None:
     left, right, mosaic = images
-    paths = [make_raster(f"{i}.tif", np.moveaxis(one, -1, 0)) for i, one in enumerate((mosaic, left, right))]
+    paths = [make_raster(f"{i}.tif", np.moveaxis(pixels, -1, 0)) for i, pixels in enumerate((mosaic, left, right))]
     block = open_block(paths[0], paths[1:])
     expected = inspect_window(block.window(block.mosaic.extent)).profile
-    found = seam_profile(mosaic, [left, right], block.mosaic.ground_sample_distance)
-    assert found.kept == pytest.approx(expected.kept, rel=1e-5)
-    assert found.feather_width_px == pytest.approx(48, rel=0.2)
-    assert found.kept[0] < 0.75
+    profile = seam_profile(mosaic, [left, right], block.mosaic.ground_sample_distance)
+    assert profile.kept == pytest.approx(expected.kept, rel=1e-5)
+    assert profile.feather_width_px == pytest.approx(48, rel=0.2)
+    assert profile.kept[0] < 0.75
 
 
 @pytest.mark.parametrize("margin_px", [0, 2, 40])
@@ -77,8 +77,8 @@ def test_types_and_masks_change_nothing_that_is_measured(images: tuple[np.ndarra
     masked = np.ma.masked_array(mosaic, np.zeros(mosaic.shape, bool))
     masked[:4, :4] = np.ma.masked
     for other in (mosaic.astype(np.int64), mosaic.astype(np.float32), masked):
-        found = seam_profile(other, {"left": left, "right": right}, PIXEL_M)
-        assert found.kept == pytest.approx(expected.kept, rel=0.02)
+        profile = seam_profile(other, {"left": left, "right": right}, PIXEL_M)
+        assert profile.kept == pytest.approx(expected.kept, rel=0.02)
 
 
 def test_labels_are_turned_as_images_are_and_masked_ones_are_unknown(images: tuple[np.ndarray, ...]) -> None:
@@ -89,8 +89,8 @@ def test_labels_are_turned_as_images_are_and_masked_ones_are_unknown(images: tup
     unknown = np.where(np.arange(SIDE)[:, np.newaxis] < 64, -1, labels)
     masked = np.ma.masked_array(1 - labels * 0, unknown < 0) * labels
     for given, expected in ((turned, labels), (masked, unknown), (labels[..., np.newaxis], labels)):
-        found = seam_profile(mosaic, [left, right], PIXEL_M, given)
-        assert found.kept == seam_profile(mosaic, [left, right], PIXEL_M, expected).kept
+        profile = seam_profile(mosaic, [left, right], PIXEL_M, given)
+        assert profile.kept == seam_profile(mosaic, [left, right], PIXEL_M, expected).kept
     for other in (DataArray(labels, ("lat", "lon")), DataArray(labels, ("lon", "lat"))):
         with pytest.raises(SettingsError, match="rename them to y and x"):
             seam_profile(mosaic, [left, right], PIXEL_M, other)
@@ -101,8 +101,8 @@ def test_labels_say_where_the_seam_is(images: tuple[np.ndarray, ...]) -> None:
     labels = np.zeros((SIDE, SIDE), int)
     labels[:, SIDE // 2 :] = 1
     hard = np.where(labels[..., np.newaxis] == 0, left, right)
-    found = inspect_arrays(hard, [left, right], PIXEL_M, labels)
-    assert found.profile.kept[0] == pytest.approx(1, abs=0.05)
+    inspected = inspect_arrays(hard, [left, right], PIXEL_M, labels)
+    assert inspected.profile.kept[0] == pytest.approx(1, abs=0.05)
     assert not [path for path in gdal.ReadDir("/vsimem/") or () if gdal.ReadDir(f"/vsimem/{path}")]
 
 

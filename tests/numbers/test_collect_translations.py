@@ -22,10 +22,10 @@ def test_translations_stay_new_texts_come_and_gone_ones_leave(tmp_path: Path) ->
 
 
 def test_written_again_it_is_the_same(repository: Path, tmp_path: Path) -> None:
-    found = found_texts(repository)
+    texts = found_texts(repository)
     path = tmp_path / "pl.ts"
-    path.write_text(written(found, known_translations(repository / "i18n" / "seam_inspector_pl.ts")), encoding="utf-8")
-    assert written(found, known_translations(path)) == path.read_text(encoding="utf-8")
+    path.write_text(written(texts, known_translations(repository / "i18n" / "seam_inspector_pl.ts")), encoding="utf-8")
+    assert written(texts, known_translations(path)) == path.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("code", ["self.tr('a')", "tr(words)", "tr()", "tr('')", "tr(f'{a}')"])
@@ -39,11 +39,11 @@ def test_qt_5_finds_the_same_texts_and_changes_no_entry(repository: Path, tmp_pa
     sources, path = sorted((repository / "plugin").rglob("*.py")), tmp_path / "pl.ts"
     collect = ["pylupdate5", "-noobsolete", "-tr-function", "Message", *map(str, sources), "-ts", str(path)]
     subprocess.run(collect, check=True, capture_output=True)
-    found = {text for text, place in found_texts(repository).items() if place is not None}
-    assert set(known_translations(path)) == found
+    texts = {text for text, place in found_texts(repository).items() if place is not None}
+    assert set(known_translations(path)) == texts
 
     known = known_translations(repository / "i18n" / "seam_inspector_pl.ts")
-    ours = {text: known[text] for text in found if text in known}
+    ours = {text: known[text] for text in texts if text in known}
     path.write_text(written(dict.fromkeys(ours, None), ours), encoding="utf-8")
     subprocess.run(collect, check=True, capture_output=True)
     read = known_translations(path)

@@ -23,12 +23,12 @@ def glossary(repository: Path) -> dict[str, Any]:
 def texts(repository: Path) -> dict[str, str]:
     """English and Polish of every text, without values, names of fields and the marks of keys."""
     root = ElementTree.parse(repository / "i18n" / "seam_inspector_pl.ts").getroot()
-    both = ((one.findtext("source", ""), one.findtext("translation", "")) for one in root.iter("message"))
+    both = ((message.findtext("source", ""), message.findtext("translation", "")) for message in root.iter("message"))
     return {_words(source): _words(translation) for source, translation in both}
 
 
 def _words(text: str) -> str:
-    forms = re.sub(r"\{\w+:([^{}]*\|[^{}]*)\}", lambda found: " ".join(found[1].split("|")), text)
+    forms = re.sub(r"\{\w+:([^{}]*\|[^{}]*)\}", lambda match: " ".join(match[1].split("|")), text)
     return _QUOTED_WORD.sub("", _PLACEHOLDER.sub("", forms)).replace("&", "")
 
 
@@ -43,13 +43,13 @@ def test_terms_have_their_polish_word(glossary: dict[str, Any], texts: dict[str,
 
 
 def test_no_word_that_the_field_does_not_know(glossary: dict[str, Any], texts: dict[str, str]) -> None:
-    found = [
+    faults = [
         f"{word['instead']}: {translation}"
         for word in glossary["forbidden"]
         for translation in texts.values()
         if re.search(word["pattern"], translation, re.IGNORECASE)
     ]
-    assert found == []
+    assert faults == []
 
 
 def test_spelling_is_polish(texts: dict[str, str]) -> None:
@@ -62,10 +62,10 @@ def test_spelling_is_polish(texts: dict[str, str]) -> None:
         r" - ": "a hyphen for a dash",
         r"\(s\)": "(s)",
     }
-    found = [
+    faults = [
         f"{what}: {translation}"
         for source, translation in texts.items()
         for pattern, what in wrong.items()
         if re.search(pattern, translation) and not re.search(r"kept_1 < |rpc|rozdział|QGIS \d|swoistość", translation)
     ]
-    assert found == []
+    assert faults == []

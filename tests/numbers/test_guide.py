@@ -57,5 +57,5 @@ def test_the_readmes_figures_are_those_of_the_page_that_it_names(
     readme = (repository / "README.md").read_text("utf-8")
     said = re.findall(figure, readme.partition(f"## {section}")[2].partition("\n## ")[0])
     assert len(said) > 1
-    told = (repository / page).read_text("utf-8")
-    assert [one for one in said if not re.search(rf"(?<![\d.]){re.escape(one)}(?![\d.]\d)", told)] == []
+    page_text = (repository / page).read_text("utf-8")
+    assert [figure for figure in said if not re.search(rf"(?<![\d.]){re.escape(figure)}(?![\d.]\d)", page_text)] == []

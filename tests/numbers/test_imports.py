@@ -87,14 +87,14 @@ def fault(folders: tuple[str, ...], relative: bool, name: str) -> str | None:
 
 def faults(package: Path) -> list[str]:
     """Every import in a package that breaks the rule, as ``file:line name: what is wrong``."""
-    found = []
+    wrong_imports = []
     for path in sorted(package.rglob("*.py")):
         inside = path.relative_to(package)
         for line, relative, name in imports(path, package):
             wrong = fault(inside.parent.parts, relative, name)
             if wrong:
-                found.append(f"{inside.as_posix()}:{line} {name}: {wrong}")
-    return found
+                wrong_imports.append(f"{inside.as_posix()}:{line} {name}: {wrong}")
+    return wrong_imports
 
 
 def test_imports_run_one_way(repository: Path) -> None:
@@ -102,7 +102,7 @@ def test_imports_run_one_way(repository: Path) -> None:
 
 
 def arrows(package: Path) -> set[tuple[str, str]]:
-    """Which file imports which, also for types alone or within functions; a folder's own ``__init__`` takes no part."""
+    """Imports among files, also for types alone or within functions; a folder's own ``__init__`` takes no part."""
     files = {".".join(("plugin", *path.relative_to(package).with_suffix("").parts)): path
              for path in package.rglob("*.py") if path.name != "__init__.py"}  # fmt: skip
     return {(name, target) for name, path in files.items()
@@ -117,8 +117,8 @@ def circles(package: Path) -> list[set[str]]:
     rows, columns = zip(*((names.index(first), names.index(second)) for first, second in pairs)) if pairs else ((), ())
     matrix = csr_array((np.ones(len(rows)), (rows, columns)), shape=(len(names),) * 2)
     count, labels = connected_components(matrix, directed=True, connection="strong")
-    found = [{names[number] for number in np.flatnonzero(labels == label)} for label in range(count)]
-    return [circle for circle in found if len(circle) > 1]
+    components = [{names[number] for number in np.flatnonzero(labels == label)} for label in range(count)]
+    return [circle for circle in components if len(circle) > 1]
 
 
 def folders_both_ways(package: Path) -> set[tuple[str, str]]:

@@ -110,16 +110,16 @@ def all_uses(repository: Path) -> list[Use]:
 def message(use: Use) -> Message | None:
     """The message of that name, if it is one."""
     module = importlib.import_module(".".join(["seam_inspector", *use.module.parts]))
-    found = getattr(module, use.name, None)
-    return found if isinstance(found, Message) else None
+    value = getattr(module, use.name, None)
+    return value if isinstance(value, Message) else None
 
 
 def fault(use: Use) -> str:
     """What is wrong with how a message is given its values; empty when nothing is."""
-    found = message(use)
-    if found is None:
+    shown = message(use)
+    if shown is None:
         return "no such message"
-    wanted = placeholders(found.template)
+    wanted = placeholders(shown.template)
     if use.call is None:
         is_free = use.is_compared or use.name.startswith(FAMILIES) or not wanted
         return "" if is_free else f"lacks {sorted(wanted)}"
@@ -129,7 +129,7 @@ def fault(use: Use) -> str:
     if set(given) != wanted:
         return f"takes {sorted(wanted)}, is given {sorted(map(str, given))}"
     words = [keyword.arg for keyword in use.call.keywords if is_text(keyword.value)]
-    numbers = {name for _, name, form, _ in string.Formatter().parse(found.template) if form and form[-1] in NUMERIC}
+    numbers = {name for _, name, form, _ in string.Formatter().parse(shown.template) if form and form[-1] in NUMERIC}
     return f"numbers wanted for {sorted(numbers & set(words))}" if numbers & set(words) else ""  # type: ignore[arg-type]
 
 
@@ -152,8 +152,8 @@ def test_every_message_gets_the_values_that_it_takes(all_uses: list[Use]) -> Non
 
 def test_messages_of_a_family_take_the_same_values(all_uses: list[Use]) -> None:
     for family in FAMILIES:
-        taken = {placeholders(found.template) for use in all_uses if use.name.startswith(family)
-                 and (found := message(use)) is not None}
+        taken = {placeholders(shown.template) for use in all_uses if use.name.startswith(family)
+                 and (shown := message(use)) is not None}
         assert len(taken) == 1, family
 
 
@@ -164,14 +164,14 @@ def test_every_message_is_used(all_uses: list[Use], repository: Path) -> None:
             used[use.module].add(use.name)
     for path in sorted((repository / "plugin").rglob("messages.py")):
         module = path.relative_to(repository).with_suffix("")
-        found = vars(importlib.import_module(".".join(["seam_inspector", *module.parts])))
-        assert {name for name, value in found.items() if isinstance(value, Message)} - used[module] == set(), module
+        members = vars(importlib.import_module(".".join(["seam_inspector", *module.parts])))
+        assert {name for name, value in members.items() if isinstance(value, Message)} - used[module] == set(), module
 
 
 def test_what_an_exception_carries_is_an_error(all_uses: list[Use]) -> None:
     raised = [use for use in all_uses if use.exception and use.place.startswith("plugin")]
     assert len(raised) > 150
-    levels = {f"{use.place} {use.name}": found.level for use in raised if (found := message(use)) is not None
+    levels = {f"{use.place} {use.name}": shown.level for use in raised if (shown := message(use)) is not None
               and use.exception not in NO_ERROR}
     assert {place: level for place, level in levels.items() if level is not Level.ERROR} == {}
 

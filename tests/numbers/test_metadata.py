@@ -76,10 +76,10 @@ def test_files_name_no_registry_and_no_path_of_one_machine(repository: Path) -> 
     )
     if listed.returncode:
         pytest.skip("not a git checkout, so which files belong to the project is not known")
-    found = []
+    faults = []
     for name in filter(None, listed.stdout.split("\0")):
         path = repository / name
         content = path.read_bytes() if path.is_file() else b""
         if b"\0" not in content:
-            found += [f"{name}: {match[0]}" for match in OF_ONE_MACHINE.finditer(content.decode("utf-8", "replace"))]
-    assert found == []
+            faults += [f"{name}: {match[0]}" for match in OF_ONE_MACHINE.finditer(content.decode("utf-8", "replace"))]
+    assert faults == []

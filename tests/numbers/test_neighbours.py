@@ -47,8 +47,8 @@ def test_sheets_with_their_neighbours_add_up_to_the_whole(folder: Path) -> None:
         assert area <= 60 * 100 + 1
         assert str(folder / f"{name}.tif") in result.told[MOSAIC_FILES]
         assert result.told[MOSAIC_FILES].count(".tif") == 1
-        told = "; ".join(result.told.get(key, "") for key in ("unseen_at", "hidden_at"))
-        assert all(xmin - 8 <= float(place.split()[0]) <= xmax + 8 for place in told.split("; ") if place)
+        places = "; ".join(result.told.get(key, "") for key in ("unseen_at", "hidden_at"))
+        assert all(xmin - 8 <= float(place.split()[0]) <= xmax + 8 for place in places.split("; ") if place)
     of_sheets = [str(piece.kept) for result in sheets.values() for piece in result.pieces]
     assert sorted(of_sheets) == sorted(str(piece.kept) for piece in whole.pieces)
     seen = [result.told.get("unseen_metres", "0") for result in sheets.values()]

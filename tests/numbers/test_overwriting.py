@@ -52,11 +52,11 @@ def texts_and_paths() -> Iterator[str]:
         if isinstance(entry.node, ast.FunctionDef):
             yield from taken(entry.name, named)
             continue
-        for one in dataclasses.fields(named) if dataclasses.is_dataclass(named) else ():
-            if re.search(r"Path|\bIO\b", str(one.type)):
-                yield f"{entry.name} {one.name}"
-        for name, one in vars(named).items():
-            method = getattr(one, "__func__", one)
+        for member in dataclasses.fields(named) if dataclasses.is_dataclass(named) else ():
+            if re.search(r"Path|\bIO\b", str(member.type)):
+                yield f"{entry.name} {member.name}"
+        for name, member in vars(named).items():
+            method = getattr(member, "__func__", member)
             if not name.startswith("_") and inspect.isfunction(method):
                 yield from taken(f"{entry.name}.{name}", method)
 
@@ -92,10 +92,10 @@ def of_results(folder: Path, factory: pytest.TempPathFactory) -> Writer:
     """What is made of a scan: its GeoPackage, the mended mosaic and its patches."""
     given = of_scan(folder, factory)
     block, seams = open_block(given.inputs[0], sorted(folder.glob("strip*.tif"))), str(given.inputs[-1])
-    found = ScanResult((), (), (), told={"seamlines_file": seams})
+    result = ScanResult((), (), (), told={"seamlines_file": seams})
 
     def write(output: str) -> None:
-        calls = [lambda: write_scan(output, found, block), lambda: mend(block, seams, output)]
+        calls = [lambda: write_scan(output, result, block), lambda: mend(block, seams, output)]
         if output.endswith(".tif"):
             calls.append(lambda: mend(block, seams, folder / "new.vrt", patches=output))
         for call in calls:
@@ -175,8 +175,8 @@ def names(path: Path) -> Iterator[str]:
     yield str(hard)
     folder.symlink_to(path.parent, target_is_directory=True)
     yield str(folder / path.name)
-    for one in (link, hard, folder):
-        one.unlink()
+    for alias in (link, hard, folder):
+        alias.unlink()
 
 
 @pytest.mark.slow
@@ -193,13 +193,13 @@ def test_a_name_that_cannot_be_written_is_refused_before_anything_is_measured(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     mosaic = the_small_block(tmp_path_factory).mosaic
-    block, found = open_block(mosaic), ScanResult((), (), ())
+    block, result = open_block(mosaic), ScanResult((), (), ())
 
     def measured(share: float) -> None:
         raise AssertionError(share)
 
     for write, ending in (
-        (lambda path: write_scan(path, found, block), ".gpkg"),
+        (lambda path: write_scan(path, result, block), ".gpkg"),
         (lambda path: scan(block, loss=path, progress=measured), ".tif"),
         (lambda path: mend(block, tmp_path / "none.gpkg", path, progress=measured), ".vrt"),
     ):  # fmt: skip
@@ -218,13 +218,13 @@ def test_a_scan_is_written_over_a_scan_and_no_other_layers(
 ) -> None:
     mosaic = the_small_block(tmp_path_factory).mosaic
     block = open_block(mosaic, sorted(mosaic.parent.glob("strip*.tif")))
-    found, path, loss = scan(block), tmp_path / "seams.gpkg", tmp_path / "loss.tif"
+    result, path, loss = scan(block), tmp_path / "seams.gpkg", tmp_path / "loss.tif"
     for _ in range(2):
-        write_scan(path, found, block)
+        write_scan(path, result, block)
         scan(block, loss=loss)
     gdal.VectorTranslate(str(path), str(path), accessMode="update", layers=["seams"], layerName="mine")
     shutil.copy(block.mosaic.ref.path, loss)
-    for write in (lambda: write_scan(path, found, block), lambda: scan(block, loss=loss)):
+    for write in (lambda: write_scan(path, result, block), lambda: scan(block, loss=loss)):
         with pytest.raises(SeamInspectorError, match="holds other data"):
             write()
     assert gdal.OpenEx(str(path)).GetLayerByName("mine") is not None

@@ -68,18 +68,18 @@ def test_another_machine_at_another_time_makes_the_same_bytes(
 def test_it_holds_what_is_committed_and_the_compiled_translations(clone: Path, package: Path) -> None:
     """All that git lists, but what .gitattributes keeps out."""
     names = git(clone, "ls-files").splitlines()
-    told = git(clone, "check-attr", "export-ignore", "--", *names).splitlines()
+    attributes = git(clone, "check-attr", "export-ignore", "--", *names).splitlines()
     folders = [line.removesuffix(" export-ignore")[1:] for line in (clone / ".gitattributes").read_text().splitlines()]
-    ignored = {line.split(": ")[0] for line in told if line.endswith(": set")}
+    ignored = {line.split(": ")[0] for line in attributes if line.endswith(": set")}
     wanted = {name for name in names if name not in ignored and name.split("/")[0] not in folders}
-    with zipfile.ZipFile(package) as found:
-        assert set(found.namelist()) == {f"seam_inspector/{name}" for name in wanted | {TRANSLATION, "COMMIT"}}
-        assert found.read("seam_inspector/COMMIT").decode().strip() == git(clone, "rev-parse", "HEAD").strip()
-        assert found.testzip() is None
-        assert {one.external_attr >> 16 for one in found.infolist()} == {0o100644}
+    with zipfile.ZipFile(package) as archive:
+        assert set(archive.namelist()) == {f"seam_inspector/{name}" for name in wanted | {TRANSLATION, "COMMIT"}}
+        assert archive.read("seam_inspector/COMMIT").decode().strip() == git(clone, "rev-parse", "HEAD").strip()
+        assert archive.testzip() is None
+        assert {member.external_attr >> 16 for member in archive.infolist()} == {0o100644}
         for name in wanted:
-            assert found.read(f"seam_inspector/{name}") == (clone / name).read_bytes()
-        assert len(found.read(f"seam_inspector/{TRANSLATION}")) > 100_000
+            assert archive.read(f"seam_inspector/{name}") == (clone / name).read_bytes()
+        assert len(archive.read(f"seam_inspector/{TRANSLATION}")) > 100_000
     assert {name.split("/")[0] for name in wanted} >= {"__init__.py", "LICENSE", "metadata.txt", "plugin", "resources"}
     assert not {"tests", "docs", "demo", "tools", "Makefile"} & {name.split("/")[0] for name in wanted}
 
@@ -92,11 +92,11 @@ def test_the_wheel_holds_what_a_cluster_is_given_and_its_types(clone: Path, whee
     with zipfile.ZipFile(wheel) as held:
         names = {name for name in held.namelist() if ".dist-info/" not in name}
         assert names == {f"seam_inspector/{name}" for name in given}
-        told = held.read(next(name for name in held.namelist() if name.endswith("/METADATA"))).decode()
+        metadata = held.read(next(name for name in held.namelist() if name.endswith("/METADATA"))).decode()
         commands = held.read(next(name for name in held.namelist() if name.endswith("/entry_points.txt"))).decode()
     assert "seam-inspector = seam_inspector.python.start:main" in commands
     for needed in ("numpy", "scipy", "PyWavelets"):
-        assert re.search(f"^Requires-Dist: {needed}", told, re.MULTILINE | re.IGNORECASE)
+        assert re.search(f"^Requires-Dist: {needed}", metadata, re.MULTILINE | re.IGNORECASE)
     assert "plugin/seams/measure/window/inspection.py" in given
 
 
@@ -108,27 +108,27 @@ def test_the_guides_notebook_runs_with_the_wheel_alone(
     pytest.importorskip("pandas")
     venv.create(tmp_path / "venv", system_site_packages=True)
     python = tmp_path / "venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    own = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     ask = [python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
-    packages = Path(subprocess.run(ask, env=own, capture_output=True, text=True, check=True).stdout.strip())
+    packages = Path(subprocess.run(ask, env=environment, capture_output=True, text=True, check=True).stdout.strip())
     pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", packages, wheel]
-    subprocess.run(pip, env=own, check=True)
+    subprocess.run(pip, env=environment, check=True)
     (packages / "pandas.pth").write_text(sysconfig.get_path("purelib"), encoding="utf-8")
     (tmp_path / "block").symlink_to(the_first_block(tmp_path_factory).mosaic.parent)
     run = subprocess.run(
         [python, repository / "tests" / "notebook_cells.py", python_pages.NOTEBOOK], cwd=tmp_path,
-        env={**own, "MPLBACKEND": "agg"}, capture_output=True, text=True, check=False,
+        env={**environment, "MPLBACKEND": "agg"}, capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     made = json.loads(run.stdout)
     assert len(made) == len(python_pages.printed())
-    for found, told in zip(made, python_pages.printed()):
-        assert NUMBER.sub("", found).split() == NUMBER.sub("", told).split()
-        assert numbers(found) == pytest.approx(numbers(told), rel=0.05, abs=0.03)
+    for output, expected in zip(made, python_pages.printed()):
+        assert NUMBER.sub("", output).split() == NUMBER.sub("", expected).split()
+        assert numbers(output) == pytest.approx(numbers(expected), rel=0.05, abs=0.03)
 
 
 def numbers(text: str) -> list[float]:
-    return [float(one) for one in NUMBER.findall(text)]
+    return [float(number) for number in NUMBER.findall(text)]
 
 
 def test_what_is_not_committed_is_refused_and_never_inside(clone: Path, package: Path, tmp_path: Path) -> None:
@@ -152,11 +152,11 @@ def test_what_is_not_committed_is_refused_and_never_inside(clone: Path, package:
 @CHECKED
 def test_the_plugin_repository_has_nothing_against_it(package: Path) -> None:
     """What bandit tells and the repository takes is for reading; placeholders are for the publisher."""
-    found = check_package(package)
-    assert [one for one in found if one.is_error] == []
-    rules = {one.rule.partition(":")[0].split()[0] for one in found}
-    assert rules <= {"bandit", "metadata.txt"}, found
-    assert all("placeholder" in one.rule for one in found if one.rule.startswith("metadata.txt"))
+    problems = check_package(package)
+    assert [problem for problem in problems if problem.is_error] == []
+    rules = {problem.rule.partition(":")[0].split()[0] for problem in problems}
+    assert rules <= {"bandit", "metadata.txt"}, problems
+    assert all("placeholder" in problem.rule for problem in problems if problem.rule.startswith("metadata.txt"))
 
 
 @CHECKED

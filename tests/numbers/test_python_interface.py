@@ -107,18 +107,18 @@ def test_a_name_is_typed_and_documented(entry: python_pages.Entry) -> None:
     assert entry.line.endswith(".")
     assert python_pages.example(entry.name)
     if isinstance(entry.node, ast.FunctionDef):
-        found = inspect.signature(getattr(seam_inspector, entry.name))
-        assert found.return_annotation is not inspect.Signature.empty
-        assert all(parameter.annotation is not inspect.Parameter.empty for parameter in found.parameters.values())
+        signature = inspect.signature(getattr(seam_inspector, entry.name))
+        assert signature.return_annotation is not inspect.Signature.empty
+        assert all(parameter.annotation is not inspect.Parameter.empty for parameter in signature.parameters.values())
         named = {*re.findall(r"\w+", ast.unparse(entry.node.args) + ast.unparse(entry.node.returns or ast.Tuple([])))}
         assert named & our_types() <= {*seam_inspector.__all__}
     else:
         body = entry.node.body
         bare = [
-            ast.unparse(one.target) for one, after in zip(body, [*body[1:], None])
-            if isinstance(one, ast.AnnAssign) and not isinstance(after, ast.Expr)
+            ast.unparse(field.target) for field, after in zip(body, [*body[1:], None])
+            if isinstance(field, ast.AnnAssign) and not isinstance(after, ast.Expr)
         ]
-        methods = [one for one in body if isinstance(one, ast.FunctionDef) and not one.name.startswith("_")]
+        methods = [node for node in body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")]
         assert [*bare, *(method.name for method in methods if not ast.get_docstring(method))] == []
 
 
@@ -131,7 +131,7 @@ def test_the_reference_and_the_notebook_are_made_anew() -> None:
 def test_the_first_steps_agree_with_themselves() -> None:
     """What failed in the scan is what the decision counts, and a window's worst piece is what the window tells by its
     seam or by its ratio."""
-    *_, scanned, _, decided = ([float(one) for one in re.findall(r"\d+(?:\.\d+)?", text)]
+    *_, scanned, _, decided = ([float(number) for number in re.findall(r"\d+(?:\.\d+)?", text)]
                                    for text in python_pages.printed())  # fmt: skip
     (_, failed), (counted, measured, longest) = scanned, decided
     assert failed == counted
@@ -148,10 +148,10 @@ def test_a_system_may_be_a_number_an_object_or_none(folder: Path) -> None:
             system.ImportFromEPSG(2180)
             return str(system.ExportToWkt())
 
-    found = open_block(folder / "mosaic.tif").mosaic.wkt
+    of_mosaic = open_block(folder / "mosaic.tif").mosaic.wkt
     systems = (None, "", 2180, np.int64(2180), System())
     taken = {open_block(folder / "mosaic.tif", crs=system).mosaic.wkt for system in systems}
-    assert taken == {found}
+    assert taken == {of_mosaic}
 
 
 def test_exceptions_of_osr_and_integers_of_numpy_are_no_hindrance(block: Block, folder: Path) -> None:
@@ -272,33 +272,33 @@ def test_what_is_of_another_type_is_told(block: Block, call: Callable[[Block], o
 @pytest.mark.parametrize("has_picture", [True, False])
 def test_only_a_scan_with_a_picture_is_said_to_go_on(block: Block, tmp_path: Path, has_picture: bool) -> None:
     loss, looks = tmp_path / "loss.tif" if has_picture else "", iter([False, False])
-    with pytest.raises(seam_inspector.CancelledError) as told:
+    with pytest.raises(seam_inspector.CancelledError) as error:
         scan(block, loss=loss, cancelled=lambda: next(looks, True))
-    assert ("continues" in str(told.value)) is has_picture
+    assert ("continues" in str(error.value)) is has_picture
     assert ("continues where it stopped" in " ".join(map(str, scan(block, loss=loss).notices))) is has_picture
 
 
 def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
-    with pytest.warns(SeamInspectorWarning, match=r"none\.tif") as told:
-        found = open_block(folder / "mosaic.tif", [folder / "strip1_0141.tif", tmp_path / "none.tif"])
-    assert len(told) == 1
-    assert told[0].filename == __file__
-    assert [source.ref.name for source in found.sources] == ["strip1_0141.tif"]
+    with pytest.warns(SeamInspectorWarning, match=r"none\.tif") as warned:
+        block = open_block(folder / "mosaic.tif", [folder / "strip1_0141.tif", tmp_path / "none.tif"])
+    assert len(warned) == 1
+    assert warned[0].filename == __file__
+    assert [source.ref.name for source in block.sources] == ["strip1_0141.tif"]
 
 
 @pytest.mark.parametrize("has_sources", [True, False])
 def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path, has_sources: bool) -> None:
     scanned = block if has_sources else open_block(folder / "mosaic.tif")
     with ThreadPoolExecutor(1) as executor:
-        found = scan(scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif", executor=executor)
+        result = scan(scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif", executor=executor)
     with pytest.raises(seam_inspector.WorkersLostError, match="executor was shut down"):
         scan(block, executor=executor)
-    assert 250 < found.seam_metres < 320
+    assert 250 < result.seam_metres < 320
     assert gdal.Open(str(tmp_path / "loss.tif")).RasterCount == 5
-    rows = seam_rows(found)
+    rows = seam_rows(result)
     pieces = [row for row in rows if row["level"] == "piece"]
-    assert sum(row["length"] for row in pieces) == pytest.approx(found.seam_metres)
-    assert len(rows) - len(pieces) == len(found.stretches)
+    assert sum(row["length"] for row in pieces) == pytest.approx(result.seam_metres)
+    assert len(rows) - len(pieces) == len(result.stretches)
     assert {row["left_source"] for row in rows} <= {path.name for path in folder.glob("strip*.tif")}
     line = ogr.CreateGeometryFromWkt(rows[0]["geometry"])
     assert line.Length() == pytest.approx(rows[0]["length"], rel=0.01)
@@ -318,9 +318,9 @@ def test_seams_that_cannot_be_mended_are_left_with_a_reason(
     ):  # fmt: skip
         caplog.clear()
         made = mend(open_block(folder / "mosaic.tif", sources), seams, tmp_path / "mended.vrt")
-        assert {one.outcome for one in made} == {"left"}
-        assert all(words in str(one.reason) for one in made)
-        assert sum(one.run.piece.length_m for one in made) == pytest.approx(failed)
+        assert {mended.outcome for mended in made} == {"left"}
+        assert all(words in str(mended.reason) for mended in made)
+        assert sum(mended.run.piece.length_m for mended in made) == pytest.approx(failed)
         assert words in caplog.text
 
 
@@ -360,9 +360,9 @@ def test_seamlines_may_lie_in_another_system_and_have_dates(folder: Path, tmp_pa
         feature.SetField("acquisition_date", 2019, 7, 4, 0, 0, 0, 0)
         layer.SetFeature(feature)
     del feature, layer, dataset
-    found = scan(open_block(folder / "mosaic.tif"), seamlines=moved)
-    assert 250 < found.seam_metres < 320
-    assert {piece.left_date for piece in found.pieces} == {"2019-07-04"}
+    result = scan(open_block(folder / "mosaic.tif"), seamlines=moved)
+    assert 250 < result.seam_metres < 320
+    assert {piece.left_date for piece in result.pieces} == {"2019-07-04"}
 
 
 def test_what_names_no_system_lies_in_that_of_the_mosaic(block: Block, folder: Path, tmp_path: Path) -> None:
@@ -429,19 +429,19 @@ def piece(kept: object, number: int, **others: object) -> dict[str, object]:
 def test_rows_in_memory_need_no_seal_but_say_nothing_of_other_seams() -> None:
     rows = [piece(0.9, place) for place in range(9)]
     words = "seams that are in no row are unknown: one."
-    for told, is_said in ((None, True), ({"one": {}}, True), ({"one": {"unexplained": "0.0"}}, False)):
-        found = decide(make_delivery({"one": rows}, METRES, told), limit_rules())
-        assert found.accepted
-        assert any(words in str(sentence) for sentence in found.sentences) is is_said
+    for facts, is_said in ((None, True), ({"one": {}}, True), ({"one": {"unexplained": "0.0"}}, False)):
+        decision = decide(make_delivery({"one": rows}, METRES, facts), limit_rules())
+        assert decision.accepted
+        assert any(words in str(sentence) for sentence in decision.sentences) is is_said
 
 
 @pytest.mark.parametrize(("metres", "lacking"), [("225.0", 0), ("300.0", 75)])
 def test_what_the_scan_told_of_its_metres_says_whether_rows_lack(metres: str, lacking: float) -> None:
     """A seamline that leaves the mosaic and comes back has a gap between its stations."""
     rows = [piece(0.9, place + 4 * (place > 4)) for place in range(9)]
-    told = {"one": {"unexplained": "0.0", "metres": metres}}
-    assert make_delivery({"one": rows}, METRES, told).lacking_m == lacking
-    assert decide(make_delivery({"one": rows}, METRES, told), limit_rules()).accepted is (None if lacking else True)
+    facts = {"one": {"unexplained": "0.0", "metres": metres}}
+    assert make_delivery({"one": rows}, METRES, facts).lacking_m == lacking
+    assert decide(make_delivery({"one": rows}, METRES, facts), limit_rules()).accepted is (None if lacking else True)
 
 
 def test_a_delivery_of_nothing_is_refused_and_a_row_without_line_is_told() -> None:
@@ -451,17 +451,17 @@ def test_a_delivery_of_nothing_is_refused_and_a_row_without_line_is_told() -> No
         with pytest.raises(SeamInspectorError, match=words):
             make_delivery(sheets, METRES)
     with pytest.warns(SeamInspectorWarning, match="left out"):
-        found = make_delivery({"one": [piece(0.9, 0), piece(0.9, 1, geometry="nowhere")]}, METRES)
-    assert len(found.pieces) == 1
+        delivery = make_delivery({"one": [piece(0.9, 0), piece(0.9, 1, geometry="nowhere")]}, METRES)
+    assert len(delivery.pieces) == 1
 
 
 def test_a_delivery_in_degrees_is_moved_to_metres() -> None:
     degrees = osr.SpatialReference()
     degrees.ImportFromEPSG(4326)
     row = piece(0.9, 0, geometry="LINESTRING (20 50, 20.001 50)", length=71.7)
-    found = make_delivery({"one": [row]}, degrees.ExportToWkt())
-    assert "UTM" in found.wkt
-    assert found.pieces[0].vertices[0] == pytest.approx([428333.55, 5539109.82], abs=0.5)
+    delivery = make_delivery({"one": [row]}, degrees.ExportToWkt())
+    assert "UTM" in delivery.wkt
+    assert delivery.pieces[0].vertices[0] == pytest.approx([428333.55, 5539109.82], abs=0.5)
 
 
 @pytest.mark.parametrize(("command", "column"), [("scan", 1), ("accept", 1), ("inspect", 2), ("mend", 3)])

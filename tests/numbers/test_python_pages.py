@@ -107,7 +107,7 @@ def test_where_gdal_is_missing_nothing_is_rejected(shell: dict[str, str]) -> Non
 
 
 def test_a_reader_who_goes_away_changes_no_decision(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
-    """As `head` does. Every command takes longer to start than `true` to end."""
+    """The reader goes away as `head` does. Every command takes longer to start than `true` to end."""
     sources = sorted(map(str, folder.glob("block/strip*.tif")))
     command = shlex.join(["seam-inspector", "scan", str(folder / "block" / "mosaic.tif"), *sources, "-o", "seams.gpkg"])
     for pipe in ("| true", "2>&1 | true"):

@@ -19,7 +19,7 @@ ALL_SHOWN = {
 }  # fmt: skip
 """Calls of Qt and QGIS whose texts are all for people."""
 FIRST_SHOWN = {"annotate", "set_title", "set_xlabel", "set_ylabel", "supxlabel", "supylabel", "suptitle", "QgsTask"}
-"""Those of matplotlib and QGIS that take words of their own after it."""
+"""Calls of matplotlib and QGIS that take words of their own after it."""
 OF_NO_LANGUAGE = {"DN", "windows.csv"}
 _WORD = re.compile(r"[^\W\d_]{2}")
 

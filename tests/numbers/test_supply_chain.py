@@ -12,8 +12,8 @@ FILES = ("requirements.txt", "requirements-dev.txt", "requirements-package.txt",
 def requirements(path: Path) -> dict[str, str]:
     """Versions by name, as a file of requirements has them."""
     lines = (line.partition("#")[0].strip() for line in path.read_text(encoding="utf-8").splitlines())
-    found = [re.fullmatch(r"([\w-]+)(?:\[\w+\])?(.*)", line) for line in lines if line and not line.startswith("-r")]
-    return {one[1]: one[2] for one in found if one is not None}
+    matches = [re.fullmatch(r"([\w-]+)(?:\[\w+\])?(.*)", line) for line in lines if line and not line.startswith("-r")]
+    return {match[1]: match[2] for match in matches if match is not None}
 
 
 @pytest.mark.parametrize("name", FILES)

@@ -15,9 +15,9 @@ from seam_inspector.plugin.imagery.errors import Message
 from tools import template_texts
 
 TEXT_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1, "QT_TR_NOOP": 0}
-"""Which argument of a call is a text to translate."""
+"""The argument of a call that is a text to translate."""
 CONTEXT = "@default"
-"""Where the plugin looks for all translations."""
+"""The context where the plugin looks for all translations."""
 
 
 @pytest.fixture(scope="module")
@@ -90,9 +90,9 @@ def test_polish_words_have_three_forms_by_a_count_of_the_source(entries: list[El
     inflected = {source(entry): forms(translation(entry)) for entry in entries if forms(translation(entry))}
     assert inflected
     wrong = {
-        text: found
-        for text, found in inflected.items()
-        for count, words in found
+        text: forms
+        for text, forms in inflected.items()
+        for count, words in forms
         if words != 3 or count not in {name for name, _, _ in placeholders(text)}
     }
     assert wrong == {}

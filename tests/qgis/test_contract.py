@@ -155,7 +155,7 @@ def test_no_output_takes_the_place_of_an_input(name: str, tmp_path: Path) -> Non
 
 
 def places(folder: Path, ending: str) -> dict[str, str]:
-    """Where nothing can be written, and the words that say so."""
+    """Places where nothing can be written, and the words that say so."""
     (folder / f"folder.{ending}").mkdir()
     (folder / "file.txt").touch()
     (folder / f"loop.{ending}").symlink_to(folder / f"loop.{ending}")

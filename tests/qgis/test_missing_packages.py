@@ -32,7 +32,7 @@ DRAWN = (
 )
 """Algorithms and their files with charts."""
 PAGES = (
-    *(one for one in DRAWN if one[1] != "CHART"), ("report", "OUTPUT"), ("interiororientation", "REPORT"),
+    *(drawn for drawn in DRAWN if drawn[1] != "CHART"), ("report", "OUTPUT"), ("interiororientation", "REPORT"),
     ("acceptmosaic", "QUALITY"), ("mendseams", "REPORT"),
 )  # fmt: skip
 """Algorithms and their pages."""
@@ -64,7 +64,7 @@ def start(qgis_iface: QgisInterface, project: QgsProject) -> Iterator[Callable[[
 
 
 @pytest.fixture
-def told(qgis_iface: QgisInterface, monkeypatch: pytest.MonkeyPatch) -> Told:
+def bar(qgis_iface: QgisInterface, monkeypatch: pytest.MonkeyPatch) -> Told:
     """What stands in the message bar, with its level."""
     messages: Told = []
     monkeypatch.setattr(
@@ -75,38 +75,38 @@ def told(qgis_iface: QgisInterface, monkeypatch: pytest.MonkeyPatch) -> Told:
 
 @pytest.mark.parametrize("module", NAMES)
 def test_a_missing_package_is_named_once_and_used_after_a_restart(
-    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch, module: str
+    start: Callable[[], Any], bar: Told, monkeypatch: pytest.MonkeyPatch, module: str
 ) -> None:
     find = packages.find_spec
     with monkeypatch.context() as patch:
         patch.setattr(packages, "find_spec", lambda name: None if name == module else find(name))
         plugin = start()
-        assert told == []  # it is time enough when somebody wants to use it
+        assert bar == []  # it is time enough when somebody wants to use it
         plugin.desk("seamInspectorAction").action.trigger()
         assert plugin.desk("seamInspectorAction").dock is None
         assert not plugin.desk("seamInspectorAction").action.isChecked()
-    ((text, level),) = told
+    ((text, level),) = bar
     assert level == Qgis.MessageLevel.Warning
     assert NAMES[module] in text
     assert_sentence(text, "then restart QGIS")
-    told.clear()
+    bar.clear()
     plugin = start()
     plugin.desk("seamInspectorAction").action.trigger()
     assert plugin.desk("seamInspectorAction").dock is not None
     assert plugin.desk("seamInspectorAction").dock.session.windows() == []
-    assert told == []
+    assert bar == []
 
 
 @pytest.mark.parametrize("action", ["seamInspectorAction", "seamInspectorBarAction"])
 @pytest.mark.parametrize(("module", "modules"), [("matplotlib", DRAWING), ("jinja2", WRITING)])
 def test_the_desk_opens_without_what_charts_in_files_and_reports_need(
-    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch, module: str, modules: list[str], action: str
+    start: Callable[[], Any], bar: Told, monkeypatch: pytest.MonkeyPatch, module: str, modules: list[str], action: str
 ) -> None:
     take_away(monkeypatch, module, modules)
     plugin = start()
     plugin.desk(action).action.trigger()
     assert plugin.desk(action).dock is not None
-    assert told == []
+    assert bar == []
 
 
 def take_away(monkeypatch: pytest.MonkeyPatch, package: str, modules: list[str]) -> None:

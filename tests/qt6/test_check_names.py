@@ -11,7 +11,7 @@ def names() -> Names:
     return Names()
 
 
-def told(source: str, names: Names) -> str:
+def last_complaints(source: str, names: Names) -> str:
     """What is told of the last line, in one text."""
     last = len(source.splitlines())
     return "; ".join(text for line, text in complaints(source, names) if line == last)
@@ -50,7 +50,7 @@ def told(source: str, names: Names) -> str:
     ],
 )
 def test_what_qt_6_took_away_is_told(source: str, expected: str, names: Names) -> None:
-    assert expected in told(source, names)
+    assert expected in last_complaints(source, names)
 
 
 @pytest.mark.parametrize(
@@ -74,6 +74,6 @@ def test_what_qt_6_has_is_left_alone(source: str, names: Names) -> None:
 
 
 def test_every_file_is_looked_at() -> None:
-    found = {path.relative_to(CHECKOUT).as_posix() for path in files(CHECKOUT)}
-    assert {"__init__.py", "plugin/plugin.py", "demo/run.py", "tests/qt6/under_qt6.py"} <= found
-    assert len(found) > 700
+    paths = {path.relative_to(CHECKOUT).as_posix() for path in files(CHECKOUT)}
+    assert {"__init__.py", "plugin/plugin.py", "demo/run.py", "tests/qt6/under_qt6.py"} <= paths
+    assert len(paths) > 700

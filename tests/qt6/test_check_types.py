@@ -55,14 +55,14 @@ def test_planted_mistakes_are_told_and_nothing_else(tmp_path: Path, known: Known
         [sys.executable, "-m", "mypy", "--config-file", "tools/qt6/mypy.ini", planted],
         cwd=CHECKOUT, capture_output=True, text=True, check=False,
     )  # fmt: skip
-    told = "\n".join(complaints(run.stdout.splitlines(), known))
-    lines = {int(line.split(":")[1]) for line in told.splitlines()}
+    text = "\n".join(complaints(run.stdout.splitlines(), known))
+    lines = {int(line.split(":")[1]) for line in text.splitlines()}
     sources = PLANTED.splitlines()
     first, last = (sources.index(line) for line in sources if line.startswith("def "))
     wanted = {first + 2 + place for place in range(last - first - 3)} | {7}  # the import of QUndoStack
-    assert lines == wanted, told
-    assert '"QMouseEvent" has no attribute "globalPos"' in told
-    assert "setAutoRefreshEnabled is deprecated" in told
+    assert lines == wanted, text
+    assert '"QMouseEvent" has no attribute "globalPos"' in text
+    assert "setAutoRefreshEnabled is deprecated" in text
 
 
 @pytest.mark.parametrize(

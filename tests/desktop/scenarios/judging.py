@@ -243,7 +243,7 @@ def looks(desk: Desk) -> dict[str, Any]:
 
 
 def key(desk: Desk, pressed: Qt.Key) -> None:
-    """Where the focus is."""
+    """Press a key where the focus is."""
     QTest.keyClick(QApplication.focusWidget() or desk.canvas, pressed)
     desk.pause(0.1)  # until it is up
 

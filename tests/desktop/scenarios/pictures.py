@@ -45,7 +45,7 @@ def play(desk: Desk) -> None:
 
 
 def inputs(desk: Desk, shots: Path) -> None:
-    """Which rasters of a project are taken for sources, and why the others are not."""
+    """Show which rasters of a project are taken for sources, and why the others are not."""
     block, mosaic = Path(desk.parameters["block"]), desk.parameters["mosaic"]
     half, copy = desk.folder / f"{mosaic}_half.tif", desk.folder / f"{mosaic}_copy.vrt"
     gdal.Translate(str(half), str(block / f"{mosaic}.tif"), widthPct=50, heightPct=50, resampleAlg="average")

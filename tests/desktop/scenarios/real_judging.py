@@ -125,7 +125,7 @@ def judge_blind(desk: Desk, shots: Path) -> None:
 
 
 def compare(desk: Desk, shots: Path) -> None:
-    """Where both differ."""
+    """Show where both differ."""
     session = desk.session
     for row in session.windows():  # the first one judges the same, but for a few
         if row.observer_2:

@@ -240,7 +240,7 @@ def counts(desk: Desk) -> dict[str, Any]:
 
 
 def link_of(path: Path) -> str:
-    """Where an open file leads; empty for one that is closed meanwhile."""
+    """The path that an open file leads to; empty for one that is closed meanwhile."""
     try:
         return os.readlink(path)
     except OSError:

@@ -49,11 +49,11 @@ def decided(
     sampling: SamplingRule | None = None, windows: Sequence[SeenWindow] = (), images: tuple[str, str] = IMAGES,
 ) -> Decision:
     """The decision by 2 % and 50 m, or by a plan too; ``failed``: sheet and piece, by their numbers."""
-    own = [
+    all_pieces = [
         piece for number, sheet in enumerate(sheets)
-        for piece in seam_of(sheet, number, pieces, [one for of, one in failed if of == number], images=images)
+        for piece in seam_of(sheet, number, pieces, [place for of, place in failed if of == number], images=images)
     ]  # fmt: skip
-    return decide(Delivery(tuple(own), UTM, tuple(windows)), rules(sampling=sampling))
+    return decide(Delivery(tuple(all_pieces), UTM, tuple(windows)), rules(sampling=sampling))
 
 
 def window_on(decision: Decision, piece: int, cause: str, *remarks: str) -> SeenWindow:

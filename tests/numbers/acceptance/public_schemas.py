@@ -71,4 +71,4 @@ def faults(document: str) -> list[str]:
     ids = {element.get("id") for element in root.iter()}
     links = (element.get(f"{{{NAMESPACES['xlink']}}}href", "") for element in root.iter())
     lost = [f"{link} leads nowhere" for link in links if link.startswith("#") and link[1:] not in ids]
-    return [*(f"{one.line}: {one.message}" for one in schema.error_log), *lost]
+    return [*(f"{error.line}: {error.message}" for error in schema.error_log), *lost]

@@ -40,29 +40,29 @@ def test_metres_add_up_and_the_rules_decide(
     for place, (kept, length) in enumerate(seams):
         made.append(seam(kept, length, f"sheet {place % 2}", str(place), (0, 1000 * place), number=number))
         number += len(kept)
-    found = decide(delivery(*made), rules(most, longest, kept=least))
+    decision = decide(delivery(*made), rules(most, longest, kept=least))
     pieces = [piece for pieces in made for piece in pieces]
     measured = [piece for piece in pieces if is_measured(piece, least)]
-    assert found.whole.measured_m == pytest.approx(math.fsum(one.length_m for one in measured))
-    assert found.whole.total_m == pytest.approx(math.fsum(piece.length_m for piece in pieces))
-    lost = [one for one in measured if one.kept_1 is not None and one.kept_1 < least]
-    assert found.whole.failed_m == pytest.approx(math.fsum(one.length_m for one in lost))
-    assert sum(sheet.failed_m for sheet in found.sheets) == pytest.approx(found.whole.failed_m)
-    assert sum(run.length_m for run in found.runs) == pytest.approx(found.whole.failed_m)
-    assert sorted(number for run in found.runs for number in run.pieces) == [one.number for one in lost]
-    assert found.longest_failure_m == max((run.length_m for run in found.runs), default=0)
-    assert found.longest_failure_m >= max((sheet.longest_failure_m for sheet in found.sheets), default=0) - 1e-9
-    kept = bool(measured) and found.whole.failed_share <= most and found.longest_failure_m <= longest
-    if found.outcome is ACCEPTED:
+    assert decision.whole.measured_m == pytest.approx(math.fsum(row.length_m for row in measured))
+    assert decision.whole.total_m == pytest.approx(math.fsum(piece.length_m for piece in pieces))
+    lost = [row for row in measured if row.kept_1 is not None and row.kept_1 < least]
+    assert decision.whole.failed_m == pytest.approx(math.fsum(row.length_m for row in lost))
+    assert sum(sheet.failed_m for sheet in decision.sheets) == pytest.approx(decision.whole.failed_m)
+    assert sum(run.length_m for run in decision.runs) == pytest.approx(decision.whole.failed_m)
+    assert sorted(number for run in decision.runs for number in run.pieces) == [row.number for row in lost]
+    assert decision.longest_failure_m == max((run.length_m for run in decision.runs), default=0)
+    assert decision.longest_failure_m >= max((sheet.longest_failure_m for sheet in decision.sheets), default=0) - 1e-9
+    kept = bool(measured) and decision.whole.failed_share <= most and decision.longest_failure_m <= longest
+    if decision.outcome is ACCEPTED:
         assert kept
-        assert found.whole.measured_share >= 0.9
-    if found.outcome is REJECTED:
+        assert decision.whole.measured_share >= 0.9
+    if decision.outcome is REJECTED:
         assert not kept
-    coarsest = max((one.length_m for one in measured), default=0)
-    hides = found.whole.longest_unknown_m > longest or coarsest > MOST_OF_RUN * longest > 0
-    if measured and found.whole.measured_share >= 0.9 and not (found.whole.unclear_m or hides):
-        assert found.accepted is kept  # nothing is open
-    assert str(found.sentences[0]).lower().startswith(found.outcome.value)
+    coarsest = max((row.length_m for row in measured), default=0)
+    hides = decision.whole.longest_unknown_m > longest or coarsest > MOST_OF_RUN * longest > 0
+    if measured and decision.whole.measured_share >= 0.9 and not (decision.whole.unclear_m or hides):
+        assert decision.accepted is kept  # nothing is open
+    assert str(decision.sentences[0]).lower().startswith(decision.outcome.value)
 
 
 def is_measured(piece: DeliveredPiece, least: float) -> bool:
@@ -80,46 +80,46 @@ def sure(pieces: list[DeliveredPiece]) -> list[DeliveredPiece]:
 
 def test_exactly_the_limit_passes() -> None:
     pieces = sure([*seam([0.7, *([0.9] * 98)]), *seam([0.7 - 1e-12], seam_id="2", start=(0, 50), number=99)])
-    found = decide(delivery(pieces), rules(share=1, run=1000))
-    assert [found.pieces[number].state for number in (0, 99)] == [PieceState.PASSED, PieceState.FAILED]
-    share, longest = found.whole.failed_share, found.longest_failure_m
+    decision = decide(delivery(pieces), rules(share=1, run=1000))
+    assert [decision.pieces[number].state for number in (0, 99)] == [PieceState.PASSED, PieceState.FAILED]
+    share, longest = decision.whole.failed_share, decision.longest_failure_m
     assert decide(delivery(pieces), rules(share=share, run=longest)).accepted
     assert decide(delivery(pieces), rules(share=share - 1e-6, run=longest)).outcome is REJECTED
     assert decide(delivery(pieces), rules(share=share, run=longest - 1e-6)).outcome is REJECTED
 
 
-def told(found: object) -> str:
-    return " ".join(map(str, found.sentences))  # type: ignore[attr-defined]
+def text_of(decision: object) -> str:
+    return " ".join(map(str, decision.sentences))  # type: ignore[attr-defined]
 
 
 def test_too_little_measured_is_undecided_and_says_what_would_decide_it() -> None:
     """Not a piece of it failed, so there is nothing to reject it for."""
-    found = decide(delivery(seam([0.9] * 8 + [None] * 2)), rules())
-    assert (found.outcome, found.accepted) == (UNDECIDED, None)
-    assert str(found.sentences[0]).startswith("Undecided by 'contract': ")
-    assert "80.0% of the metres were measured" in str(found.sentences[0])
-    assert "measuring at least 10 of the 20 m that were not measured" in told(found)
-    assert "20.0 of 100.0 m of seam could not be measured" in told(found)
+    decision = decide(delivery(seam([0.9] * 8 + [None] * 2)), rules())
+    assert (decision.outcome, decision.accepted) == (UNDECIDED, None)
+    assert str(decision.sentences[0]).startswith("Undecided by 'contract': ")
+    assert "80.0% of the metres were measured" in str(decision.sentences[0])
+    assert "measuring at least 10 of the 20 m that were not measured" in text_of(decision)
+    assert "20.0 of 100.0 m of seam could not be measured" in text_of(decision)
     files = {SOURCE_FILES: states_text([("/a.tif", FileState(1, 1, "d"))])}
     wide = [replace(item, kept_low=0.48, kept_high=1.2, verdict="not_comparable") for item in seam([0.76] * 10)]
     made = replace(delivery(wide), layers=(DeliveredLayer("a", Seal.WHOLE, 0.0, files),))
-    assert "with pieces of 20 m, with which some 100% would be measured" in told(decide(made, rules()))
-    assert "Pieces of 10 m would measure some 0%, and longer ones" in told(decide(made, rules(run=10.0)))
+    assert "with pieces of 20 m, with which some 100% would be measured" in text_of(decide(made, rules()))
+    assert "Pieces of 10 m would measure some 0%, and longer ones" in text_of(decide(made, rules(run=10.0)))
 
 
 def test_what_was_measured_rejects_where_the_rest_could_not_save_it() -> None:
     """30 of 100 m failed, and 20 were not measured: 30 % even if they are sound; at 1 of 40 it is 2.5 %."""
     assert decide(delivery(seam([0.4] * 3 + [0.9] * 5 + [None] * 2)), rules()).outcome is REJECTED
-    one = seam([0.4]), seam([0.9] * 31 + [None] * 8, seam_id="2", start=(0, 50), number=1)
-    assert decide(delivery(*one), rules(share=0.024)).outcome is REJECTED
-    assert decide(delivery(*one), rules(share=0.026)).outcome is UNDECIDED  # 3.1 % of what was measured
+    seams = seam([0.4]), seam([0.9] * 31 + [None] * 8, seam_id="2", start=(0, 50), number=1)
+    assert decide(delivery(*seams), rules(share=0.024)).outcome is REJECTED
+    assert decide(delivery(*seams), rules(share=0.026)).outcome is UNDECIDED  # 3.1 % of what was measured
 
 
 def test_pieces_too_coarse_for_what_may_fail_leave_it_open() -> None:
     """40 of 1600 m failed inside of a seam and 32 m may. Pieces of 20 m leave 16 m of that open, those of 2 m 1.6 m."""
     coarse = decide(delivery(seam([0.9] * 30 + [0.4] * 2 + [0.9] * 48, 20.0)), rules())
     assert (coarse.outcome, coarse.whole.failed_m) == (UNDECIDED, 40)
-    assert "with pieces of 20 m the failed length is known only to 16 m, and 32 m may fail" in told(coarse)
+    assert "with pieces of 20 m the failed length is known only to 16 m, and 32 m may fail" in text_of(coarse)
     assert decide(delivery(seam([0.9] * 300 + [0.4] * 20 + [0.9] * 480, 2.0)), rules()).outcome is REJECTED
     whole_seam = seam([0.4] * 2, 20.0), seam([0.9] * 78, 20.0, seam_id="2", start=(0, 50), number=2)
     assert decide(delivery(*whole_seam), rules()).outcome is REJECTED  # it ends where the seam does
@@ -128,26 +128,26 @@ def test_pieces_too_coarse_for_what_may_fail_leave_it_open() -> None:
 
 def test_ground_without_detail_is_no_part_of_what_is_judged() -> None:
     """26 of 100 pieces on smooth fields leave 74, all of which were measured."""
-    smooth = [replace(one, kept_1=None, verdict="not_comparable", has_detail=False) for one in seam([None] * 26)]
+    smooth = [replace(piece, kept_1=None, verdict="not_comparable", has_detail=False) for piece in seam([None] * 26)]
     sound = seam([0.98] * 74, seam_id="2", start=(0, 50), number=26)
-    found = decide(delivery(smooth, sound), rules())
-    assert found.outcome is ACCEPTED
-    assert (found.whole.total_m, found.whole.no_detail_m, found.whole.judged_m) == (1000, 260, 740)
-    assert found.whole.measured_share == 1
-    assert "260 of 1000 m of seam lie on ground without detail" in told(found)
+    decision = decide(delivery(smooth, sound), rules())
+    assert decision.outcome is ACCEPTED
+    assert (decision.whole.total_m, decision.whole.no_detail_m, decision.whole.judged_m) == (1000, 260, 740)
+    assert decision.whole.measured_share == 1
+    assert "260 of 1000 m of seam lie on ground without detail" in text_of(decision)
     nothing = decide(delivery(smooth), rules())
     assert (nothing.outcome, nothing.whole.measured_share) == (UNDECIDED, 0)
-    assert "an operator's look" in told(nothing)
+    assert "an operator's look" in text_of(nothing)
 
 
 def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     """Pieces of 0.65 [0.55, 0.76]: each as likely as not on the other side; surely failed ones decide."""
-    unclear = [replace(one, kept_low=0.55, kept_high=0.76) for one in seam([0.65] * 3 + [0.95] * 97)[:3]]
+    unclear = [replace(piece, kept_low=0.55, kept_high=0.76) for piece in seam([0.65] * 3 + [0.95] * 97)[:3]]
     rest = seam([0.95] * 97, start=(30, 0), number=3)
-    found = decide(delivery(unclear, rest), rules(run=None))
-    assert (found.outcome, found.whole.failed_m) == (UNDECIDED, 30)  # by value, as anybody adds it up
-    assert "an operator's look at the pieces whose intervals include the limit (30 m, pieces: 3)" in told(found)
-    assert found.outcomes[0].low < 0.02 < found.whole.failed_share < found.outcomes[0].high
+    decision = decide(delivery(unclear, rest), rules(run=None))
+    assert (decision.outcome, decision.whole.failed_m) == (UNDECIDED, 30)  # by value, as anybody adds it up
+    assert "an operator's look at the pieces whose intervals include the limit (30 m, pieces: 3)" in text_of(decision)
+    assert decision.outcomes[0].low < 0.02 < decision.whole.failed_share < decision.outcomes[0].high
     assert decide(delivery(sure(unclear), rest), rules(run=None)).outcome is REJECTED
     row = [replace(item, kept_low=0.6, kept_high=0.79) for item in seam([0.69] * 8)]  # one that passed would break it
     assert decide(delivery(row), rules(share=1.0)).outcome is UNDECIDED
@@ -157,34 +157,34 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
 def test_layers_that_lack_seams_are_not_accepted() -> None:
     layer = DeliveredLayer("north", Seal.BROKEN, 40.0, {})
     made = replace(delivery(seam([0.95] * 40)), layers=(layer,))
-    found = decide(made, rules())
-    assert found.outcome is UNDECIDED
-    assert "40 m of seam are missing" in str(found.sentences[0])
+    decision = decide(made, rules())
+    assert decision.outcome is UNDECIDED
+    assert "40 m of seam are missing" in str(decision.sentences[0])
     lost = decide(replace(made, pieces=tuple(seam([0.4] * 40))), rules())
     assert lost.outcome is REJECTED
-    for one in (found, lost, decide(replace(made, layers=(replace(layer, lacking_m=0.0),)), rules())):
-        assert str(one.sentences[0]).endswith(" layers of seams were changed since their scan: 1 (north).")
-        assert one.outcome is not ACCEPTED
+    for opened in (decision, lost, decide(replace(made, layers=(replace(layer, lacking_m=0.0),)), rules())):
+        assert str(opened.sentences[0]).endswith(" layers of seams were changed since their scan: 1 (north).")
+        assert opened.outcome is not ACCEPTED
     whole = decide(replace(made, layers=(replace(layer, seal=Seal.WHOLE, lacking_m=0.0),)), rules())
     assert whole.outcome is ACCEPTED
-    assert "as their scans left them" in told(whole)
+    assert "as their scans left them" in text_of(whole)
 
 
 def test_sheets_are_decided_by_the_same_limits() -> None:
     sound, lost = seam([0.95] * 59), seam([0.4] * 2, sheet="b", start=(0, 99), number=59)
     rest = seam([0.95] * 38, sheet="b", seam_id="2", start=(0, 200), number=61)
     unknown = seam([0.95] + [None] * 9, sheet="c", start=(0, 300), number=99)
-    found = decide(delivery(sound, lost, rest, unknown), rules(share=0.02, run=100.0))
-    assert found.sheet_outcomes == (ACCEPTED, REJECTED, UNDECIDED)
-    assert found.whole.failed_share == pytest.approx(0.02)
-    assert found.outcome is ACCEPTED  # of all sheets 2 % may fail, and 92 % were measured
+    decision = decide(delivery(sound, lost, rest, unknown), rules(share=0.02, run=100.0))
+    assert decision.sheet_outcomes == (ACCEPTED, REJECTED, UNDECIDED)
+    assert decision.whole.failed_share == pytest.approx(0.02)
+    assert decision.outcome is ACCEPTED  # of all sheets 2 % may fail, and 92 % were measured
 
 
 def test_sheets_that_were_not_measured_alike_are_told() -> None:
     lengths = {"a": "10", "b": "25"}
     sheets = [DeliveredLayer(name, Seal.WHOLE, 0.0, {"piece_m": length}) for name, length in lengths.items()]
-    found = decide(replace(delivery(seam([0.95] * 40)), layers=tuple(sheets)), rules())
-    assert "measured with different settings: piece_m is 10, 25" in told(found)
+    decision = decide(replace(delivery(seam([0.95] * 40)), layers=tuple(sheets)), rules())
+    assert "measured with different settings: piece_m is 10, 25" in text_of(decision)
 
 
 @pytest.mark.parametrize(("piece", "limit", "accepted"), [
@@ -193,12 +193,12 @@ def test_sheets_that_were_not_measured_alike_are_told() -> None:
 def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, limit: float, accepted: bool) -> None:
     """A single long one of many is enough, and where none may fail its length does not matter."""
     made = delivery(seam([0.95] * 400), seam([0.95], piece, seam_id="2", start=(0, 99), number=400))
-    found = decide(made, rules(run=limit))
-    assert found.accepted is accepted
+    decision = decide(made, rules(run=limit))
+    assert decision.accepted is accepted
     if not accepted:
-        assert f"pieces are up to {piece:.1f} m long, which can hide a longer one" in str(found.sentences[0])
-        assert "pieces of 25 m or less" in told(found)
-        assert "measuring the rows" not in told(found)
+        assert f"pieces are up to {piece:.1f} m long, which can hide a longer one" in str(decision.sentences[0])
+        assert "pieces of 25 m or less" in text_of(decision)
+        assert "measuring the rows" not in text_of(decision)
 
 
 @pytest.mark.parametrize(
@@ -219,19 +219,19 @@ def test_a_number_is_measured_where_its_interval_says_something(
 ) -> None:
     (piece,) = seam([kept])
     for verdict, state in (("reduced", with_verdict), ("not_comparable", without)):
-        one = replace(piece, kept_low=low, kept_high=high, verdict=verdict)
-        assert decide(delivery([one]), rules()).pieces[0].state is state
+        judged = replace(piece, kept_low=low, kept_high=high, verdict=verdict)
+        assert decide(delivery([judged]), rules()).pieces[0].state is state
 
 
 @pytest.mark.parametrize(("failed", "accepted"), [(2, True), (3, False)])
 def test_a_plan_decides_by_its_number(failed: int, accepted: bool) -> None:
     kept = [0.4] * failed + [0.9] * (80 - failed)
-    found = decide(delivery(seam(kept)), rules(None, None, sampling=SAMPLING), lot_size=1000)
-    assert found.accepted == accepted
-    assert (found.plan.plan.sample_size, found.plan.plan.acceptance_number) == (80, 2)
-    assert (found.plan.inspected, found.plan.nonconforming) == (80, failed)
-    assert f"{failed} of 80 inspected pieces failed" in str(found.sentences[0])
-    assert any("are rejected" in str(sentence) for sentence in found.sentences)
+    decision = decide(delivery(seam(kept)), rules(None, None, sampling=SAMPLING), lot_size=1000)
+    assert decision.accepted == accepted
+    assert (decision.plan.plan.sample_size, decision.plan.plan.acceptance_number) == (80, 2)
+    assert (decision.plan.inspected, decision.plan.nonconforming) == (80, failed)
+    assert f"{failed} of 80 inspected pieces failed" in str(decision.sentences[0])
+    assert any("are rejected" in str(sentence) for sentence in decision.sentences)
 
 
 def test_a_sample_is_drawn_with_its_seed() -> None:
@@ -245,29 +245,29 @@ def test_a_sample_is_drawn_with_its_seed() -> None:
 
 
 def test_a_sample_that_lacks_pieces_decides_only_what_they_can_not_change() -> None:
-    def found(failed: int, missing: int) -> bool | None:
+    def passed(failed: int, missing: int) -> bool | None:
         kept = [0.4] * failed + [None] * missing + [0.9] * (80 - failed - missing)
         pieces = [replace(piece, sample_number=place + 1) for place, piece in enumerate(seam(kept))]
         made = replace(delivery(pieces), lot_size=1000)
         return decide(made, rules(None, None, measured=0, sampling=SAMPLING)).outcomes[0].passed
 
-    assert (found(1, 1), found(1, 2), found(3, 5)) == (True, None, False)
+    assert (passed(1, 1), passed(1, 2), passed(3, 5)) == (True, None, False)
 
 
 @pytest.mark.parametrize("sampling", [None, SAMPLING])
 def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | None) -> None:
     pieces = [replace(piece, sample_number=place + 1) for place, piece in enumerate(seam([0.4] + [0.9] * 79))]
     part = replace(delivery(pieces), lot_size=1000)
-    found = decide(part, rules(share=0.02, run=50.0, sampling=sampling))
-    outcome = next(outcome for outcome in found.outcomes if outcome.check == "longest_failure")
-    assert (outcome.passed, outcome.value, found.outcome) == (None, None, UNDECIDED)
-    assert found.longest_failure_m is None
-    assert {one.longest_failure_m for one in (found.whole, *found.sheets)} == {None}
-    assert "can't be determined from a sample" in str(found.sentences[0])
-    assert "a sample of 80 pieces" in told(found)
-    assert "the layers of the whole scan" in told(found)
-    assert "without a break: " not in told(found)
-    assert ("decide by the plan" in told(found)) == (sampling is None)
+    decision = decide(part, rules(share=0.02, run=50.0, sampling=sampling))
+    outcome = next(outcome for outcome in decision.outcomes if outcome.check == "longest_failure")
+    assert (outcome.passed, outcome.value, decision.outcome) == (None, None, UNDECIDED)
+    assert decision.longest_failure_m is None
+    assert {sheet.longest_failure_m for sheet in (decision.whole, *decision.sheets)} == {None}
+    assert "can't be determined from a sample" in str(decision.sentences[0])
+    assert "a sample of 80 pieces" in text_of(decision)
+    assert "the layers of the whole scan" in text_of(decision)
+    assert "without a break: " not in text_of(decision)
+    assert ("decide by the plan" in text_of(decision)) == (sampling is None)
     assert decide(part, rules(share=0.02, run=None, sampling=sampling)).accepted  # the share can be estimated
     too_long = next(outcome for outcome in decide(part, rules(run=5.0)).outcomes if outcome.check == "longest_failure")
     assert too_long.passed is False  # what the sample shows is at least as long in the delivery
@@ -277,9 +277,9 @@ def test_a_sample_does_not_tell_how_long_failures_are(sampling: SamplingRule | N
 
 
 def test_too_small_a_sample_is_undecided() -> None:
-    found = decide(delivery(seam([0.9] * 40)), rules(None, None, sampling=SAMPLING), lot_size=1000)
-    assert found.outcome is UNDECIDED
-    assert "needs a sample of 80 pieces and 40 were measured" in str(found.sentences[0])
+    decision = decide(delivery(seam([0.9] * 40)), rules(None, None, sampling=SAMPLING), lot_size=1000)
+    assert decision.outcome is UNDECIDED
+    assert "needs a sample of 80 pieces and 40 were measured" in str(decision.sentences[0])
 
 
 def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
@@ -297,22 +297,22 @@ def test_a_lot_smaller_than_its_pieces_is_refused() -> None:
 def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
     row: list[float | None], longest: float, outcome: AcceptanceOutcome
 ) -> None:
-    found = decide(delivery(seam([0.95] * 200 + row + [0.95] * 200)), rules())
-    assert found.outcome is outcome
-    assert found.whole.longest_unknown_m == longest
-    assert [run.length_m for run in found.unknown_runs] == ([] if longest <= 50 else [longest])
+    decision = decide(delivery(seam([0.95] * 200 + row + [0.95] * 200)), rules())
+    assert decision.outcome is outcome
+    assert decision.whole.longest_unknown_m == longest
+    assert [run.length_m for run in decision.unknown_runs] == ([] if longest <= 50 else [longest])
     if outcome is UNDECIDED:
-        (rule,) = (outcome for outcome in found.outcomes if outcome.check == LONGEST_FAILURE)
+        (rule,) = (outcome for outcome in decision.outcomes if outcome.check == LONGEST_FAILURE)
         assert (rule.passed, rule.high) == (None, longest)
-        assert found.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
-        assert "measuring the rows of pieces longer than 50 m" in told(found)
+        assert decision.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
+        assert "measuring the rows of pieces longer than 50 m" in text_of(decision)
 
 
 def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:
-    found = decide(delivery(seam([0.68, 0.72, 0.4, 0.4, 0.9])), rules())
-    assert (found.whole.failed_m, found.whole.failed_unclear_m, found.whole.unclear_m) == (30, 10, 20)
-    assert found.whole.failed_unclear_share == pytest.approx(1 / 3)
-    assert found.sheets[0].failed_unclear_share == found.whole.failed_unclear_share
+    decision = decide(delivery(seam([0.68, 0.72, 0.4, 0.4, 0.9])), rules())
+    assert (decision.whole.failed_m, decision.whole.failed_unclear_m, decision.whole.unclear_m) == (30, 10, 20)
+    assert decision.whole.failed_unclear_share == pytest.approx(1 / 3)
+    assert decision.sheets[0].failed_unclear_share == decision.whole.failed_unclear_share
     assert decide(delivery(seam([0.9])), rules()).whole.failed_unclear_share is None
 
 
@@ -322,8 +322,8 @@ def test_a_layer_without_the_seal_of_its_scan_is_not_accepted() -> None:
     sealed, exported = (
         DeliveredLayer(name, seal, 0.0, {}) for name, seal in (("scan", Seal.WHOLE), ("export", Seal.MISSING))
     )
-    one, other = (decide(replace(delivery(pieces), layers=(layer,)), rules()) for layer in (sealed, exported))
-    assert (one.outcome, other.outcome) == (ACCEPTED, UNDECIDED)
+    whole, other = (decide(replace(delivery(pieces), layers=(layer,)), rules()) for layer in (sealed, exported))
+    assert (whole.outcome, other.outcome) == (ACCEPTED, UNDECIDED)
     assert "without the seal of a scan: 1 (export)" in str(other.sentences[0])
     assert "as their scans wrote them, in the GeoPackages themselves or copies" in str(other.sentences[1])
 
@@ -336,9 +336,9 @@ def test_two_scans_of_one_mosaic_decide_nothing(kept: float) -> None:
     pieces = delivery(sure(seam([kept] * 20)))
     for layers, count in ((first, second), 2), ((first, replace(first, name="b")), 0):
         doubts = replace(file_doubts(layers, (), ()), gone=())
-        found = decide(replace(pieces, layers=layers, files=doubts), rules())
-        assert (found.outcome is UNDECIDED) is bool(count)
-        assert ("different scans of one mosaic are given: 2 (a, b)" in str(found.sentences[0])) is bool(count)
+        decision = decide(replace(pieces, layers=layers, files=doubts), rules())
+        assert (decision.outcome is UNDECIDED) is bool(count)
+        assert ("different scans of one mosaic are given: 2 (a, b)" in str(decision.sentences[0])) is bool(count)
 
 
 def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
@@ -348,7 +348,7 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
     read = DeliveredLayer("a", True, 0.0, {"unread": "0.004", "unread_at": "10 20"})
     blank = replace(read, name="b", settings={}, is_blank=True)
     unknown = seam([None], sheet="b", start=(0, 99), number=100)
-    for told, one in (
+    for words, unseen in (
         ("0.40% of the mosaic of a could not be read, for example around 10 20", replace(sound, layers=(read,))),
         ("sheets of which nothing was measured: 1 (b)", replace(sound, layers=(blank,))),
         ("sheets of which nothing was measured: 1 (b)", delivery(seam([0.95] * 100), unknown)),
@@ -356,10 +356,10 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
         ("whose pixels can't all be read: 1 (x)", with_sheet(sound, SheetState.DAMAGED)),
         ("which nobody has checked: 1 (x)", with_sheet(sound, SheetState.OVERLAPS)),
     ):  # fmt: skip
-        found = decide(one, rules())
-        assert found.outcome is UNDECIDED
-        assert told in str(found.sentences[0])
-        assert "What would decide it: a scan of all sheets" in str(found.sentences[1])
+        decision = decide(unseen, rules())
+        assert decision.outcome is UNDECIDED
+        assert words in str(decision.sentences[0])
+        assert "What would decide it: a scan of all sheets" in str(decision.sentences[1])
     for state in (SheetState.SHOWN, SheetState.NOT_ORDERED):
         assert decide(with_sheet(sound, state), rules()).outcome is ACCEPTED
 

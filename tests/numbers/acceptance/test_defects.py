@@ -8,13 +8,13 @@ from tests.numbers.acceptance.made_decisions import IMAGES, PIECE_M, decided, wi
 
 
 def test_pieces_without_a_break_are_one_defect_the_longest_first() -> None:
-    found = defects_of(decided(["a", "b"], failed=[(1, 20), (0, 3), (0, 4), (0, 5)]))
-    assert [(one.run.number, one.run.sheets) for one in found] == [(1, ("a",)), (2, ("b",))]
-    assert [one.run.length_m for one in found] == [75, 25]
-    assert len(found[0].pieces) == 3
-    assert found[0].run.place == pytest.approx(decided(["a"]).delivery.pieces[4].middle, abs=1)
-    assert found[1].band_width_m == 2.5
-    assert (found[1].worst.piece.left_source, found[1].worst.piece.right_source) == IMAGES
+    defects = defects_of(decided(["a", "b"], failed=[(1, 20), (0, 3), (0, 4), (0, 5)]))
+    assert [(defect.run.number, defect.run.sheets) for defect in defects] == [(1, ("a",)), (2, ("b",))]
+    assert [defect.run.length_m for defect in defects] == [75, 25]
+    assert len(defects[0].pieces) == 3
+    assert defects[0].run.place == pytest.approx(decided(["a"]).delivery.pieces[4].middle, abs=1)
+    assert defects[1].band_width_m == 2.5
+    assert (defects[1].worst.piece.left_source, defects[1].worst.piece.right_source) == IMAGES
     assert defects_of(decided()) == ()
 
 
@@ -25,8 +25,8 @@ def test_cause_and_remarks_come_from_the_windows_on_it() -> None:
         window_on(plain, 10, "feathering", "kerb gone", "<b>"),
         window_on(plain, 30, "gamma", "elsewhere"),
     )  # fmt: skip
-    (one,) = defects_of(seen)
-    assert one.worst.piece.number == 10
-    assert one.cause == "feathering"
-    assert set(one.remarks) == {"kerb gone", "<b>"}
-    assert one.run.length_m == 2 * PIECE_M
+    (defect,) = defects_of(seen)
+    assert defect.worst.piece.number == 10
+    assert defect.cause == "feathering"
+    assert set(defect.remarks) == {"kerb gone", "<b>"}
+    assert defect.run.length_m == 2 * PIECE_M

@@ -50,9 +50,9 @@ def sheet(folder: Path, name: str, place: int, made: np.ndarray | None = None, s
 
 
 def findings(sheets: list[OrderedSheet], form: OrderedForm | None = None) -> dict[str, list[str]]:
-    found = checked_sheets(sheets, form or OrderedForm(), lambda share: True)
-    assert found is not None
-    return {one.sheet.name: [str(finding) for finding in one.findings] for one in found}
+    results = checked_sheets(sheets, form or OrderedForm(), lambda share: True)
+    assert results is not None
+    return {result.sheet.name: [str(finding) for finding in result.findings] for result in results}
 
 
 @pytest.fixture
@@ -79,52 +79,52 @@ def test_each_planted_fault_is_found_at_its_sheet(tmp_path: Path, sound: list[Or
     }
     (tmp_path / "broken.tif").write_bytes(b"II*\0")
     planted["broken"] = OrderedSheet("broken", str(tmp_path / "broken.tif"), outline(11), system())
-    found = findings([*sound, *planted.values()])
-    assert not any(found[one.name] for one in sound)
+    faults = findings([*sound, *planted.values()])
+    assert not any(faults[ordered.name] for ordered in sound)
     words = {
         "missing": "the file is missing", "coarse": "its pixels are 2 m instead of 1 m",
         "grey": "it has 1 bands instead of 3", "deep": "its pixels are uint16 instead of uint8",
         "holed": "8.33% of its outline has no data", "short": "43.75% of its outline has no data",
         "extra": "it was not ordered",
     }  # fmt: skip
-    assert {name: found[name] for name in words} == {name: [word] for name, word in words.items()}
-    assert found["elsewhere"][0].startswith("its reference system is EPSG:32634")
-    assert "instead of EPSG:32633" in found["elsewhere"][0]
-    assert len(found["broken"]) == 1
+    assert {name: faults[name] for name in words} == {name: [word] for name, word in words.items()}
+    assert faults["elsewhere"][0].startswith("its reference system is EPSG:32634")
+    assert "instead of EPSG:32633" in faults["elsewhere"][0]
+    assert len(faults["broken"]) == 1
 
 
 def test_a_system_with_heights_is_that_of_its_horizontal_part(tmp_path: Path, sound: list[OrderedSheet]) -> None:
     with_heights = sheet(tmp_path, "heights", 4, epsg="EPSG:32633+5773")
-    found = checked_sheets([*sound, with_heights], OrderedForm(wkt=system()), lambda share: True)
-    assert found is not None
-    assert not any(one.findings for one in found)
-    assert {one.state for one in found} == {SheetState.SHOWN}
-    build_mosaic(str(tmp_path / "mosaic.vrt"), fitting(found))
+    results = checked_sheets([*sound, with_heights], OrderedForm(wkt=system()), lambda share: True)
+    assert results is not None
+    assert not any(result.findings for result in results)
+    assert {result.state for result in results} == {SheetState.SHOWN}
+    build_mosaic(str(tmp_path / "mosaic.vrt"), fitting(results))
     assert gdal.Open(str(tmp_path / "mosaic.vrt")).RasterXSize == 5 * SIDE
 
 
 def test_no_data_outside_of_the_outline_is_no_fault(tmp_path: Path) -> None:
     made = pixels()
     made[:, :, 30:] = 0
-    one = sheet(tmp_path, "half", 0, made, nodata=0)
-    narrow = OrderedSheet("half", one.path, outline(0, 30.0), one.wkt)
+    half = sheet(tmp_path, "half", 0, made, nodata=0)
+    narrow = OrderedSheet("half", half.path, outline(0, 30.0), half.wkt)
     assert findings([narrow]) == {"half": []}
-    assert findings([one], OrderedForm(most_missing=0.5)) == {"half": []}
+    assert findings([half], OrderedForm(most_missing=0.5)) == {"half": []}
 
 
 def test_an_outline_that_gdal_can_not_read_is_told(tmp_path: Path) -> None:
-    one = sheet(tmp_path, "bent", 0)
-    assert findings([replace(one, outline=one.outline[:40])])["bent"] == [str(messages.MISSING_UNKNOWN())]
+    bent = sheet(tmp_path, "bent", 0)
+    assert findings([replace(bent, outline=bent.outline[:40])])["bent"] == [str(messages.MISSING_UNKNOWN())]
 
 
 def states(sheets: list[OrderedSheet]) -> dict[str, str]:
-    found = checked_sheets(sheets, OrderedForm(), lambda share: True)
-    assert found is not None
-    return {one.sheet.name: one.state.value for one in found}
+    results = checked_sheets(sheets, OrderedForm(), lambda share: True)
+    assert results is not None
+    return {result.sheet.name: result.state.value for result in results}
 
 
-def extra(one: OrderedSheet) -> OrderedSheet:
-    return replace(one, outline=None, is_ordered=False)
+def extra(ordered: OrderedSheet) -> OrderedSheet:
+    return replace(ordered, outline=None, is_ordered=False)
 
 
 def test_what_was_not_ordered_is_no_part_of_the_mosaic(tmp_path: Path, sound: list[OrderedSheet]) -> None:
@@ -132,12 +132,12 @@ def test_what_was_not_ordered_is_no_part_of_the_mosaic(tmp_path: Path, sound: li
     overview = pixels(side=4 * SIDE)
     others = [extra(sheet(tmp_path, f"zz_{number}", 0, overview.astype("uint16"))) for number in range(6)]
     others.append(extra(sheet(tmp_path, "zz_overview", 0, overview // 2)))
-    found = checked_sheets([*others, *sound], OrderedForm(), lambda share: True)
-    assert [one.sheet.name for one in fitting(found)] == [one.name for one in sound]
-    assert {str(one.findings[0]) for one in found[: len(others)]} == {"it was not ordered"}
-    assert not any(one.findings for one in found[len(others) :])
+    results = checked_sheets([*others, *sound], OrderedForm(), lambda share: True)
+    assert [result.sheet.name for result in fitting(results)] == [ordered.name for ordered in sound]
+    assert {str(result.findings[0]) for result in results[: len(others)]} == {"it was not ordered"}
+    assert not any(result.findings for result in results[len(others) :])
     assert states([*others, *sound]) == {
-        **{other.name: "not_ordered" for other in others}, **{one.name: "shown" for one in sound}
+        **{other.name: "not_ordered" for other in others}, **{ordered.name: "shown" for ordered in sound}
     }
 
 
@@ -145,11 +145,11 @@ def test_the_form_of_most_sheets_makes_the_mosaic_whatever_comes_first(
     tmp_path: Path, sound: list[OrderedSheet]
 ) -> None:
     odd = sheet(tmp_path, "a_first", 4, pixels(kind="uint16"))
-    found = checked_sheets([odd, *sound], OrderedForm(), lambda share: True)
-    assert found is not None
-    assert [one.sheet.name for one in fitting(found)] == [one.name for one in sound]
+    results = checked_sheets([odd, *sound], OrderedForm(), lambda share: True)
+    assert results is not None
+    assert [result.sheet.name for result in fitting(results)] == [ordered.name for ordered in sound]
     assert states([odd, *sound, OrderedSheet("gone", "", outline(5), system())]) == {
-        "a_first": "left_out", "gone": "left_out", **{one.name: "shown" for one in sound}
+        "a_first": "left_out", "gone": "left_out", **{ordered.name: "shown" for ordered in sound}
     }
 
 
@@ -188,7 +188,7 @@ def test_sheets_on_other_pixels_that_overlap_are_named(tmp_path: Path) -> None:
     first = wide(tmp_path, "s0", 0, scene, system=32633)
     path = write_raster(tmp_path / "aside.tif", scene[:, :, 60:130], 1.0, (LEFT + 60.5, TOP), system=32633)
     beside = write_raster(tmp_path / "beside.tif", scene[:, :, 60:130], 1.0, (LEFT + 69.5, TOP + 300), system=32633)
-    sheets = [first, *(OrderedSheet(Path(one).stem, one, None, system()) for one in (path, beside))]
+    sheets = [first, *(OrderedSheet(Path(name).stem, name, None, system()) for name in (path, beside))]
     assert states(sheets) == {"s0": "overlaps", "aside": "overlaps", "beside": "shown"}
 
 
@@ -196,13 +196,13 @@ def test_sheets_on_other_pixels_that_overlap_are_named(tmp_path: Path) -> None:
 def test_a_truncated_sheet_is_a_finding(tmp_path: Path, compression: str) -> None:
     options = [f"COMPRESS={compression}", "TILED=YES", "BLOCKXSIZE=64", "BLOCKYSIZE=64"]
     path = Path(write_raster(tmp_path / "cut.tif", orthoimage((256, 256)), 1.0, (LEFT, TOP), options=options))
-    one = OrderedSheet("cut", str(path), outline(0, 256), system())
-    assert findings([one]) == {"cut": []}
+    truncated = OrderedSheet("cut", str(path), outline(0, 256), system())
+    assert findings([truncated]) == {"cut": []}
     held = path.read_bytes()
     path.write_bytes(held[: len(held) * 2 // 3])
-    (told,) = findings([one])["cut"]
-    assert "cut.tif" in told
-    assert states([one]) == {"cut": "damaged"}
+    (fault,) = findings([truncated])["cut"]
+    assert "cut.tif" in fault
+    assert states([truncated]) == {"cut": "damaged"}
 
 
 def test_a_damaged_tile_is_a_finding(tmp_path: Path) -> None:
@@ -215,8 +215,8 @@ def test_a_damaged_tile_is_a_finding(tmp_path: Path) -> None:
     del dataset
     held[offset + 200 : offset + 900] = bytes(700)
     path.write_bytes(held)
-    one = OrderedSheet("cut", str(path), outline(0, 256), system())
-    assert "cut.tif is damaged in columns" in findings([one])["cut"][0]
+    damaged = OrderedSheet("cut", str(path), outline(0, 256), system())
+    assert "cut.tif is damaged in columns" in findings([damaged])["cut"][0]
 
 
 def sparse(path: Path, side: int, filled: int) -> str:
@@ -232,9 +232,9 @@ def sparse(path: Path, side: int, filled: int) -> str:
 def test_a_sheet_that_is_mostly_empty_is_a_finding_in_a_second(tmp_path: Path) -> None:
     path = sparse(tmp_path / "vast.tif", 400_000, 512)
     begin = time.process_time()
-    found = findings([OrderedSheet("vast", path, None, ""), OrderedSheet("again", path, None, "")])
+    faults = findings([OrderedSheet("vast", path, None, ""), OrderedSheet("again", path, None, "")])
     assert time.process_time() - begin < 4  # two of them, and whether they hide each other
-    assert found == {name: ["100.00% of its outline has no data"] for name in ("vast", "again")}
+    assert faults == {name: ["100.00% of its outline has no data"] for name in ("vast", "again")}
 
 
 def test_blocks_that_a_file_does_not_have_are_no_data(tmp_path: Path) -> None:

@@ -109,9 +109,9 @@ def test_a_seam_that_sheets_cut_is_one_seam() -> None:
     ]
     assert len({piece.seam for piece in pieces}) == 1
     assert lengths(pieces) == [20, 10, 10]
-    found = decide(delivery(pieces), rules())
-    assert [sheet.longest_failure_m for sheet in found.sheets] == pytest.approx([
-        found.runs[number].length_m for number in (1, 0, 2)
+    decision = decide(delivery(pieces), rules())
+    assert [sheet.longest_failure_m for sheet in decision.sheets] == pytest.approx([
+        decision.runs[number].length_m for number in (1, 0, 2)
     ])  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Which mosaic each layer of seams is of, beside those that are given."""
+"""The mosaic that each layer of seams is of, beside those that are given."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -56,18 +56,18 @@ def test_a_layer_of_another_mosaic_than_the_given_decides_nothing(
 ) -> None:
     layers = [layer_of(f"seams {number}", mosaic) for number, mosaic in enumerate(scanned(*sheets))]
     made = replace(delivery(seam([0.95] * 40)), layers=tuple(layers))
-    found = decide(replace(made, files=file_doubts(layers, given(*sheets), [])), rules())
+    decision = decide(replace(made, files=file_doubts(layers, given(*sheets), [])), rules())
     words = f"layers of seams whose mosaics are not given: 1 ({named})"
-    assert found.outcome is (AcceptanceOutcome.UNDECIDED if named else AcceptanceOutcome.ACCEPTED)
-    assert (words in str(found.sentences[0])) is bool(named)
-    assert any("leave the layers of others out" in str(sentence) for sentence in found.sentences) is bool(named)
+    assert decision.outcome is (AcceptanceOutcome.UNDECIDED if named else AcceptanceOutcome.ACCEPTED)
+    assert (words in str(decision.sentences[0])) is bool(named)
+    assert any("leave the layers of others out" in str(sentence) for sentence in decision.sentences) is bool(named)
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])
 def test_of_how_many_mosaics_layers_are_is_said_where_none_is_given(sheets: list[str], count: int) -> None:
     layers = [layer_of(path, path) for path in [*sheets[:count], sheets[0]]]
     made = replace(delivery(seam([0.95] * 40)), layers=tuple(layers))
-    found = decide(replace(made, files=file_doubts(layers, [], [])), rules())
-    assert found.accepted
+    decision = decide(replace(made, files=file_doubts(layers, [], [])), rules())
+    assert decision.accepted
     words = f"The layers of seams are of {count} mosaics"
-    assert any(str(sentence).startswith(words) for sentence in found.sentences) is (count > 1)
+    assert any(str(sentence).startswith(words) for sentence in decision.sentences) is (count > 1)

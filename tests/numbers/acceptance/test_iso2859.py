@@ -47,11 +47,11 @@ COLUMNS = {
 
 def lots() -> dict[str, tuple[int, str]]:
     """A lot size and a level for each code letter, by the letter; the lot is larger than any sample where it can be."""
-    found = {}
+    levels = {}
     for row, largest in zip(CODE_LETTERS, LARGEST_LOTS):
         for level, letter in zip(INSPECTION_LEVELS, row):
-            found[letter] = largest, level
-    return found
+            levels[letter] = largest, level
+    return levels
 
 
 def test_code_letters_are_those_of_table_1() -> None:
@@ -131,9 +131,9 @@ def test_plans_of_isolated_lots_are_those_of_the_table() -> None:
     for line in ISOLATED.strip().splitlines():
         largest, *numbers = (list(map(int, part.split())) for part in line.replace(":", ",").split(","))
         for lot in (smallest, largest[0]):
-            found = [isolated_lot_plan(lot, lq) for lq in LIMITING_QUALITIES]
-            assert [one.sample_size for one in found] == [min(size, lot) for size in numbers[0]]
-            assert [one.acceptance_number for one in found] == numbers[1]
+            plans = [isolated_lot_plan(lot, lq) for lq in LIMITING_QUALITIES]
+            assert [plan.sample_size for plan in plans] == [min(size, lot) for size in numbers[0]]
+            assert [plan.acceptance_number for plan in plans] == numbers[1]
         smallest = largest[0] + 1
 
 

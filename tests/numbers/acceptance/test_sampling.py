@@ -78,12 +78,12 @@ def test_an_isolated_lot_as_bad_as_its_limiting_quality_is_hardly_ever_accepted(
     # the standard: usually below 10 %, always below 13 %; its plan for the smallest lots at 2 % is not
     assert max(risk for risk, plan in zip(risks, plans) if lq != "2.00" or plan.lot_size > 90) < 0.13
     assert np.mean(np.array(risks) < 0.10) > 0.7
-    for one in plans:
-        found = operating_characteristic(one)
-        worse = found.good_quality + 1 / one.lot_size
-        rejected = 1 - acceptance_probability(one, np.array([found.good_quality, worse]))
-        assert rejected[0] == pytest.approx(found.producers_risk)
-        assert rejected[0] <= 0.05 or round(found.good_quality * one.lot_size) == 1
+    for plan in plans:
+        curve = operating_characteristic(plan)
+        worse = curve.good_quality + 1 / plan.lot_size
+        rejected = 1 - acceptance_probability(plan, np.array([curve.good_quality, worse]))
+        assert rejected[0] == pytest.approx(curve.producers_risk)
+        assert rejected[0] <= 0.05 or round(curve.good_quality * plan.lot_size) == 1
         assert rejected[1] > 0.05
 
 

@@ -34,8 +34,8 @@ def sealed(**notes: str) -> dict[str, str]:
 
 
 def test_in_any_order() -> None:
-    found = read(rows()[::-1], sealed())
-    assert (found.seal, found.lacking_m) == (Seal.WHOLE, 0)
+    sealing = read(rows()[::-1], sealed())
+    assert (sealing.seal, sealing.lacking_m) == (Seal.WHOLE, 0)
 
 
 @pytest.mark.parametrize("line", [np.empty((0, 2)), np.array([(30.0, 0.0)] * 2), np.array([(30.0, np.nan)] * 2)])
@@ -43,12 +43,12 @@ def test_a_piece_that_lost_its_line_is_missed(line: np.ndarray) -> None:
     """Its row still says that it failed, and it lies nowhere."""
     held = rows()
     held[1] = held[1][0], line
-    found = read(held, sealed())
-    assert (found.seal, found.lacking_m) == (Seal.BROKEN, 25)
+    sealing = read(held, sealed())
+    assert (sealing.seal, sealing.lacking_m) == (Seal.BROKEN, 25)
 
 
 def test_rows_of_which_none_is_a_piece_are_refused() -> None:
-    """As where somebody wrote another word into the field ``level`` of all of them."""
+    """Rows in which somebody wrote another word into the field ``level`` of all of them."""
     held = [{**row, "level": "stretch", "geometry": "LINESTRING(0 0, 25 0)"} for row, _ in rows()]
     with pytest.raises(SettingsError, match="none of their rows is a piece of seam"):
         make_delivery({"a": held}, "")
@@ -98,7 +98,7 @@ def crs_wkt(code: int) -> str:
     return str(system.ExportToWkt())
 
 
-@pytest.mark.parametrize(("written", "told"), [(0.5, 0.5), (7.0, 7.0), (0.0, 5.0), (-3.0, 5.0), (None, 5.0)])
-def test_a_length_that_is_none_is_that_of_the_line(written: float | None, told: float) -> None:
+@pytest.mark.parametrize(("written", "expected"), [(0.5, 0.5), (7.0, 7.0), (0.0, 5.0), (-3.0, 5.0), (None, 5.0)])
+def test_a_length_that_is_none_is_that_of_the_line(written: float | None, expected: float) -> None:
     row = {"kept_1": 0.9, "length": written, "geometry": "LINESTRING (0 0, 5 0)"}
-    assert make_delivery({"a": [row]}, "").pieces[0].length_m == told
+    assert make_delivery({"a": [row]}, "").pieces[0].length_m == expected

@@ -30,48 +30,48 @@ def said(**figures: str) -> dict[str, str]:
 
 @pytest.mark.parametrize(("unseen", "outcome"), [(40, AcceptanceOutcome.ACCEPTED), (60, AcceptanceOutcome.UNDECIDED)])
 def test_borders_that_no_seam_tells_of_leave_it_open(unseen: int, outcome: AcceptanceOutcome) -> None:
-    found = decided(said(unseen_metres=f"{unseen}.0", unseen_longest="20.0", unseen_at=PLACE))
-    assert found.outcome is outcome
-    told = " ".join(map(str, found.sentences))
-    assert f"along at least {unseen} m where no seam is measured" in told
-    assert "500036.8, 4999944.0 (6 x 102 m)" in told
+    decision = decided(said(unseen_metres=f"{unseen}.0", unseen_longest="20.0", unseen_at=PLACE))
+    assert decision.outcome is outcome
+    sentences = " ".join(map(str, decision.sentences))
+    assert f"along at least {unseen} m where no seam is measured" in sentences
+    assert "500036.8, 4999944.0 (6 x 102 m)" in sentences
 
 
 def test_lines_along_which_nothing_changes_leave_it_open() -> None:
-    found = decided(said(seams="given", unchanged_metres="60.0"))
-    assert found.outcome is AcceptanceOutcome.UNDECIDED
-    assert "along 60 m of them both sides show the same orthoimage" in str(found.sentences[0])
+    decision = decided(said(seams="given", unchanged_metres="60.0"))
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
+    assert "along 60 m of them both sides show the same orthoimage" in str(decision.sentences[0])
 
 
 def test_one_border_longer_than_a_failure_may_be_leaves_it_open() -> None:
-    one = said(unseen_metres="51.0", unseen_longest="51.0", unseen_at=PLACE)
-    found = decided(said(), one)
-    assert found.outcome is AcceptanceOutcome.UNDECIDED
-    assert "along 51 m around 500036.8, 4999944.0 (6 x 102 m)" in str(found.sentences[0])
+    long = said(unseen_metres="51.0", unseen_longest="51.0", unseen_at=PLACE)
+    decision = decided(said(), long)
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
+    assert "along 51 m around 500036.8, 4999944.0 (6 x 102 m)" in str(decision.sentences[0])
     assert decided(said(unseen_metres="49.0", unseen_longest="49.0")).accepted
 
 
 @pytest.mark.parametrize(("hidden", "accepted"), [("15.0", True), ("25.0", None)])
 def test_a_border_that_nothing_explains_counts_as_if_it_failed(hidden: str, accepted: bool | None) -> None:
-    found = decided(said(unseen_metres=hidden, unseen_longest="12.0", hidden_metres=hidden, hidden_longest="12.0",
+    decision = decided(said(unseen_metres=hidden, unseen_longest="12.0", hidden_metres=hidden, hidden_longest="12.0",
                          hidden_at=PLACE))
-    assert found.accepted is accepted
-    assert ("neither explains the mosaic" in str(found.sentences[0])) == (accepted is None)
+    assert decision.accepted is accepted
+    assert ("neither explains the mosaic" in str(decision.sentences[0])) == (accepted is None)
 
 
 @pytest.mark.parametrize("seams", ["given", "found"])
 def test_ground_that_no_orthoimage_explains_leaves_it_open_by_its_area(seams: str) -> None:
     layer = DeliveredLayer("a", True, 0.5, said(seams=seams, unexplained="0.5"))
-    found = decide(replace(delivery(seam(SOUND)), layers=(layer,)), rules())
-    assert found.outcome is AcceptanceOutcome.UNDECIDED
-    assert "50% of the mosaic of a match no orthoimage" in str(found.sentences[0])
+    decision = decide(replace(delivery(seam(SOUND)), layers=(layer,)), rules())
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
+    assert "50% of the mosaic of a match no orthoimage" in str(decision.sentences[0])
 
 
 def test_an_orthoimage_that_may_be_a_copy_leaves_it_open() -> None:
-    found = decided(said(may_be_copies="extra.tif"))
-    assert found.outcome is AcceptanceOutcome.UNDECIDED
-    assert "they hide what it lost: extra.tif" in str(found.why)
-    assert "the complete orthoimages as rectified" in str(found.sentences[1])
+    decision = decided(said(may_be_copies="extra.tif"))
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
+    assert "they hide what it lost: extra.tif" in str(decision.why)
+    assert "the complete orthoimages as rectified" in str(decision.sentences[1])
 
 
 def test_sheets_that_were_scanned_apart_are_told() -> None:
@@ -91,12 +91,12 @@ def test_all_scans_together() -> None:
                    "unchanged_metres": "5", "nodata_inside": "0.01", "nodata_at": f"{PLACE}; 7 8 9 10"}),
         )
     )  # fmt: skip
-    found = SeenGround.of_delivery(replace(delivery(seam(SOUND)), layers=layers))
-    assert found.seams == {"given", "found"}
-    assert (found.unseen_m, found.longest_unseen_m, found.unchanged_m, found.looked_at) == (50, 12.5, 5, 0.4)
-    assert list(found.unseen_at) == ["500036.8, 4999944.0 (6 x 102 m)"]
-    assert [place[-11:] for place in found.nodata_at] == ["(6 x 102 m)", " (9 x 10 m)"]
-    assert found.seen_m(1000) == 1045
+    ground = SeenGround.of_delivery(replace(delivery(seam(SOUND)), layers=layers))
+    assert ground.seams == {"given", "found"}
+    assert (ground.unseen_m, ground.longest_unseen_m, ground.unchanged_m, ground.looked_at) == (50, 12.5, 5, 0.4)
+    assert list(ground.unseen_at) == ["500036.8, 4999944.0 (6 x 102 m)"]
+    assert [place[-11:] for place in ground.nodata_at] == ["(6 x 102 m)", " (9 x 10 m)"]
+    assert ground.seen_m(1000) == 1045
 
 
 def test_what_a_scan_tells_of_the_ground_counts_for_its_rows() -> None:
@@ -107,8 +107,8 @@ def test_what_a_scan_tells_of_the_ground_counts_for_its_rows() -> None:
     ]  # fmt: skip
     assert decide(make_delivery({"a": rows}, UTM), rules()).accepted
     unseen = said(unseen_metres="400.0", unseen_longest="400.0", unseen_at=PLACE)
-    found = decide(make_delivery({"a": rows}, UTM, {"a": unseen}), rules())
-    assert found.outcome is AcceptanceOutcome.UNDECIDED
+    decision = decide(make_delivery({"a": rows}, UTM, {"a": unseen}), rules())
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
 
 
 def test_a_sample_of_several_scans_says_what_they_say_together() -> None:

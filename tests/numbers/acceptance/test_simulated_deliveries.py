@@ -48,13 +48,13 @@ def simulated(seed: int, seams: int, piece_m: float) -> Simulated:
         )
         for seam, values in enumerate(kept.tolist()) for place, value in enumerate(values)
     ]  # fmt: skip
-    found = decide(Delivery(tuple(pieces), ""), rules(share=ALLOWED, run=None))
-    assert found.whole.failed_share is not None
-    return Simulated(float((spoilt < 1).mean()), found.whole.failed_share, found.outcome)
+    decision = decide(Delivery(tuple(pieces), ""), rules(share=ALLOWED, run=None))
+    assert decision.whole.failed_share is not None
+    return Simulated(float((spoilt < 1).mean()), decision.whole.failed_share, decision.outcome)
 
 
 @pytest.fixture(scope="module")
-def found() -> list[Simulated]:
+def results() -> list[Simulated]:
     """Deliveries of 8 km in pieces of 10 m, 16 of which may fail."""
     return [simulated(seed, 40, 10.0) for seed in range(200)]
 
@@ -67,27 +67,27 @@ def coarse() -> list[Simulated]:
 
 @pytest.mark.release
 def test_nothing_clearly_bad_is_accepted_and_nothing_clearly_good_rejected(
-    found: list[Simulated], coarse: list[Simulated]
+    results: list[Simulated], coarse: list[Simulated]
 ) -> None:
     wrong = [
-        one for one in [*found, *coarse]
-        if (one.outcome is AcceptanceOutcome.ACCEPTED and one.planted > 1.25 * ALLOWED)
-        or (one.outcome is AcceptanceOutcome.REJECTED and one.planted < 0.8 * ALLOWED)
+        result for result in [*results, *coarse]
+        if (result.outcome is AcceptanceOutcome.ACCEPTED and result.planted > 1.25 * ALLOWED)
+        or (result.outcome is AcceptanceOutcome.REJECTED and result.planted < 0.8 * ALLOWED)
     ]  # fmt: skip
     assert wrong == []
 
 
 @pytest.mark.release
-def test_few_are_left_undecided(found: list[Simulated]) -> None:
-    open_ = [one.planted / ALLOWED for one in found if one.outcome is AcceptanceOutcome.UNDECIDED]
-    assert len(open_) < 0.2 * len(found)
+def test_few_are_left_undecided(results: list[Simulated]) -> None:
+    open_ = [result.planted / ALLOWED for result in results if result.outcome is AcceptanceOutcome.UNDECIDED]
+    assert len(open_) < 0.2 * len(results)
     assert np.percentile(open_, 90) < 1.6
     assert np.percentile(open_, 10) > 0.65
 
 
 @pytest.mark.release
-def test_sums_of_pieces_have_no_bias(found: list[Simulated]) -> None:
-    planted, failed = np.array([(one.planted, one.failed) for one in found]).T
+def test_sums_of_pieces_have_no_bias(results: list[Simulated]) -> None:
+    planted, failed = np.array([(result.planted, result.failed) for result in results]).T
     assert failed.sum() == pytest.approx(planted.sum(), rel=0.08)
 
 
@@ -96,11 +96,11 @@ def test_a_hundred_thousand_pieces_are_decided() -> None:
     """100 sheets of ten seams."""
     kept = np.random.default_rng(1).choice([0.95, 0.85, 0.5], (100, 10, 100), p=[0.7, 0.27, 0.03]).tolist()
     seams = [
-        seam(own, 20.0, f"sheet_{sheet}", str(place), (0.0, 200.0 * (10 * sheet + place)),
+        seam(kept_shares, 20.0, f"sheet_{sheet}", str(place), (0.0, 200.0 * (10 * sheet + place)),
              number=100 * (10 * sheet + place))
-        for sheet, seams in enumerate(kept) for place, own in enumerate(seams)
+        for sheet, seams in enumerate(kept) for place, kept_shares in enumerate(seams)
     ]  # fmt: skip
     large = delivery(*seams)
-    found = decide(large, rules())
-    assert found.whole.piece_count == 100_000
-    assert found.whole.failed_share == pytest.approx(0.03, abs=0.002)
+    decision = decide(large, rules())
+    assert decision.whole.piece_count == 100_000
+    assert decision.whole.failed_share == pytest.approx(0.03, abs=0.002)

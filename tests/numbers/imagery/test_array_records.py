@@ -15,17 +15,17 @@ any_array = kinds.flatmap(lambda kind: arrays(np.dtype(kind), shapes))
 @given(st.dictionaries(st.text(min_size=1, max_size=8), any_array, max_size=6), st.integers(1, 3))
 def test_what_was_packed_comes_back_bit_for_bit(given_arrays: dict[str, np.ndarray], every: int) -> None:
     compressed = list(given_arrays)[::every]
-    found = unpacked(packed(given_arrays, compressed))
-    assert list(found) == list(given_arrays)
+    read = unpacked(packed(given_arrays, compressed))
+    assert list(read) == list(given_arrays)
     for name, array in given_arrays.items():
-        assert found[name].dtype == array.dtype
-        assert found[name].shape == array.shape
-        assert found[name].tobytes() == np.ascontiguousarray(array).tobytes()
+        assert read[name].dtype == array.dtype
+        assert read[name].shape == array.shape
+        assert read[name].tobytes() == np.ascontiguousarray(array).tobytes()
 
 
 def test_parts_of_arrays_and_other_orders_are_what_they_show() -> None:
     values = np.arange(24.0).reshape(4, 6)
     shown = {"turned": values.T, "part": values[1:3, ::2], "fortran": np.asfortranarray(values)}
-    found = unpacked(packed(shown, ["part"]))
+    read = unpacked(packed(shown, ["part"]))
     for name, array in shown.items():
-        assert (found[name] == array).all()
+        assert (read[name] == array).all()

@@ -27,13 +27,13 @@ def read(path: str) -> Clip:
 
 @pytest.mark.parametrize(("wavelet", "levels"), [("coif3", 3), ("haar", 1), ("db4", 4)])
 def test_they_are_those_of_pywavelets(clip: Clip, wavelet: str, levels: int) -> None:
-    found = measure_directions(clip, wavelet, levels)
+    shares = measure_directions(clip, wavelet, levels)
     planes = dict(zip(("luminance", "red", "green", "blue"), (luminance(clip.bands), *clip.bands)))
-    assert list(found) == list(planes)
+    assert list(shares) == list(planes)
     for name, plane in planes.items():
         energy = np.sum(without_mean(plane) ** 2)
         expected = [[np.sum(part**2) / energy for part in level] for level in wavedec(plane, wavelet, levels)[:0:-1]]
-        np.testing.assert_allclose(found[name], expected, rtol=1e-6)
+        np.testing.assert_allclose(shares[name], expected, rtol=1e-6)
 
 
 def test_their_sum_is_the_detail_of_the_curve(clip: Clip) -> None:
@@ -48,5 +48,5 @@ def test_lines_show_up_in_their_direction(make_raster: MakeRaster) -> None:
     for place, marks in enumerate((row, column, row + column)):
         path = make_raster(f"{place}.tif", (100 + 50 * (marks % 2)).astype(np.uint8))
         ((finest, *coarser),) = measure_directions(read(path), "haar", 2).values()
-        assert finest == pytest.approx([float(place == one) for one in range(3)], abs=1e-9)
+        assert finest == pytest.approx([float(place == direction) for direction in range(3)], abs=1e-9)
         assert coarser == [pytest.approx((0, 0, 0), abs=1e-9)]

@@ -109,8 +109,8 @@ def test_formats_that_lead_nowhere_are_read(tmp_path: Path, driver: str, options
 def test_what_an_index_names_starts_at_its_folder(tmp_path: Path) -> None:
     (tmp_path / "10:00.tif").touch()
     inside = {"a.tif": "a.tif", "b/../a.tif": "a.tif", "10:00.tif": "10:00.tif"}
-    assert [gdal_paths.path_from(str(tmp_path), one) for one in inside] == [
-        str(tmp_path / one) for one in inside.values()
+    assert [gdal_paths.path_from(str(tmp_path), inner) for inner in inside] == [
+        str(tmp_path / inner) for inner in inside.values()
     ]  # fmt: skip
     for whole in ("/a.tif", "D:\\a.tif", "GPKG:a.gpkg:b", "/vsicurl/http://a/b.tif", "http://a/b.tif", "vrt://a.tif"):
         assert gdal_paths.path_from(str(tmp_path), whole) == whole
@@ -170,11 +170,11 @@ OPENED_BY = {
 
 def test_nobody_else_opens_data_or_reads_documents() -> None:
     """Data of others are opened by what stands in gdal_paths.py, and read by documents.py."""
-    found: dict[str, set[str]] = {}
+    openers: dict[str, set[str]] = {}
     for module in Path(gdal_paths.__file__).parents[1].rglob("*.py"):
-        for one in OPENING.finditer(module.read_text(encoding="utf-8")):
-            found.setdefault(module.name, set()).add(one.group().rstrip("("))
-    assert found == OPENED_BY
+        for match in OPENING.finditer(module.read_text(encoding="utf-8")):
+            openers.setdefault(module.name, set()).add(match.group().rstrip("("))
+    assert openers == OPENED_BY
 
 
 def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:

@@ -99,8 +99,8 @@ def test_a_snapped_window_can_be_decomposed_and_covers_what_was_drawn(
     assert window.width % step == window.height % step == 0
     assert min(window.width, window.height) >= 64
     assert window.cut_to(4000, 3000) == window
-    found = (window.column, window.row, window.column + window.width, window.row + window.height)
-    assert max(abs(a - b) for a, b in zip(found, inside)) <= step / 2 + 1
+    snapped = (window.column, window.row, window.column + window.width, window.row + window.height)
+    assert max(abs(a - b) for a, b in zip(snapped, inside)) <= step / 2 + 1
     assert snap_window(grid(), grid().window_extent(window), levels) == window
 
 

@@ -20,9 +20,9 @@ def test_a_plane_is_correlated_as_by_scipy(shape: tuple[int, int], taps: tuple[i
     plane = (100 + 30 * rng.standard_normal(shape)).astype(np.float32)
     kernel = rng.standard_normal(taps).astype(np.float32)
     before = plane.copy()
-    found = correlated(plane, kernel)
-    assert found.dtype == np.float32
-    np.testing.assert_allclose(found, ndimage.correlate(plane, kernel, mode="nearest"), atol=2e-3)
+    result = correlated(plane, kernel)
+    assert result.dtype == np.float32
+    np.testing.assert_allclose(result, ndimage.correlate(plane, kernel, mode="nearest"), atol=2e-3)
     np.testing.assert_array_equal(plane, before)
 
 
@@ -41,8 +41,8 @@ def test_products_are_those_of_numpy(dtype: type, many: tuple[int, ...]) -> None
     filters.multiply(first, second, out[..., 1::2])
     np.testing.assert_allclose(out[..., 1::2], first @ second, rtol=1e-5)
     assert (out[..., ::2] == -1).all()
-    own = rng.random((6, 4)).astype(dtype)
-    np.testing.assert_allclose(filters.product(own.T, own), own.T @ own, rtol=1e-5)
+    matrix = rng.random((6, 4)).astype(dtype)
+    np.testing.assert_allclose(filters.product(matrix.T, matrix), matrix.T @ matrix, rtol=1e-5)
 
 
 @pytest.mark.usefixtures("plain")
@@ -56,8 +56,8 @@ def test_kernels_and_wavelets_are_the_same_by_other_products(monkeypatch: pytest
 
     by_scipy = made()
     monkeypatch.setattr(filters, "numpy_has_plain_products", lambda: False)
-    for one, other in zip(by_scipy, made()):
-        np.testing.assert_allclose(one, other, rtol=1e-5, atol=2e-3)
+    for expected, other in zip(by_scipy, made()):
+        np.testing.assert_allclose(expected, other, rtol=1e-5, atol=2e-3)
 
 
 GSL = find_library("gslcblas")
@@ -67,9 +67,9 @@ GSL = find_library("gslcblas")
 @pytest.mark.skipif(not (GSL and sys.platform.startswith("linux")), reason="no CBLAS of GSL on this machine")
 def test_a_process_that_was_started_with_the_library_of_gsl_is_told() -> None:
     code = f"import {filters.__name__} as filters; print(filters.numpy_has_plain_products())"
-    for preloaded, found in (("", "False"), (str(GSL), "True")):
+    for preloaded, preloads in (("", "False"), (str(GSL), "True")):
         made = subprocess.run(
             [sys.executable, "-c", code], env={**os.environ, "LD_PRELOAD": preloaded}, capture_output=True, text=True,
             check=True,
         )
-        assert made.stdout.strip() == found
+        assert made.stdout.strip() == preloads

@@ -17,7 +17,7 @@ from tests.examples import times
 
 FAR = Message("It lies {metres:.1f} m off, since {why}.", WARNING)
 WHY = Message("nobody looked", INFO)
-SENTENCES = {one.template: one for one in (FAR, WHY)}
+SENTENCES = {sentence.template: sentence for sentence in (FAR, WHY)}
 
 
 class Colour(str, Enum):
@@ -55,21 +55,21 @@ wholes = st.builds(
 @given(wholes)
 @times(3)
 def test_what_was_recorded_comes_back(whole: Whole) -> None:
-    found = value_of(Whole, record_of(whole), SENTENCES)
-    assert found == whole
-    assert str(found.reason) == str(whole.reason)
-    assert found.reason is None or found.reason.level == WARNING
-    assert (found.picture is None) == (whole.picture is None)
+    restored = value_of(Whole, record_of(whole), SENTENCES)
+    assert restored == whole
+    assert str(restored.reason) == str(whole.reason)
+    assert restored.reason is None or restored.reason.level == WARNING
+    assert (restored.picture is None) == (whole.picture is None)
     if whole.picture is not None:
-        np.testing.assert_array_equal(found.picture, whole.picture)
+        np.testing.assert_array_equal(restored.picture, whole.picture)
 
 
 def test_pictures_come_back_to_a_two_thousandth_and_holes_stay() -> None:
     picture = np.linspace(0.0, 3.0, 1000, dtype=np.float32).reshape(20, 50)
     picture[3, 4] = np.nan
-    found = value_of(Whole, record_of(Whole(1, True, {}, (1, 2.0), picture=picture)), {}).picture
-    assert found.dtype == np.float32
-    np.testing.assert_allclose(found, picture, rtol=5e-4, atol=1e-7)
+    restored = value_of(Whole, record_of(Whole(1, True, {}, (1, 2.0), picture=picture)), {}).picture
+    assert restored.dtype == np.float32
+    np.testing.assert_allclose(restored, picture, rtol=5e-4, atol=1e-7)
 
 
 def json_record(text: str) -> bytes:

@@ -233,9 +233,9 @@ def test_gaps_of_a_palette(
 
 
 @pytest.mark.parametrize("gsd", [0.1, 0.05])
-@pytest.mark.parametrize("own", [None, 0])
+@pytest.mark.parametrize("of_file", [None, 0])
 def test_additional_nodata_counts_beside_that_of_the_file(
-    make_raster: MakeRaster, mosaic: Raster, own: int | None, gsd: float
+    make_raster: MakeRaster, mosaic: Raster, of_file: int | None, gsd: float
 ) -> None:
     """A black margin that the file names, a white one that only its user does, and white that is white in one band."""
     times = round(0.1 / gsd)
@@ -243,10 +243,10 @@ def test_additional_nodata_counts_beside_that_of_the_file(
     image[:, 80:90] = 0
     image[:, 130:140] = 250
     image[0, 100:120] = 250
-    path = make_raster("margins.tif", np.kron(image, np.ones((1, times, times), np.uint8)), gsd=gsd, nodata=own)
+    path = make_raster("margins.tif", np.kron(image, np.ones((1, times, times), np.uint8)), gsd=gsd, nodata=of_file)
     valid = clip_of(path, mosaic, nodata=250, partly=True).valid
     assert valid is not None
     expected = np.ones(SIZE, bool)
     expected[130:140] = False
-    expected[80:90] = own is None
+    expected[80:90] = of_file is None
     np.testing.assert_array_equal(valid, inside(expected))

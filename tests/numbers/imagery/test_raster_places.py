@@ -1,4 +1,4 @@
-"""Where a raster lies on the map, and what is no raster to measure: one sentence."""
+"""The place of a raster on the map, and what is no raster to measure: one sentence."""
 from __future__ import annotations
 
 from dataclasses import replace

@@ -49,10 +49,10 @@ def test_few_stay_open_those_used_last(make_raster: MakeRaster, tmp_path: Path) 
 def test_each_thread_has_its_own_and_the_end_of_the_run_closes_all(make_raster: MakeRaster, tmp_path: Path) -> None:
     ref = RasterRef(make_raster("a.tif", orthoimage((64, 64))))
     opened, go_on = threading.Barrier(3), threading.Event()
-    found: list[int] = []
+    ids: list[int] = []
 
     def work() -> None:
-        found.append(id(open_raster(ref)))
+        ids.append(id(open_raster(ref)))
         opened.wait(10)
         go_on.wait(10)
 
@@ -66,7 +66,7 @@ def test_each_thread_has_its_own_and_the_end_of_the_run_closes_all(make_raster: 
     go_on.set()
     for thread in threads:
         thread.join(10)
-    assert len(set(found)) == 2
+    assert len(set(ids)) == 2
 
 
 def test_a_file_that_was_replaced_is_opened_anew(make_raster: MakeRaster) -> None:

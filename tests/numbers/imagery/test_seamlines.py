@@ -83,8 +83,8 @@ def total(seams: Sequence[Seam]) -> float:
 
 def assert_same(ones: Sequence[Seam], others: Sequence[Seam]) -> None:
     assert [seam.seam_id for seam in ones] == [seam.seam_id for seam in others]
-    for one, other in zip(ones, others):
-        np.testing.assert_allclose(one.vertices, other.vertices, atol=1e-6)
+    for line, other in zip(ones, others):
+        np.testing.assert_allclose(line.vertices, other.vertices, atol=1e-6)
 
 
 @given(st.randoms(use_true_random=False), st.integers(20, 200), st.integers(0, 200))

@@ -23,9 +23,9 @@ def pair(x: float, y: float, side: int = 256, seed: int = 0, beta: float = 1.8) 
 
 
 def assert_shift(image: np.ndarray, reference: np.ndarray, x: float, y: float, **given: np.ndarray) -> None:
-    found = find_shift(image, reference, **given)
-    assert (found.x, found.y) == pytest.approx((x, y), abs=ACCURACY)
-    assert found.length == pytest.approx(np.hypot(x, y), abs=2 * ACCURACY)
+    shift = find_shift(image, reference, **given)
+    assert (shift.x, shift.y) == pytest.approx((x, y), abs=ACCURACY)
+    assert shift.length == pytest.approx(np.hypot(x, y), abs=2 * ACCURACY)
 
 
 @pytest.mark.parametrize(("x", "y"), SHIFTS)
@@ -80,9 +80,9 @@ def test_a_tile_that_lies_elsewhere_does_not_lower_the_peak() -> None:
     alone = find_shift(most, reference)
     mosaic = most.copy()
     mosaic[256:, 256:] = other[256:, 256:]
-    found = find_shift(mosaic, reference)
-    assert (found.x, found.y) == pytest.approx((2.3, -1.1), abs=ACCURACY)
-    assert found.peak == pytest.approx(alone.peak, abs=0.05)
+    shift = find_shift(mosaic, reference)
+    assert (shift.x, shift.y) == pytest.approx((2.3, -1.1), abs=ACCURACY)
+    assert shift.peak == pytest.approx(alone.peak, abs=0.05)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.001])

@@ -152,9 +152,9 @@ def test_luminance_of_bands_that_nearly_cancel(rest: float) -> None:
 @given(st.integers(0, 2**32 - 1), st.sampled_from(imagery_limits.WAVELETS), st.integers(1, 4), st.floats(-1, 1))
 def test_inner_products_of_two_clips(seed: int, wavelet: str, levels: int, alike: float) -> None:
     shape = (80, 64)
-    one = texture(shape, 1.5, seed)
-    other = alike * one + (1 - abs(alike)) * texture(shape, 1.0, seed + 1)
-    pair = np.stack([300 + 40 * one, 9000 + 7 * other])
+    plane = texture(shape, 1.5, seed)
+    other = alike * plane + (1 - abs(alike)) * texture(shape, 1.0, seed + 1)
+    pair = np.stack([300 + 40 * plane, 9000 + 7 * other])
     products = component_products(pair, wavelet, levels, [(0, 1), (1, 0)])
     first, second = (decompose(band, wavelet, levels) for band in pair)
     scale = np.sqrt(first.energy * second.energy)
@@ -173,18 +173,18 @@ def test_inner_products_of_two_clips(seed: int, wavelet: str, levels: int, alike
 def test_coarse_components_hold_the_coefficients_of_pywavelets(levels: int, wavelet: str) -> None:
     clip = orthoimage((64, 96), 2)
     coarse = clip_curves(clip, wavelet, levels)[1]
-    for band, found in zip(clip, coarse):
+    for band, component in zip(clip, coarse):
         expected = decompose(band, wavelet, levels).coarse
-        assert found.shape == expected.shape
-        np.testing.assert_allclose(found - found.mean(), expected, atol=1e-4)
+        assert component.shape == expected.shape
+        np.testing.assert_allclose(component - component.mean(), expected, atol=1e-4)
 
 
 @pytest.mark.parametrize("wavelet", ["coif3", "db4", "sym5", "haar", "coif1"])
 def test_placed_components_show_a_point_where_it_is(wavelet: str) -> None:
     """To half of 2^r px, in the mean over places beside the grid; PyWavelets' own, moved by whole coefficients."""
     band = orthoimage((256, 192), 1)[0].astype(np.float64)
-    found = placed_components(band[np.newaxis], wavelet, 3)
-    for directions, level in zip(found, reversed(placed_wavedec(band, wavelet, 3)[1:])):
+    components = placed_components(band[np.newaxis], wavelet, 3)
+    for directions, level in zip(components, reversed(placed_wavedec(band, wavelet, 3)[1:])):
         for mine, theirs in zip(directions[:, 0], level):
             np.testing.assert_allclose(mine, theirs, atol=1e-9)
     points = np.zeros((8, 256, 256), np.float32)
@@ -204,9 +204,9 @@ def test_placed_components_show_a_point_where_it_is(wavelet: str) -> None:
 @pytest.mark.parametrize("shape", [(1, 512, 512), (2, 104, 200), (1, 520, 72)])
 def test_components_of_float32_planes_with_every_wavelet(wavelet: str, shape: tuple[int, int, int]) -> None:
     planes = np.stack([200 + 40 * texture(shape[1:], 1.5, seed) for seed in range(shape[0])]).astype(np.float32)
-    found = list(detail_components(planes, wavelet, 3))
+    components = list(detail_components(planes, wavelet, 3))
     for index, plane in enumerate(planes):
-        for directions, level in zip(found, reversed(wavedec(without_mean(plane), wavelet, 3)[1:])):
+        for directions, level in zip(components, reversed(wavedec(without_mean(plane), wavelet, 3)[1:])):
             assert directions.dtype == np.float32
             for mine, theirs in zip(directions[:, index], level):
                 np.testing.assert_allclose(mine, theirs, rtol=0, atol=1e-5 * np.abs(theirs).max())
@@ -266,9 +266,9 @@ def test_the_layout_in_memory_does_not_matter(side: int) -> None:
     expected, coarse = clip_curves(clip, "coif3", 3, WEIGHTS)
     for view in (np.moveaxis(by_pixel, -1, 0), spread[:, ::2, 1::3], np.asfortranarray(clip), clip[:, ::-1][:, ::-1]):
         before = view.copy()
-        curves, found = clip_curves(view, "coif3", 3, WEIGHTS)
+        curves, result = clip_curves(view, "coif3", 3, WEIGHTS)
         assert curves == expected
-        np.testing.assert_array_equal(found, coarse)
+        np.testing.assert_array_equal(result, coarse)
         np.testing.assert_array_equal(view, before)
 
 

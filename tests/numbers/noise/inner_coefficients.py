@@ -11,12 +11,12 @@ from tests.numbers.synthetic import wavedec
 def inner_kurtoses(band: np.ndarray, wavelet: str, levels: int) -> list[float]:
     """The kurtosis of each level, the three components less their means together."""
     sides = [_inner(length, wavelet, levels) for length in band.shape]
-    found = []
+    kurtoses = []
     for components, rows, columns in zip(wavedec(band, wavelet, levels)[:0:-1], *sides):
         parts = [part[np.ix_(rows, columns)] for part in components]
         values = np.concatenate([(part - part.mean()).ravel() for part in parts])
-        found.append(float(stats.kurtosis(values, fisher=False)))
-    return found
+        kurtoses.append(float(stats.kurtosis(values, fisher=False)))
+    return kurtoses
 
 
 def _inner(length: int, wavelet: str, levels: int) -> list[np.ndarray]:

@@ -57,10 +57,10 @@ def test_the_spectrum_of_grain_is_what_pywavelets_makes_of_it(wavelet: str, size
 @at_most(15)
 @given(sigma=st.floats(0.1, 100), seed=st.integers(0, 99))
 def test_pure_noise_is_quiet_ground_of_its_own_strength(sigma: float, seed: int) -> None:
-    found = quiet_ground(np.random.default_rng(seed).normal(0, sigma, (3, 120, 120)))
-    assert found.quiet == pytest.approx(sigma, rel=0.06)
-    assert found.least == pytest.approx(sigma, rel=0.15)
-    assert found.unevenness == pytest.approx(1, abs=0.06)
+    ground = quiet_ground(np.random.default_rng(seed).normal(0, sigma, (3, 120, 120)))
+    assert ground.quiet == pytest.approx(sigma, rel=0.06)
+    assert ground.least == pytest.approx(sigma, rel=0.15)
+    assert ground.unevenness == pytest.approx(1, abs=0.06)
 
 
 def test_a_cut_off_sky_does_not_hide_the_noise_of_the_ground() -> None:
@@ -72,19 +72,19 @@ def test_a_cut_off_sky_does_not_hide_the_noise_of_the_ground() -> None:
 @pytest.mark.parametrize("size", [0.5, 0.7, 1.0])
 @pytest.mark.parametrize("sigma", [6.0, 8.0, 15.0])
 def test_grain_on_even_ground_is_recognised_with_its_size_and_strength(size: float, sigma: float) -> None:
-    found = measured(120 + 15 * texture((1024, 1024), 4, 2) + grain(sigma, size, (1024, 1024)))
-    assert found.grain.size == pytest.approx(size, abs=0.11)
-    assert found.grain.sigma == pytest.approx(sigma, rel=0.1)
-    assert found.verdict in (NoiseVerdict.MODERATE, NoiseVerdict.STRONG)
+    noise = measured(120 + 15 * texture((1024, 1024), 4, 2) + grain(sigma, size, (1024, 1024)))
+    assert noise.grain.size == pytest.approx(size, abs=0.11)
+    assert noise.grain.sigma == pytest.approx(sigma, rel=0.1)
+    assert noise.verdict in (NoiseVerdict.MODERATE, NoiseVerdict.STRONG)
 
 
 @at_most(15)
 @given(sigma=st.floats(8, 20), size=st.floats(0, 1.0), beta=st.floats(2.3, 3.5), seed=st.integers(0, 50))
 def test_strong_grain_is_never_low(sigma: float, size: float, beta: float, seed: int) -> None:
     ground = 120 + 15 * patchy_texture((512, 512), beta, seed)
-    found = measured(ground + grain(sigma, size, ground.shape, seed))
-    assert found.verdict != NoiseVerdict.LOW
-    assert (found.largest_sigma or 0) > 0.9 * sigma
+    noise = measured(ground + grain(sigma, size, ground.shape, seed))
+    assert noise.verdict != NoiseVerdict.LOW
+    assert (noise.largest_sigma or 0) > 0.9 * sigma
 
 
 @at_most(15)
@@ -94,10 +94,10 @@ def test_ground_with_quiet_places_and_no_noise_is_low(beta: float, seed: int) ->
 
 
 def test_a_window_too_small_to_look_for_grain_is_uncertain_and_says_so() -> None:
-    found = measured(120 + 25 * texture((64, 64), 3.0, 1), "coif10")
-    assert found.largest_sigma is None
-    assert found.verdict == NoiseVerdict.UNCERTAIN
-    assert "too small" in str(found.note)
+    noise = measured(120 + 25 * texture((64, 64), 3.0, 1), "coif10")
+    assert noise.largest_sigma is None
+    assert noise.verdict == NoiseVerdict.UNCERTAIN
+    assert "too small" in str(noise.note)
 
 
 @pytest.mark.release
@@ -108,9 +108,9 @@ def test_made_grain_on_real_ground_is_never_low(
 ) -> None:
     path, column, row, side = place
     ground = luminance(read_pixels(str(data_folder / path), column, row, side, side))
-    found = measured(ground + grain(8, size, ground.shape))
+    noise = measured(ground + grain(8, size, ground.shape))
     if size == 0.0:  # white noise is judged by the curve, against the texture
-        assert (found.sigma or 0) > 7.5
+        assert (noise.sigma or 0) > 7.5
     else:
-        assert found.verdict != NoiseVerdict.LOW
-    assert (found.largest_sigma or 0) > 7
+        assert noise.verdict != NoiseVerdict.LOW
+    assert (noise.largest_sigma or 0) > 7

@@ -24,15 +24,15 @@ def kurtoses(band: np.ndarray, wavelet: str, levels: int = 3) -> tuple[float | N
 @pytest.mark.parametrize("wavelet", WAVELETS)
 def test_noise_on_a_ramp_has_three_with_every_wavelet(wavelet: str) -> None:
     side, levels = 256, 3
-    found = kurtoses(ramp(side), wavelet)
-    for level, kurtosis in enumerate(found, 1):
+    measured = kurtoses(ramp(side), wavelet)
+    for level, kurtosis in enumerate(measured, 1):
         kept = inner_ranges(side, wavelet, levels)[level - 1]
         values = 3 * (kept.stop - kept.start) ** 2
         if values < 192:
             assert kurtosis is None  # a long filter sees the border from everywhere
         else:
             assert kurtosis == pytest.approx(3, abs=5 * np.sqrt(24 / values))
-    assert found[0] is not None
+    assert measured[0] is not None
 
 
 @pytest.mark.parametrize("wavelet", ["haar", "db2", "sym5", "coif3"])

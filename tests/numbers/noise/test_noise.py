@@ -35,10 +35,10 @@ def noise(sigma: float, shape: tuple[int, int] = (512, 512), seed: int = 1) -> n
 
 def test_figures_are_those_of_pywavelets_and_scipy() -> None:
     bands = orthoimage((512, 512))
-    found = measure_noise(bands, RGB)
-    assert list(found) == ["luminance", *RGB]
-    for name, band in zip(found, [luminance(bands), *bands]):
-        ours = found[name]
+    noises = measure_noise(bands, RGB)
+    assert list(noises) == ["luminance", *RGB]
+    for name, band in zip(noises, [luminance(bands), *bands]):
+        ours = noises[name]
         assert np.allclose([*ours.curve.detail, ours.curve.background], decompose(band).shares, atol=1e-7)
         expected = inner_kurtoses(band, "coif3", 3)
         assert ours.kurtosis == pytest.approx(expected, rel=1e-4)
@@ -50,12 +50,12 @@ def test_figures_are_those_of_pywavelets_and_scipy() -> None:
 @at_most(12)
 @given(sigma=st.floats(0.5, 500), seed=st.integers(0, 99))
 def test_gaussian_noise_has_kurtosis_three_and_its_sigma(sigma: float, seed: int) -> None:
-    found = measured(noise(sigma, seed=seed))
-    assert found.sigma == pytest.approx(sigma, rel=0.02)
-    for level, kurtosis in enumerate(found.kurtosis, 1):
+    result = measured(noise(sigma, seed=seed))
+    assert result.sigma == pytest.approx(sigma, rel=0.02)
+    for level, kurtosis in enumerate(result.kurtosis, 1):
         assert kurtosis == pytest.approx(3, abs=6 * np.sqrt(24 / (3 * 512 * 512 / 4**level)))
-    assert found.curve.detail == pytest.approx((3 / 4, 3 / 16, 3 / 64), rel=0.05)
-    assert found.verdict == NoiseVerdict.STRONG
+    assert result.curve.detail == pytest.approx((3 / 4, 3 / 16, 3 / 64), rel=0.05)
+    assert result.verdict == NoiseVerdict.STRONG
 
 
 @pytest.mark.parametrize(
@@ -74,8 +74,8 @@ def test_gaussian_noise_has_kurtosis_three_and_its_sigma(sigma: float, seed: int
     ],
 )
 def test_verdicts(detail: tuple[float, ...], verdict: str, noted: bool) -> None:
-    found, note = noise_verdict(detail)
-    assert found.value == verdict
+    judged, note = noise_verdict(detail)
+    assert judged.value == verdict
     assert (note is not None) == noted
 
 
@@ -102,16 +102,16 @@ def test_sigma_recovers_what_was_added_to_a_smooth_image(sigma: float, dtype: ty
 
 def test_the_bands_are_judged_and_not_the_luminance_that_averages_their_noise() -> None:
     clean = np.stack([120 + 25 * patchy_texture((512, 512), 2.8, 1)] * 3)
-    found = measure_noise(clean + np.stack([noise(6, seed=seed) for seed in range(3)]), RGB)
-    assert {found[name].verdict.value for name in RGB} == {"strong"}
-    assert found["luminance"].verdict.value == "moderate"
-    assert noisiest_band(found) in RGB
+    noises = measure_noise(clean + np.stack([noise(6, seed=seed) for seed in range(3)]), RGB)
+    assert {noises[name].verdict.value for name in RGB} == {"strong"}
+    assert noises["luminance"].verdict.value == "moderate"
+    assert noisiest_band(noises) in RGB
 
 
 def test_a_constant_band_has_no_figures_and_says_why() -> None:
-    found = measure_noise(np.full((1, 64, 64), 7, np.uint8), ("band_1",), raster="flat.tif")["band_1"]
-    assert (found.verdict, found.sigma, set(found.kurtosis)) == (NoiseVerdict.NOT_MEASURABLE, None, {None})
-    assert "flat.tif has no variance" in str(found.note)
+    flat = measure_noise(np.full((1, 64, 64), 7, np.uint8), ("band_1",), raster="flat.tif")["band_1"]
+    assert (flat.verdict, flat.sigma, set(flat.kurtosis)) == (NoiseVerdict.NOT_MEASURABLE, None, {None})
+    assert "flat.tif has no variance" in str(flat.note)
 
 
 @pytest.mark.parametrize(("wavelet", "levels"), [("bior2.2", 3), ("none", 3), ("coif3", 1), ("coif3", 9)])
@@ -142,8 +142,8 @@ def test_what_a_hole_is_filled_with_is_in_neither_kurtosis_nor_sigma() -> None:
     ground = noise(6, (128, 128))
     figures = []
     for filling in (0.0, noise(40, (128, 128), seed=2)):
-        found = measured(np.where(hole, filling, ground), wavelet="haar", masked=hole)  # haar: nothing leaks out of it
-        figures.append((found.sigma, *found.kurtosis))
+        result = measured(np.where(hole, filling, ground), wavelet="haar", masked=hole)  # haar: nothing leaks out of it
+        figures.append((result.sigma, *result.kurtosis))
     assert figures[0] == pytest.approx(figures[1], rel=1e-6)
     outside = wavedec(np.where(hole, 0, ground), "haar", 1)[1][2][~hole.reshape(64, 2, 64, 2).any(axis=(1, 3))]
     assert figures[0][0] == pytest.approx(np.median(np.abs(outside)) / stats.norm.ppf(0.75), rel=1e-4)

@@ -27,9 +27,9 @@ def white(sigma: float, seed: int = 0) -> np.ndarray:
 @at_most(12)
 @given(sigma=st.floats(3, 15), beta=st.floats(2.6, 4), contrast=st.floats(1, 25), seed=st.integers(0, 50))
 def test_white_noise_is_told_from_the_texture_around_it(sigma: float, beta: float, contrast: float, seed: int) -> None:
-    found = measured(120 + contrast * patchy_texture((512, 512), beta, seed) + white(sigma, seed))
-    assert found.noise == pytest.approx(sigma, rel=0.1)
-    assert found.signal_to_noise == pytest.approx(120 / sigma, rel=0.12)
+    result = measured(120 + contrast * patchy_texture((512, 512), beta, seed) + white(sigma, seed))
+    assert result.noise == pytest.approx(sigma, rel=0.1)
+    assert result.signal_to_noise == pytest.approx(120 / sigma, rel=0.12)
 
 
 @pytest.mark.parametrize(("sigma", "amount"), [(0, "little"), (2, "little"), (5, "some"), (9, "some"), (20, "much")])
@@ -62,8 +62,8 @@ def test_noise_that_is_most_of_what_there_can_be_is_all_of_it(noise: float, amou
 def test_grain_as_strong_as_that_is_never_little(size: float) -> None:
     grain = ndimage.gaussian_filter(white(1), size, mode="wrap")
     for scale in (2, 25):
-        found = measured(120 + scale * patchy_texture((512, 512), 3, 1) + 8 * grain / grain.std())
-        assert found.amount != NoiseAmount.LITTLE
+        result = measured(120 + scale * patchy_texture((512, 512), 3, 1) + 8 * grain / grain.std())
+        assert result.amount != NoiseAmount.LITTLE
 
 
 def test_grain_that_texture_hides_is_bounded_and_the_bound_holds(data_folder: Path) -> None:
@@ -97,11 +97,11 @@ def test_bands_tell_noise_from_texture_that_is_as_strong_everywhere(
 ) -> None:
     noise = np.random.default_rng(1).normal(0, 1, (3, 512, 512))
     noise = ndimage.gaussian_filter(noise, (0, size, size), mode="wrap")
-    found = in_colour(ROUGH, sigma * noise / noise.std())
-    assert found.noise == pytest.approx(sigma, rel=error)
-    assert found.amount == amount
+    result = in_colour(ROUGH, sigma * noise / noise.std())
+    assert result.noise == pytest.approx(sigma, rel=error)
+    assert result.amount == amount
 
 
 def test_without_a_signal_nothing_is_said_of_the_amount() -> None:
-    found = measured(white(5) - 3, whole=False)
-    assert (found.amount, found.signal_to_noise) == (NoiseAmount.NOT_MEASURABLE, None)
+    result = measured(white(5) - 3, whole=False)
+    assert (result.amount, result.signal_to_noise) == (NoiseAmount.NOT_MEASURABLE, None)

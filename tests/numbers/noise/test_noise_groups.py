@@ -64,13 +64,13 @@ def large(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_up_to_25_windows_of_1024_are_spread_and_the_least_saturated_come_first(large: Path) -> None:
-    found = chosen(str(large))
-    assert len(found) == 25
-    assert {(window.width, window.height) for window in found} == {(1024, 1024)}
-    assert not any(a.shared_pixels(b) for i, a in enumerate(found) for b in found[:i])
-    assert all(window.column + window.width <= 14_500 for window in found)  # a third of the raster is saturated
+    windows = chosen(str(large))
+    assert len(windows) == 25
+    assert {(window.width, window.height) for window in windows} == {(1024, 1024)}
+    assert not any(a.shared_pixels(b) for i, a in enumerate(windows) for b in windows[:i])
+    assert all(window.column + window.width <= 14_500 for window in windows)  # a third of the raster is saturated
     for edge in (range(3500), range(4500, 8000), range(9000, 12000)):  # of rows: all of the height is seen
-        assert any(window.row + 512 in edge for window in found)
+        assert any(window.row + 512 in edge for window in windows)
 
 
 def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeRaster) -> None:
@@ -137,7 +137,7 @@ def test_the_same_pixels_are_left_out_of_both(make_raster: MakeRaster) -> None:
     plan = noise_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3)
     assert plan.requests[0].paired
     a, b = measure(plan)
-    assert [one.part.member.group for one in (a, b)] == [1, 2]
+    assert [request.part.member.group for request in (a, b)] == [1, 2]
     assert a.paired
     assert a.bands == b.bands  # nothing of what differs is in them
     (alone,) = measure(noise_plan.plan_drawn(images([first]), [window], 3))
@@ -157,12 +157,12 @@ def test_a_pair_is_cut_to_what_both_show_and_who_shows_less_than_half_takes_no_p
     first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
     window = DrawnWindow(1, (ORIGIN[0], ORIGIN[1] - 51.2, ORIGIN[0] + 51.2, ORIGIN[1]), wkt(32633))
     (request,) = noise_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3).requests
-    found = [(part.member.group, part.window) for part in request.parts]
+    parts = [(part.member.group, part.window) for part in request.parts]
     if shared is None:
-        assert found == [(1, PixelWindow(0, 0, 512, 512))]
+        assert parts == [(1, PixelWindow(0, 0, 512, 512))]
     else:
         theirs = PixelWindow(shared.column - right, shared.row - down, shared.width, shared.height)
-        assert found == [(1, shared), (2, theirs)]
+        assert parts == [(1, shared), (2, theirs)]
 
 
 def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster: MakeRaster) -> None:
@@ -190,7 +190,7 @@ def test_noise_tells_two_cameras_of_the_same_ground_apart(make_raster: MakeRaste
     clean = make_raster("digital.tif", np.rint(ground).clip(0, 255).astype(np.uint8))
     film = np.rint(ground + random.normal(0, 9, ground.shape)).clip(0, 255).astype(np.uint8)
     a, b = measure(noise_plan.plan_chosen([*images([clean]), *images([make_raster("film.tif", film)], 2)], 3))
-    assert [one.bands["band_1"].verdict.value for one in (a, b)] == ["low", "strong"]
+    assert [result.bands["band_1"].verdict.value for result in (a, b)] == ["low", "strong"]
     assert b.bands["band_1"].sigma == pytest.approx(9, rel=0.08)
 
 
@@ -199,11 +199,11 @@ def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_b
     wide = np.rint(np.concatenate([rough, smooth, smooth - 80], axis=1)).clip(0, 255).astype(np.uint8)
     image, = images([make_raster("a.tif", wide)])
     parts = [Part(image, PixelWindow(column, 0, 512, 512)) for column in (0, 512, 1024)]
-    own, quiet, dark = measured([NoiseRequest(number, (part,)) for number, part in enumerate(parts)])
+    bright, quiet, dark = measured([NoiseRequest(number, (part,)) for number, part in enumerate(parts)])
     alone, beside_dark, beside_quiet = (
-        group_noise.pooled([own, *others], "coif3")[0].bands["band_1"] for others in ([], [dark], [quiet, dark])
+        group_noise.pooled([bright, *others], "coif3")[0].bands["band_1"] for others in ([], [dark], [quiet, dark])
     )
-    assert alone == beside_dark == own.bands["band_1"]
+    assert alone == beside_dark == bright.bands["band_1"]
     assert (alone.verdict.value, alone.amount.value) == ("uncertain", "at most some")
     assert (beside_quiet.verdict.value, beside_quiet.amount.value) == ("low", "little")
     assert beside_quiet.largest_sigma == pytest.approx(quiet.bands["band_1"].largest_sigma)

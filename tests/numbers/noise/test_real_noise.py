@@ -54,12 +54,12 @@ def test_feathering_halves_brightons_steps_and_takes_a_tenth_of_the_contrast_bes
     folder = data_folder / "seams" / "brighton"
     layer = ogr.Open(str(folder / "seamlines.gpkg"))
     lines = [bytes(feature.GetGeometryRef().ExportToWkb()) for feature in layer.GetLayer("seamlines")]
-    found: list[Assessment] = []
+    results: list[Assessment] = []
     for name in ("mosaic_hardseam.tif", "mosaic_feather0p4m.tif"):
-        found.append(checked(str(folder / name), seams=find_seams(lines, 0.03)))
+        results.append(checked(str(folder / name), seams=find_seams(lines, 0.03)))
     figures = [
-        {(one.rule.check, one.band): one.value for one in result.checked_figures if one.value is not None}
-        for result in found
+        {(entry.rule.check, entry.band): entry.value for entry in result.checked_figures if entry.value is not None}
+        for result in results
     ]
     hard, feathered = figures
     most = {"seam_step": 0.6, "contrast": 1.0, "seam_contrast": 0.9}

@@ -1,4 +1,4 @@
-"""Which of the eight ways a photo lies in its scan: what each piece of evidence tells, and when it tells nothing."""
+"""The way, of eight, that a photo lies in its scan: what each piece of evidence tells, and when it tells nothing."""
 from __future__ import annotations
 
 from collections.abc import Mapping

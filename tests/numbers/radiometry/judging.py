@@ -19,19 +19,19 @@ from tests.numbers.radiometry.jrc import default_rules
 
 def measured(path: str, rules: RuleSet, window: PixelWindow | None = None, **options: Any) -> MeasuredImage:
     source = OpenRaster(RasterRef(path))
-    found = measure(source, window or source.raster.whole, rules, **options)
-    assert found is not None
-    return found
+    result = measure(source, window or source.raster.whole, rules, **options)
+    assert result is not None
+    return result
 
 
 def checked_set(paths: Sequence[str], rules: RuleSet | None = None) -> list[Assessment]:
     """All images of a delivery."""
     rules = rules or default_rules()
-    found = [measured(path, rules) for path in paths]
-    own = [known_range(one.image, one.largest_value, rules.value_range) for one in found]
-    open_ones = [one.largest_value for one, known in zip(found, own) if known is None]
-    of_set = range_of_set([one for one in open_ones if one is not None]) if open_ones else None
-    return [judge(one, rules, known or of_set) for one, known in zip(found, own)]  # type: ignore[arg-type]
+    results = [measured(path, rules) for path in paths]
+    ranges = [known_range(result.image, result.largest_value, rules.value_range) for result in results]
+    open_ones = [result.largest_value for result, known in zip(results, ranges) if known is None]
+    of_set = range_of_set([value for value in open_ones if value is not None]) if open_ones else None
+    return [judge(result, rules, known or of_set) for result, known in zip(results, ranges)]  # type: ignore[arg-type]
 
 
 def checked(
@@ -40,19 +40,19 @@ def checked(
 ) -> Assessment:
     """One image alone."""
     rules = rules or default_rules()
-    found = measured(path, rules, window, seams=seams, grey_areas=grey_areas)
-    of_image = known_range(found.image, found.largest_value, rules.value_range)
+    result = measured(path, rules, window, seams=seams, grey_areas=grey_areas)
+    of_image = known_range(result.image, result.largest_value, rules.value_range)
     if of_image is None:
-        assert found.largest_value is not None
-        of_image = range_of_set([found.largest_value])
-    return judge(found, rules, of_image)
+        assert result.largest_value is not None
+        of_image = range_of_set([result.largest_value])
+    return judge(result, rules, of_image)
 
 
 def checked_figure(result: Assessment, check: str, band: str = "") -> CheckedFigure:
     """Figure of a band, else of what the default rules hold against limits in an image with one band."""
     band = band or (LUMINOSITY if check in FROM_HISTOGRAM else "band_1")
-    (found,) = [figure for figure in result.checked_figures if (figure.rule.check, figure.band) == (check, band)]
-    return found
+    (chosen,) = [figure for figure in result.checked_figures if (figure.rule.check, figure.band) == (check, band)]
+    return chosen
 
 
 def figure(result: Assessment, check: str, band: str = "") -> float:

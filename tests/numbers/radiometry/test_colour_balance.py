@@ -47,18 +47,18 @@ def test_a_cast_is_what_it_is_on_grey_areas(make_raster: MakeRaster, share: floa
     path = make_raster("a.tif", fields(ROAD, GRASS, ROOF, SOIL, CONCRETE, STRAW, cast=tuple(cast)))
     areas = [area(1, 3, 10, 60, 200), area(2, 130, 10, 190, 90), area(3, 258, 100, 318, 200)]
     result = checked(path, rules=RULES, grey_areas=areas)
-    found = checked_figure(result, "colour_balance", "all")
-    assert found.value == pytest.approx(share, abs=0.003)
-    assert found.passed is (share < 0.02)
+    balance = checked_figure(result, "colour_balance", "all")
+    assert balance.value == pytest.approx(share, abs=0.003)
+    assert balance.passed is (share < 0.02)
     assert [tone.number for tone in result.balance.tones] == [1, 2, 3]
 
 
 @pytest.mark.parametrize("colours", [(SOIL, STRAW, GRASS), (SOIL,), (GRASS, GRASS)])
 def test_soil_and_fields_without_any_cast_do_not_fail(make_raster: MakeRaster, colours: tuple[tuple]) -> None:
     result = checked(make_raster("a.tif", fields(*colours)), rules=RULES)
-    found = checked_figure(result, "colour_balance", "all")
-    assert (found.value, found.passed) == (None, None)
-    assert str(found.reason).startswith("not measurable: no grey areas are given")
+    balance = checked_figure(result, "colour_balance", "all")
+    assert (balance.value, balance.passed) == (None, None)
+    assert str(balance.reason).startswith("not measurable: no grey areas are given")
     assert outcome(result) is RadiometricOutcome.UNDECIDED
 
 
@@ -76,10 +76,10 @@ def test_what_may_be_grey_is_shown_with_its_share_and_place(make_raster: MakeRas
 def test_the_area_with_most_colour_is_named_with_its_place(make_raster: MakeRaster) -> None:
     path = make_raster("a.tif", fields(ROOF, (148, 140, 140)))
     result = checked(path, rules=RULES, grey_areas=[area(7, 0, 0, 64, 64), area(9, 70, 100, 120, 140)])
-    found = checked_figure(result, "colour_balance", "all")
-    assert found.value == pytest.approx(4 / 255, abs=0.002)  # each area counts once, however large
-    assert found.spot.place == pytest.approx((ORIGIN[0] + 9.5, ORIGIN[1] - 12.0), abs=0.02)
-    assert str(found.spot.what).startswith("grey area 9 with 3.")
+    balance = checked_figure(result, "colour_balance", "all")
+    assert balance.value == pytest.approx(4 / 255, abs=0.002)  # each area counts once, however large
+    assert balance.spot.place == pytest.approx((ORIGIN[0] + 9.5, ORIGIN[1] - 12.0), abs=0.02)
+    assert str(balance.spot.what).startswith("grey area 9 with 3.")
 
 
 def test_areas_too_small_too_bright_or_beside_the_image_are_no_measure(make_raster: MakeRaster) -> None:

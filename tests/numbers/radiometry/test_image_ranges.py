@@ -37,9 +37,9 @@ def test_a_dark_sheet_of_12_bits_does_not_pass_as_one_of_10(make_raster: MakeRas
     assert "Give the range of values" in reasons(alone)["peak"]
     assert decide_image(alone).outcome is RadiometricOutcome.UNDECIDED
     assert "what depends on the range of values is not judged" in str(alone.notices[0])
-    told = checked(path, rules=given(0, 4095))
-    assert figure(told, "peak") == pytest.approx(0.41, abs=0.03)
-    assert decide_image(told).outcome is RadiometricOutcome.REJECTED
+    result = checked(path, rules=given(0, 4095))
+    assert figure(result, "peak") == pytest.approx(0.41, abs=0.03)
+    assert decide_image(result).outcome is RadiometricOutcome.REJECTED
 
 
 def test_what_needs_no_range_is_measured_without(make_raster: MakeRaster) -> None:
@@ -65,7 +65,7 @@ def test_the_set_says_it_where_its_values_end_at_a_depth(make_raster: MakeRaster
     assert (bright == 4095).sum() > 100
     alone, beside = checked_set([dark]), checked_set([dark, make_raster("bright.tif", bright)])
     assert alone[0].available is None
-    assert [one.available for one in beside] == [(0, 4095)] * 2
+    assert [result.available for result in beside] == [(0, 4095)] * 2
     assert checked_figure(beside[0], "peak").passed is False
 
 
@@ -83,8 +83,8 @@ def test_the_set_says_it_where_its_values_end_at_a_depth(make_raster: MakeRaster
     ],
 )
 def test_the_range_of_a_set(images: list[LargestValue], high: float | None) -> None:
-    found = range_of_set(images)
-    assert isinstance(found, Message) if high is None else found == (0, high)
+    available = range_of_set(images)
+    assert isinstance(available, Message) if high is None else available == (0, high)
 
 
 def test_16_bits_with_a_sign_have_no_range_of_their_own(make_raster: MakeRaster) -> None:
@@ -103,7 +103,7 @@ def test_a_range_that_was_given_and_is_too_small_is_doubted(make_raster: MakeRas
 
 def test_bands_that_end_at_different_values(make_raster: MakeRaster) -> None:
     colours = np.stack([sheet(380, 150, 1000), sheet(2500, 900, 4095, 1), sheet(800, 150, 1500, 2)])
-    found = measured(make_raster("a.tif", colours), default_rules())
-    assert found.trimmed().largest_value == found.largest_value == LargestValue(4095, True)
-    kept, whole = (judge(one, default_rules(), (0, 4095)) for one in (found.trimmed(), found))
+    measurement = measured(make_raster("a.tif", colours), default_rules())
+    assert measurement.trimmed().largest_value == measurement.largest_value == LargestValue(4095, True)
+    kept, whole = (judge(image, default_rules(), (0, 4095)) for image in (measurement.trimmed(), measurement))
     assert kept.checked_figures == whole.checked_figures

@@ -52,9 +52,9 @@ def test_it_is_the_weighted_sum_in_the_type_of_the_pixels(dtype: type) -> None:
     bands = random.uniform(*span, (4, 200, 200)).astype(dtype)
     red, green, blue = bands[:3].astype(np.float64)
     exact = 0.299 * red + 0.587 * green + 0.114 * blue
-    found = luminosity(bands)
-    assert found.dtype == dtype
-    assert np.abs(found - exact).max() <= (1e-6 if dtype is np.float32 else 0.502)
+    computed = luminosity(bands)
+    assert computed.dtype == dtype
+    assert np.abs(computed - exact).max() <= (1e-6 if dtype is np.float32 else 0.502)
     assert (luminosity(bands[:1]) == bands[0]).all()
 
 
@@ -78,9 +78,9 @@ def test_figures_of_real_images_are_numpys(data_folder: Path, name: str, box: tu
     valid = np.ones(pixels.shape[1:], bool) if nodata is None else ~(pixels == nodata).all(axis=0)
     result = checked(str(path), window)
     for check, expected in own_figures(mixed(pixels)[valid]).items():
-        found = checked_figure(result, check, "luminosity")
-        assert found.value == pytest.approx(expected, abs=1e-6, rel=1e-4), check  # ties are rounded up
-        assert found.passed is found.rule.passes(float(expected))
+        computed = checked_figure(result, check, "luminosity")
+        assert computed.value == pytest.approx(expected, abs=1e-6, rel=1e-4), check  # ties are rounded up
+        assert computed.passed is computed.rule.passes(float(expected))
 
 
 @pytest.fixture

@@ -46,11 +46,11 @@ def result_of(path: str, *rules: Rule) -> Assessment:
     ],
 )
 def test_one_image(busy: str, rules: tuple[Rule, ...], outcome: RadiometricOutcome) -> None:
-    found = decide_image(result_of(busy, *rules))
-    assert found.outcome is outcome
-    assert {one.rule for one in found.failed} == ({BAD} & set(rules))
-    assert {one.rule for one in found.missed} == ({UNKNOWN} & set(rules))
-    assert {one.rule for one in found.unmeasured} == ({UNKNOWN_AND_OPTIONAL} & set(rules))
+    decision = decide_image(result_of(busy, *rules))
+    assert decision.outcome is outcome
+    assert {checked.rule for checked in decision.failed} == ({BAD} & set(rules))
+    assert {checked.rule for checked in decision.missed} == ({UNKNOWN} & set(rules))
+    assert {checked.rule for checked in decision.unmeasured} == ({UNKNOWN_AND_OPTIONAL} & set(rules))
 
 
 def test_all_images(busy: str) -> None:

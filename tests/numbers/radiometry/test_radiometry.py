@@ -28,8 +28,8 @@ MakeRaster = Callable[..., str]
 def streamed(path: str, given: tuple[float, float] | None = None) -> dict[str, Histogram]:
     source = OpenRaster(RasterRef(path))
     names = source.raster.band_names
-    found = stream_statistics(source, source.raster.whole, names, names, given)
-    return found[0]
+    statistics = stream_statistics(source, source.raster.whole, names, names, given)
+    return statistics[0]
 
 
 def grey(level: float = 128, sigma: float = 8.0, side: int = 256, seed: int = 0) -> np.ndarray:
@@ -47,9 +47,9 @@ def test_histograms_are_numpys(
     if dtype is np.int16:
         bands -= 1500
     bands[:, 20:60, 30:80] = 120
-    found = streamed(make_raster("a.tif", bands, nodata=nodata))
+    histograms = streamed(make_raster("a.tif", bands, nodata=nodata))
     valid = np.ones(bands.shape[1:], bool) if nodata is None else ~(bands == nodata).all(axis=0)
-    for band, histogram in zip(bands, found.values()):
+    for band, histogram in zip(bands, histograms.values()):
         values, counts = np.unique(band[valid], return_counts=True)
         seen = histogram.counts > 0
         assert histogram.values[seen].tolist() == values.tolist()
@@ -141,11 +141,11 @@ def test_float_values_need_a_range_from_the_rules(make_raster: MakeRaster) -> No
 
 def test_it_stops_when_told_to(make_raster: MakeRaster) -> None:
     source = OpenRaster(RasterRef(make_raster("a.tif", grey(side=1500))))
-    told: list[float] = []
-    stop = lambda share: bool(told.append(share))  # noqa: E731
+    shares: list[float] = []
+    stop = lambda share: bool(shares.append(share))  # noqa: E731
     assert measure(source, source.raster.whole, default_rules(), progress=stop) is None
-    assert len(told) == 1
-    assert 0 < told[0] < 1
+    assert len(shares) == 1
+    assert 0 < shares[0] < 1
 
 
 def seam(*places: tuple[float, float], number: int = 1) -> Seam:

@@ -77,12 +77,12 @@ def ground_scene(
         x += reach
     height = int(2 * (length * cycles[0] / 4 + 16) + 0.15 * bars * cycles[0])
     shape = height, int(x) + 24
-    placed = [Bars(one.x, height / 2 + random.uniform(-0.5, 0.5), one.cycle, one.length, angle, bars) for one in placed]
+    placed = [Bars(bar.x, height / 2 + random.uniform(-0.5, 0.5), bar.cycle, bar.length, angle, bars) for bar in placed]
     panels = [
         # one box as wide as the bars and the margins: ``coverage`` makes a bar half a cycle wide
-        Bars(one.x, one.y, 2 * ((bars - 0.5) * one.cycle + ground.margin * one.cycle), one.length + 2 * ground.margin
-             * one.cycle / 2, angle, 1)
-        for one in placed
+        Bars(bar.x, bar.y, 2 * ((bars - 0.5) * bar.cycle + ground.margin * bar.cycle), bar.length + 2 * ground.margin
+             * bar.cycle / 2, angle, 1)
+        for bar in placed
     ]
     seen = ground.value + (ground.gap - ground.value) * coverage(shape, panels, sigma)
     seen += (ground.bar - ground.gap) * coverage(shape, placed, sigma)
@@ -91,7 +91,7 @@ def ground_scene(
     seen += random.normal(0, noise, shape)
     error = 8 if roughly else 0
     lines = {
-        group: one.line(random.uniform(1.5, 1.8) if roughly else 1.6, math.radians(random.uniform(-error, error)))
-        for group, one in enumerate(placed)
+        group: shown.line(random.uniform(1.5, 1.8) if roughly else 1.6, math.radians(random.uniform(-error, error)))
+        for group, shown in enumerate(placed)
     }
     return Scene(np.clip(np.rint(seen), 0, 255).astype(np.uint8), tuple(cycles), lines, sigma, bars)

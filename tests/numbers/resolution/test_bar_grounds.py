@@ -23,9 +23,9 @@ def measured_scene(make_raster: MakeRaster, scene: Scene) -> tuple[TargetResolut
     """What a target says, and by how many steps its distance is coarser than theory's; None where there is none."""
     path = make_raster("target.tif", scene.pixels, gsd=0.1)
     target = Target(scene.bars, reference_group=0, reference_grd_cm=10 * scene.cycles[0])
-    found = resolution(path, scene.lines, target)
-    grd = found.worst("along")
-    return found, None if grd is None else scene.expected - round(math.log(target.reference_grd_cm / grd, STEP))
+    measured = resolution(path, scene.lines, target)
+    grd = measured.worst("along")
+    return measured, None if grd is None else scene.expected - round(math.log(target.reference_grd_cm / grd, STEP))
 
 
 @pytest.mark.release
@@ -36,9 +36,9 @@ def test_the_mean_signed_error_is_small_on_any_ground(make_raster: MakeRaster, d
     for place in range(20):
         ground = list(GROUNDS.values())[place % len(GROUNDS)]
         scene = ground_scene(random, ground, dark_bars, bars, 9, limit=5)
-        found, error = measured_scene(make_raster, scene)
+        measured, error = measured_scene(make_raster, scene)
         errors.append(error)
-        low, high = found.interval("along") or (math.inf, 0.0)
+        low, high = measured.interval("along") or (math.inf, 0.0)
         widths.append(math.log(high / low, STEP))
         holds += low <= 10 * scene.cycles[scene.expected] * 1.001 and 10 * scene.cycles[scene.expected] <= high * 1.001
     assert holds >= 19
@@ -54,13 +54,13 @@ def test_the_mean_signed_error_is_small_on_any_ground(make_raster: MakeRaster, d
 def test_the_distance_is_the_same_on_every_ground(make_raster: MakeRaster, sigma: float, dark_bars: bool) -> None:
     """Bars and noise are the same; the issue's four grounds gave 37.80, 33.67, 33.67 and 42.43 cm."""
     finest = theoretical_cycle(sigma) * STEP**0.5  # half a step either side of where theory crosses the criterion
-    found = {
+    readings = {
         name: measured_scene(make_raster, ground_scene(
             np.random.default_rng(3), ground, dark_bars, groups=9, sigma=sigma, noise=1.0, limit=5, finest=finest
         ))
         for name, ground in GROUNDS.items()
     }
-    assert {name: error for name, (_, error) in found.items()} == dict.fromkeys(GROUNDS, 0)
+    assert {name: error for name, (_, error) in readings.items()} == dict.fromkeys(GROUNDS, 0)
 
 
 def test_ground_as_bright_as_the_bars_hides_none_of_them(make_raster: MakeRaster) -> None:
@@ -79,12 +79,12 @@ def test_the_error_of_a_distance_is_what_repeating_it_shows(make_raster: MakeRas
     for place in range(20):
         ground = list(GROUNDS.values())[place % len(GROUNDS)]
         scene = ground_scene(random, ground, groups=8, limit=4)
-        found, _ = measured_scene(make_raster, scene)
+        measured, _ = measured_scene(make_raster, scene)
         for group in (3, 4, 5):
-            reading = found.results[group].reading
+            reading = measured.results[group].reading
             if reading is not None and reading.share is not None and reading.share_error:
                 away.append((reading.share - scene.bars_share(scene.cycles[group])) / reading.share_error)
-        error, grd = found.worst_error("along"), found.worst("along")
+        error, grd = measured.worst_error("along"), measured.worst("along")
         assert 0 < error / grd < STEP - 1
     assert len(away) >= 50
     assert 0.5 < float(np.sqrt(np.mean(np.square(away)))) < 1.5
@@ -93,9 +93,9 @@ def test_the_error_of_a_distance_is_what_repeating_it_shows(make_raster: MakeRas
 def test_a_lone_group_is_judged_by_the_plain_ground_beside_it(make_raster: MakeRaster) -> None:
     scene = ground_scene(np.random.default_rng(6), Ground(3.0, 60.0), groups=1, limit=-1, sigma=0.8, noise=1.0)
     path = make_raster("target.tif", scene.pixels, gsd=0.1)
-    found = resolution(path, scene.lines, Target(reference_group=0, reference_grd_cm=10 * scene.cycles[0]))
-    (result,) = found.results
-    assert any("taken from the ground beside" in str(notice) for notice in found.notices)
+    measured = resolution(path, scene.lines, Target(reference_group=0, reference_grd_cm=10 * scene.cycles[0]))
+    (result,) = measured.results
+    assert any("taken from the ground beside" in str(notice) for notice in measured.notices)
     assert result.reading.share == pytest.approx(scene.bars_share(scene.cycles[0]), abs=0.05)
 
 
@@ -107,9 +107,9 @@ def test_the_two_pixel_limit_stays_on_bar_and_gap_together(make_raster: MakeRast
     words = []
     for grd_of, share in (("cycle", 1.0), ("bar", 0.5)):
         target = Target(reference_group=0, reference_grd_cm=10 * share * scene.cycles[0], grd_of=grd_of)
-        found = resolution(path, scene.lines, target)
-        assert found.scale_notice is None
-        words.append([(result.resolved, str(result.reason)) for result in found.results])
+        measured = resolution(path, scene.lines, target)
+        assert measured.scale_notice is None
+        words.append([(result.resolved, str(result.reason)) for result in measured.results])
     assert words[0] == words[1]
     assert words[0][0] == (True, "None")
     assert any("fewer than two" in reason for _, reason in words[0])

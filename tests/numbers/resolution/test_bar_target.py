@@ -39,8 +39,8 @@ def test_grd_is_that_of_the_finest_group_that_theory_resolves(make_raster: MakeR
             group: bars.line(random.uniform(1.4, 1.9), math.radians(random.uniform(-8, 8)), random.uniform(-0.5, 0.5))
             for group, bars in enumerate(groups)
         }
-        found = resolution(path, lines, Target(reference_group=0, reference_grd_cm=coarsest * PIXEL_CM)).worst("along")
-        steps.append(math.inf if found is None else math.log(found / PIXEL_CM / expected) / math.log(STEP))
+        grd_cm = resolution(path, lines, Target(reference_group=0, reference_grd_cm=coarsest * PIXEL_CM)).worst("along")
+        steps.append(math.inf if grd_cm is None else math.log(grd_cm / PIXEL_CM / expected) / math.log(STEP))
     away = np.floor(steps)  # groups from the finest one
     assert abs(float(np.mean(away))) < 0.2
     assert np.mean(np.abs(away) <= 1) >= 0.98
@@ -82,11 +82,11 @@ def test_a_group_that_is_finer_than_an_unresolved_one_is_spurious(make_raster: M
     target = Target(reference_group=8, reference_grd_cm=12.0 * PIXEL_CM, step=2.0)
     lines = {8: groups[0].line(), 9: groups[1].line(), 10: groups[2].line()}
     target = replace(target, reference_grd_cm=PIXEL_CM * 12.0)
-    found = resolution(make_raster("t.tif", pixels, gsd=0.1), lines, replace(target, step=1.5))
-    verdicts = [(result.resolved, result.spurious) for result in found.results]
+    measured = resolution(make_raster("t.tif", pixels, gsd=0.1), lines, replace(target, step=1.5))
+    verdicts = [(result.resolved, result.spurious) for result in measured.results]
     assert verdicts == [(True, False), (False, False), (False, True)]
-    assert "coarser group, 9, is not resolved" in str(found.results[2].reason)
-    assert found.worst("along") == pytest.approx(120.0)
+    assert "coarser group, 9, is not resolved" in str(measured.results[2].reason)
+    assert measured.worst("along") == pytest.approx(120.0)
 
 
 def test_amplitudes_are_those_of_the_scene(make_raster: MakeRaster) -> None:

@@ -36,7 +36,7 @@ def test_bars_are_saturated_when_two_of_them_are(
 ) -> None:
     shape, (bars,) = row_of_groups([12.0], 0.0, np.random.default_rng(1))
     seen = 40 + 140 * coverage(shape, [bars], 0.5)
-    single = [replace(bars, x=bars.x + (one - 1) * bars.cycle, count=1) for one in clipped]
+    single = [replace(bars, x=bars.x + (bar - 1) * bars.cycle, count=1) for bar in clipped]
     seen += 200 * coverage(shape, single, 0.5) + np.random.default_rng(2).normal(0, 2, shape)
     path = make_raster("target.tif", np.clip(np.rint(seen), 0, 255).astype(np.uint8), gsd=0.1)
     (line,) = measured(path, {0: bars.line()})
@@ -69,10 +69,10 @@ def test_a_directions_distance_is_its_worst_bands_and_the_targets_the_geometric_
         ("along", "red"): 30.0, ("along", "green"): 40.0, ("across", "red"): 90.0, ("across", "green"): 85.0
     }
     errors: dict[tuple[str, str], float | None] = {key: 0.04 * (value or 0) for key, value in distances.items()}
-    found = TargetResolution((), distances, errors, {}, ())
-    assert (found.worst("along"), found.worst("across"), found.mean) == (40, 90, 60)
-    assert (found.worst_error("along"), found.worst_error("across")) == pytest.approx((1.6, 3.6))
-    assert found.mean_error == pytest.approx(60 * 0.04 / np.sqrt(2))
+    result = TargetResolution((), distances, errors, {}, ())
+    assert (result.worst("along"), result.worst("across"), result.mean) == (40, 90, 60)
+    assert (result.worst_error("along"), result.worst_error("across")) == pytest.approx((1.6, 3.6))
+    assert result.mean_error == pytest.approx(60 * 0.04 / np.sqrt(2))
     lost = TargetResolution((), {**distances, ("along", "red"): None}, errors, {}, ())
     assert (lost.worst_error("along"), lost.mean_error) == (None, None)
     assert (lost.worst("along"), lost.worst("across"), lost.mean) == (None, 90, None)
@@ -96,9 +96,9 @@ def test_a_whole_target_numbered_against_its_widths_is_told(make_raster: MakeRas
     shape, groups = row_of_groups(cycles, 0.0, np.random.default_rng(1))
     path = make_raster("target.tif", image(shape, groups, 2.5, 1.0), gsd=0.1)
     lines = {group: bars.line() for group, bars in enumerate(groups)}
-    found = resolution(path, lines, Target(reference_group=0, reference_grd_cm=360, reversed=turned))
-    assert ("get wider" in str(found.scale_notice)) is turned
-    assert bool(found.contrasts) is not turned  # which group is the coarsest one is not known
+    result = resolution(path, lines, Target(reference_group=0, reference_grd_cm=360, reversed=turned))
+    assert ("get wider" in str(result.scale_notice)) is turned
+    assert bool(result.contrasts) is not turned  # which group is the coarsest one is not known
 
 
 @pytest.mark.parametrize(("group", "reference"), [(10_000, 0), (0, 10_000), (-10_000, 0), (10**12, 0)])
@@ -118,8 +118,8 @@ def test_a_band_without_any_bars_leaves_no_worst_of_the_bands(make_raster: MakeR
     seen = image(shape, groups, 0.5, 1.0)
     path = make_raster("target.tif", np.stack([seen, seen, np.full_like(seen, 3)]), gsd=0.1)
     lines = {group: bars.line() for group, bars in enumerate(groups)}
-    found = resolution(path, lines, Target(reference_group=0, reference_grd_cm=140, step=7 / 6))
-    assert found.grd_cm["along", "red"] is not None
-    assert found.worst("along") is None
-    (told,) = [str(notice) for notice in found.notices if "is resolved in" in str(notice)]
-    assert "blue" in told
+    result = resolution(path, lines, Target(reference_group=0, reference_grd_cm=140, step=7 / 6))
+    assert result.grd_cm["along", "red"] is not None
+    assert result.worst("along") is None
+    (words,) = [str(notice) for notice in result.notices if "is resolved in" in str(notice)]
+    assert "blue" in words

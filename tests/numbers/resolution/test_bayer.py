@@ -65,13 +65,13 @@ def test_opencv_says_the_same(pattern: str) -> None:
     scene = orthoimage((64, 80))
     chip = bayer.filtered(scene, pattern)
     expected = np.moveaxis(cv2.cvtColor(chip, getattr(cv2, f"COLOR_Bayer{OPENCV[pattern]}2RGB")), -1, 0)
-    found = bayer.interpolated(chip, pattern, "bilinear")
-    assert np.abs(found.astype(int) - expected)[:, 2:-2, 2:-2].max() <= 1
+    interpolated = bayer.interpolated(chip, pattern, "bilinear")
+    assert np.abs(interpolated.astype(int) - expected)[:, 2:-2, 2:-2].max() <= 1
     for index, colour in enumerate("RGB"):  # what the chip has seen stays
         for place, there in enumerate(pattern):
             if there == colour:
                 row, column = divmod(place, 2)
-                assert np.array_equal(found[index, row::2, column::2], scene[index, row::2, column::2])
+                assert np.array_equal(interpolated[index, row::2, column::2], scene[index, row::2, column::2])
 
 
 @pytest.mark.parametrize("demosaic", DEMOSAICS)

@@ -37,7 +37,7 @@ def test_observers_of_a_pass_are_averaged_and_their_spread_is_told() -> None:
     passes = [Observation(3000, (33.67, 30.0, 37.8)), Observation(2500, (30.0, 33.67))]
     (result,) = minimum_heights(passes, 30)
     each = [[3000 * 30 / grd for grd in passes[0].grds_cm], [2500 * 30 / grd for grd in passes[1].grds_cm]]
-    assert result.heights_m == pytest.approx([statistics.fmean(one) for one in each])
+    assert result.heights_m == pytest.approx([statistics.fmean(heights) for heights in each])
     assert result.mean_m == pytest.approx(statistics.fmean(result.heights_m))
     assert result.observers == 5
     pooled = (2 * statistics.variance(each[0]) + statistics.variance(each[1])) / 3
@@ -84,16 +84,16 @@ def test_an_observation_that_can_not_be_says_so(values: tuple[float, float]) -> 
 ])
 def test_distances_that_no_camera_resolves_are_doubted(height: float, grd: float, words: str | None) -> None:
     """Once each, however many passes there are."""
-    found = doubts([Observation(height, (grd,)), Observation(height, (grd, grd))])
-    assert len(found) == (words is not None)
-    assert all(str(words) in str(notice) for notice in found)
+    notices = doubts([Observation(height, (grd,)), Observation(height, (grd, grd))])
+    assert len(notices) == (words is not None)
+    assert all(str(words) in str(notice) for notice in notices)
 
 
 def test_tables_4a_and_4b_are_one_run_with_a_reference_each() -> None:
     both = [(name, *row) for name, table in (("DMC", TABLE_4A), ("RC20", TABLE_4B)) for row in table]
     passes = [Observation(mean, (30,), (name, str(place))) for place, (name, mean, _) in enumerate(both)]
-    found = minimum_heights(passes, 30, read_references("DMC 2714; RC20 = 2015"))
-    assert [round(one.tolerance_percent or 0) for one in found] == [percent for *_, percent in both]
+    runs = minimum_heights(passes, 30, read_references("DMC 2714; RC20 = 2015"))
+    assert [round(run.tolerance_percent or 0) for run in runs] == [percent for *_, percent in both]
 
 
 @pytest.mark.parametrize(("words", "said"), [("DMC", "not a reference height"), ("RMK 2000", "for RMK, but")])

@@ -42,5 +42,5 @@ def inspected(
     make_raster: MakeRaster, image: np.ndarray, given: list[np.ndarray], **settings: Any
 ) -> WindowResult:
     mosaic = mosaic_of(make_raster, image)
-    paths = [make_raster(f"{'abc'[number]}.tif", one, nodata=0) for number, one in enumerate(given)]
+    paths = [make_raster(f"{'abc'[number]}.tif", pixels, nodata=0) for number, pixels in enumerate(given)]
     return inspect(block_of(mosaic, *paths), WHOLE, **settings)

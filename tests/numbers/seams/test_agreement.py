@@ -10,19 +10,19 @@ SKIN = np.array([[10, 4, 1, 0], [5, 10, 12, 2], [2, 4, 12, 5], [0, 2, 6, 13]])
 
 
 def test_a_published_table() -> None:
-    found = cohen_kappa(SKIN)
-    assert (found.value, found.low, found.high) == pytest.approx((0.3449, 0.2030, 0.4868), abs=5e-5)
+    kappa = cohen_kappa(SKIN)
+    assert (kappa.value, kappa.low, kappa.high) == pytest.approx((0.3449, 0.2030, 0.4868), abs=5e-5)
 
 
 @pytest.mark.parametrize("table", [[[20, 5], [10, 15]], [[45, 15], [25, 15]], [[40, 6], [4, 50]]])
 def test_kappa_and_its_spread_are_those_of_resampled_windows(table: list[list[int]]) -> None:
     """The spread of 20,000 bootstrap samples, and the definition for the value."""
     counts = np.array(table)
-    found = cohen_kappa(counts)
-    assert found.value == pytest.approx(_by_definition(counts / counts.sum()))
+    kappa = cohen_kappa(counts)
+    assert kappa.value == pytest.approx(_by_definition(counts / counts.sum()))
     drawn = np.random.default_rng(3).multinomial(counts.sum(), (counts / counts.sum()).ravel(), 20_000)
-    values = [_by_definition(one.reshape(2, 2) / counts.sum()) for one in drawn]
-    assert (found.high - found.low) / (2 * 1.96) == pytest.approx(np.std(values), rel=0.04)
+    values = [_by_definition(table.reshape(2, 2) / counts.sum()) for table in drawn]
+    assert (kappa.high - kappa.low) / (2 * 1.96) == pytest.approx(np.std(values), rel=0.04)
 
 
 def _by_definition(shares: np.ndarray) -> float:
@@ -39,9 +39,9 @@ def test_full_agreement_of_few_windows_is_not_taken_for_certain() -> None:
 
 def test_only_what_both_judged_counts() -> None:
     words = [("visible", "visible"), ("invisible", "invisible"), ("visible", "invisible"), ("invisible", "visible")]
-    found = agreement([*words, ("unsure", "visible"), ("visible", ""), ("", ""), ("visible", "visible")])
-    assert (found.both_visible, found.both_invisible, found.first_alone, found.second_alone) == (2, 1, 1, 1)
-    assert (found.count, found.agreed) == (5, 3)
+    result = agreement([*words, ("unsure", "visible"), ("visible", ""), ("", ""), ("visible", "visible")])
+    assert (result.both_visible, result.both_invisible, result.first_alone, result.second_alone) == (2, 1, 1, 1)
+    assert (result.count, result.agreed) == (5, 3)
 
 
 @pytest.mark.parametrize("words", [[], [("visible", "unsure")], [("visible", "visible")] * 9])
@@ -56,6 +56,6 @@ def test_one_word_alone_tells_nothing_about_agreement() -> None:
 
 
 def test_no_agreement_at_all_is_not_certain_either() -> None:
-    found = cohen_kappa(np.array([[0, 1], [1, 0]]))
-    assert found.value == found.low == -1
-    assert found.high > 0  # two windows say little
+    kappa = cohen_kappa(np.array([[0, 1], [1, 0]]))
+    assert kappa.value == kappa.low == -1
+    assert kappa.high > 0  # two windows say little

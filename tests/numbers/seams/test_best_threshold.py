@@ -13,7 +13,7 @@ from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, cover
 from tests.examples import at_most
 
 NORMAL, LOGNORMAL = (
-    next(one for one in POPULATIONS if one.name == name) for name in ("normal, AUC 0.85", "lognormal, AUC 0.92")
+    next(kind for kind in POPULATIONS if kind.name == name) for name in ("normal, AUC 0.85", "lognormal, AUC 0.92")
 )
 VALUES = st.lists(st.integers(1, 40).map(lambda number: number / 20), min_size=5, max_size=12, unique=True)
 
@@ -25,42 +25,42 @@ def alone(visible: int, invisible: int) -> Neighbourhoods:
 @pytest.mark.slow
 @pytest.mark.parametrize("population", [NORMAL, LOGNORMAL], ids=lambda population: population.name)
 def test_the_range_covers_the_true_threshold_from_ten_verdicts_of_a_kind_on(population: Population) -> None:
-    found = coverage(population, ALONE, (10, 10), runs=150)
-    assert 0.91 <= found.covered <= 0.985  # 0.95, give or take what 150 runs are off by
-    assert found.error < 0.75 * found.error_of_step
+    result = coverage(population, ALONE, (10, 10), runs=150)
+    assert 0.91 <= result.covered <= 0.985  # 0.95, give or take what 150 runs are off by
+    assert result.error < 0.75 * result.error_of_step
 
 
 @pytest.mark.slow
 def test_the_range_covers_where_neighbours_are_alike() -> None:
     layout = Layout("by 4", size=4, correlation=0.6)
-    found = coverage(NORMAL, layout, (20, 20), runs=150)
-    assert 0.9 <= found.covered <= 0.99
+    result = coverage(NORMAL, layout, (20, 20), runs=150)
+    assert 0.9 <= result.covered <= 0.99
     as_if_alone = coverage(NORMAL, Layout("by 4", 4, 0.6), (20, 20), runs=150, are_known=False)
-    assert as_if_alone.covered < found.covered - 0.04
+    assert as_if_alone.covered < result.covered - 0.04
 
 
 @at_most(15)
 @given(VALUES, VALUES, st.floats(0.01, 100))
 def test_the_unit_of_a_measure_does_not_matter(visible: list[float], invisible: list[float], factor: float) -> None:
     places = alone(len(visible), len(invisible))
-    one = best_threshold(np.array(visible), np.array(invisible), places)
+    threshold = best_threshold(np.array(visible), np.array(invisible), places)
     other = best_threshold(factor * np.array(visible), factor * np.array(invisible), places)
     assert [other.value, other.low, other.high] == pytest.approx(
-        [factor * one.value, factor * one.low, factor * one.high], rel=1e-5
+        [factor * threshold.value, factor * threshold.low, factor * threshold.high], rel=1e-5
     )
-    assert 0 <= one.low <= one.value <= one.high
+    assert 0 <= threshold.low <= threshold.value <= threshold.high
 
 
 def test_the_threshold_of_mirrored_kinds_lies_in_their_middle() -> None:
     values = np.array([-0.4, -0.1, 0.0, 0.1, 0.4])
-    found = best_threshold(values - 0.5, values + 0.5, alone(5, 5))  # not all positive, so taken as they are
-    assert found.value == pytest.approx(0, abs=0.01)
-    assert found.low < 0 < found.high
+    threshold = best_threshold(values - 0.5, values + 0.5, alone(5, 5))  # not all positive, so taken as they are
+    assert threshold.value == pytest.approx(0, abs=0.01)
+    assert threshold.low < 0 < threshold.high
 
 
 def test_values_without_spread_have_a_threshold_between_them() -> None:
-    found = best_threshold(np.full(5, 0.5), np.full(6, 0.8), alone(5, 6))
-    assert 0.5 < found.value < 0.8
+    threshold = best_threshold(np.full(5, 0.5), np.full(6, 0.8), alone(5, 6))
+    assert 0.5 < threshold.value < 0.8
     same = best_threshold(np.full(5, 0.5), np.full(6, 0.5), alone(5, 6))
     assert (same.value, same.low, same.high) == (0.5, 0.5, 0.5)
 

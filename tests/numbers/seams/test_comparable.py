@@ -1,4 +1,4 @@
-"""Which rasters of a window can be compared, and the reason where none can."""
+"""Rasters of a window that can be compared, and the reason where none can."""
 from __future__ import annotations
 
 from pathlib import Path

@@ -56,12 +56,12 @@ def test_a_part_is_misregistered_when_moving_a_source_explains_half_of_it(
     bands, rows, border = first.copy(), slice(94, 164), 90 + round(80 * share)
     bands[:, rows, 90:border] = moved[:, rows, 90:border]
     bands[:, rows, border:170] = orthoimage((256, 256), seed=99)[:, rows, border:170]  # and no source shows the rest
-    clips = tuple(Clip(mosaic, one, 0.0) for one in (first, second))
-    found = explained(Scene(PixelWindow(0, 0, 256, 256), np.zeros((256, 256), np.uint8), clips, mosaic), bands)[0]
-    assert (Cause.MISREGISTRATION in found.causes) is is_moved
-    assert (Cause.MISSING_SOURCE in found.causes) is (share < 1)
+    clips = tuple(Clip(mosaic, plane, 0.0) for plane in (first, second))
+    explanation = explained(Scene(PixelWindow(0, 0, 256, 256), np.zeros((256, 256), np.uint8), clips, mosaic), bands)[0]
+    assert (Cause.MISREGISTRATION in explanation.causes) is is_moved
+    assert (Cause.MISSING_SOURCE in explanation.causes) is (share < 1)
     if is_moved:
-        shift = found.changes[1][LUMINANCE].shift
+        shift = explanation.changes[1][LUMINANCE].shift
         assert (shift.x, shift.y) == pytest.approx((3, 0), abs=0.1)
 
 
@@ -71,19 +71,19 @@ def sharp_and_soft() -> tuple[np.ndarray, np.ndarray]:
     rng = np.random.default_rng(8)
     scene = orthoimage((256, 256)).astype(np.float32)
     soft = ndimage.gaussian_filter(scene, (0, 1, 1))
-    first, second = (whole_values(one + rng.normal(0, 1.5, one.shape)) for one in (scene, soft))
+    first, second = (whole_values(plane + rng.normal(0, 1.5, plane.shape)) for plane in (scene, soft))
     return first, second
 
 
 def detail_of_composite(mosaic: Raster, bands: np.ndarray, sources: Sequence[np.ndarray], labels: np.ndarray) -> Curve:
     """The composite's curve where labels are known."""
-    clips = [Clip(mosaic, one, 0.0) for one in (bands, *sources)]
-    own, *others = (
+    clips = [Clip(mosaic, pixels, 0.0) for pixels in (bands, *sources)]
+    mosaic_detail, *others = (
         MeasuredClip(clip, *measure_bands(clip.bands, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS))
         for clip in clips
     )
-    found = explain(own, others, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
-    return found.curves[LUMINANCE]
+    explanation = explain(mosaic_detail, others, DEFAULT_WAVELET, DEFAULT_LEVELS, labels)
+    return explanation.curves[LUMINANCE]
 
 
 def test_cells_are_believed_even_where_the_mosaic_shows_another_source(
@@ -91,10 +91,10 @@ def test_cells_are_believed_even_where_the_mosaic_shows_another_source(
 ) -> None:
     first, second = sharp_and_soft
     known = np.where(np.arange(256) < 128, 1, 0) + np.zeros((256, 1), np.uint8)
-    found = detail_of_composite(mosaic, first, sharp_and_soft, known.astype(np.uint8))
+    detail = detail_of_composite(mosaic, first, sharp_and_soft, known.astype(np.uint8))
     cut = np.where(known == 1, second, first)
     expected = measure_bands(cut, mosaic.band_names, DEFAULT_WAVELET, DEFAULT_LEVELS)[0][LUMINANCE]
-    assert found.detail[0] == pytest.approx(expected.detail[0], rel=0.03)
+    assert detail.detail[0] == pytest.approx(expected.detail[0], rel=0.03)
 
 
 def test_luminance_is_as_clipped_as_the_band_that_is_most(
@@ -118,8 +118,8 @@ def test_a_blur_is_not_taken_for_the_shift_between_sources(mosaic: Raster) -> No
     labels = np.where(np.arange(256) < 180, 0, 1) + np.zeros((256, 1), np.uint8)
     window = PixelWindow(0, 0, 256, 256)
     place = Scene(window, labels.astype(np.uint8), clips, mosaic)
-    found = explained(place, blur(place, 0.8))[0]
-    assert found.cause is Cause.BLUR
-    for change in (found.changes[0], found.changes[1]):
+    explanation = explained(place, blur(place, 0.8))[0]
+    assert explanation.cause is Cause.BLUR
+    for change in (explanation.changes[0], explanation.changes[1]):
         shift = change[LUMINANCE].shift
         assert shift.length < 0.1

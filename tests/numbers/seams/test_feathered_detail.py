@@ -41,17 +41,17 @@ class Image:
     @cached_property
     def details(self) -> list[np.ndarray]:
         """Details of three directions, level by level, each over the pixels that it stands for, (3, rows, columns)."""
-        _, *found = placed_wavedec(self.plane, "coif3", LEVELS)
+        _, *coefficients = placed_wavedec(self.plane, "coif3", LEVELS)
         return [
             np.stack([np.kron(part, np.ones((2**level, 2**level))) for part in parts])
-            for level, parts in enumerate(reversed(found), 1)
+            for level, parts in enumerate(reversed(coefficients), 1)
         ]
 
 
 Pair = tuple[Image, Image]
 
 
-def found(a: Image, b: Image, seconds: np.ndarray, width: float, ramp: str) -> KeptDetail:
+def blended_detail(a: Image, b: Image, seconds: np.ndarray, width: float, ramp: str) -> KeptDetail:
     """Details of ``a`` and ``b`` feathered over the border of ``seconds``, where ``b`` is followed, over what is."""
     distance = np.where(seconds, ndimage.distance_transform_edt(seconds) - 0.5,
                         0.5 - ndimage.distance_transform_edt(~seconds))
@@ -71,7 +71,7 @@ def found(a: Image, b: Image, seconds: np.ndarray, width: float, ramp: str) -> K
 
 
 def crooked(side: int, rng: np.random.Generator) -> np.ndarray:
-    """Where the second source lies: beyond a crooked seam of any direction through the middle of the window."""
+    """The ground of the second source: beyond a crooked seam of any direction through the middle of the window."""
     y, x = np.mgrid[:side, :side] - (side - 1) / 2
     turn = rng.uniform(0, 2 * np.pi)
     across, along = x * np.cos(turn) + y * np.sin(turn), y * np.cos(turn) - x * np.sin(turn)
@@ -100,9 +100,9 @@ def signed(seconds: np.ndarray) -> np.ndarray:
 
 def related(seed: int, side: int = 256) -> tuple[np.ndarray, np.ndarray]:
     """Two grey images of one ground, rough at one end and calm at the other, each with its own noise."""
-    ground, *own = (texture((side, side), beta, 10 * seed + i) for i, beta in enumerate((1.6, 0.5, 0.5)))
+    ground, *details = (texture((side, side), beta, 10 * seed + i) for i, beta in enumerate((1.6, 0.5, 0.5)))
     rough = np.linspace(0.5, 1.5, side)
-    return 120 + rough * (20 * ground + 4 * own[0]), 118 + rough * (20 * ground + 5 * own[1])
+    return 120 + rough * (20 * ground + 4 * details[0]), 118 + rough * (20 * ground + 5 * details[1])
 
 
 def brighton_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
@@ -114,8 +114,8 @@ def brighton_pairs(folder: Path, side: int, step: int) -> Iterator[Pair]:
         row, column = round((mosaic.top - grid.top) / 0.03), round((grid.left - mosaic.left) / 0.03)
         plane = np.zeros((mosaic.rows + 2 * grid.rows, mosaic.columns + 2 * grid.columns), np.float32)
         row, column = row + grid.rows, column + grid.columns
-        own = luminance(read_pixels(str(path), 0, 0, grid.columns, grid.rows))
-        plane[row : row + grid.rows, column : column + grid.columns] = own
+        pixels = luminance(read_pixels(str(path), 0, 0, grid.columns, grid.rows))
+        plane[row : row + grid.rows, column : column + grid.columns] = pixels
         planes.append(plane[grid.rows : grid.rows + mosaic.rows, grid.columns : grid.columns + mosaic.columns])
     for row in range(0, mosaic.rows - side, step):
         for column in range(0, mosaic.columns - side, step):
@@ -132,9 +132,9 @@ def errors(
     for a, b in pairs:
         seconds = (crooked if is_seam_known else straight)(len(a.plane), rng)
         places = [signed(seconds)] if is_seam_known else assumed_seams(*a.plane.shape, PIXEL)
-        one, seen = foretold(a.plane, b.plane, places, width, ramp), found(a, b, seconds, width, ramp)
-        windows.append(np.subtract(one.window, seen.window))
-        strips.append(np.subtract(one.strip, seen.strip))
+        expected, seen = foretold(a.plane, b.plane, places, width, ramp), blended_detail(a, b, seconds, width, ramp)
+        windows.append(np.subtract(expected.window, seen.window))
+        strips.append(np.subtract(expected.strip, seen.strip))
     return np.array(windows), np.array(strips)
 
 
@@ -217,13 +217,13 @@ def test_the_distance_is_that_from_the_line(mosaic: Raster) -> None:
 
 
 def test_lines_in_another_reference_system(mosaic: Raster) -> None:
-    own = line(mosaic, (48, -20), (48, 150))
+    drawn_line = line(mosaic, (48, -20), (48, 150))
     degrees = wkt(4326)
-    moved = geometry_on(ogr.CreateGeometryFromWkt(own), mosaic.wkt, degrees)
+    moved = geometry_on(ogr.CreateGeometryFromWkt(drawn_line), mosaic.wkt, degrees)
     assert abs(moved.GetX(0)) < 180
     distance = drawn_seam([bytes(moved.ExportToWkb())], degrees, mosaic, WINDOW, (0.1, 0.1))
     assert distance is not None
-    same = drawn(mosaic, own)
+    same = drawn(mosaic, drawn_line)
     assert same is not None
     np.testing.assert_allclose(distance, same, atol=0.11)
 

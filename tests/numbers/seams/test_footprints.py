@@ -1,4 +1,4 @@
-"""Which sources meet a rectangle, among very many."""
+"""Sources that meet a rectangle, among very many."""
 from __future__ import annotations
 
 from hypothesis import given
@@ -47,5 +47,5 @@ def test_addresses_are_gathered_as_they_are_read_in_parts_and_once() -> None:
         "https://a.example/b.tif", "/vsicurl/https://a.example/b.tif", "https://a.example/mosaic.tif"
     ))]
     kept, notices = gather_sources((), named, "", RasterRef("/vsicurl/https://a.example/mosaic.tif"))
-    assert [one.ref.path for one in kept] == ["0.tif", "/vsicurl/https://a.example/b.tif"]
+    assert [source.ref.path for source in kept] == ["0.tif", "/vsicurl/https://a.example/b.tif"]
     assert [notice.template for notice in notices] == [messages.MOSAIC_AMONG_SOURCES.template]

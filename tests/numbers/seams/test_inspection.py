@@ -141,10 +141,10 @@ def test_the_result_of_a_window(make_raster: MakeRaster) -> None:
         (source, band) for source in ("a.tif", "b.tif") for band in ("luminance", "red", "green", "blue")
     ]
     for pair in result.pairs:
-        own, other = expected["mosaic.tif", pair.band], expected[pair.source, pair.band]
-        ratios = own.shares / other.shares
+        of_mosaic, other = expected["mosaic.tif", pair.band], expected[pair.source, pair.band]
+        ratios = of_mosaic.shares / other.shares
         assert (*pair.ratios.detail, pair.ratios.background) == pytest.approx(tuple(ratios), rel=1e-4)
-        similarity = np.corrcoef(own.coarse.ravel(), other.coarse.ravel())[0, 1]
+        similarity = np.corrcoef(of_mosaic.coarse.ravel(), other.coarse.ravel())[0, 1]
         assert pair.similarity == pytest.approx(similarity, abs=1e-6)
         offset = (-0.2, 0.4) if pair.source == "b.tif" else (0, 0)
         assert (pair.offset_x, pair.offset_y) == pytest.approx(offset, abs=1e-5)

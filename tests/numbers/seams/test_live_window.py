@@ -91,7 +91,7 @@ def test_lanes_find_what_one_thread_finds(feathered: Block, lanes: ReadingLanes)
     refs = [request.mosaic.ref, RasterRef("/nowhere/a.tif"), *(source.ref for source in request.sources)]
     readings = [(ref, lambda raster: raster.read(WINDOW).bands) for ref in refs]
     alone, side_by_side = one_by_one(readings), lanes(readings)
-    assert [isinstance(one, RasterError) for one in side_by_side] == [False, True, False, False]
+    assert [isinstance(result, RasterError) for result in side_by_side] == [False, True, False, False]
     assert str(alone[1]) == str(side_by_side[1])
     assert all(np.array_equal(a, b) for a, b in zip(alone, side_by_side) if isinstance(a, np.ndarray))
 
@@ -101,7 +101,7 @@ def test_each_raster_has_its_thread_and_stays_open_until_it_is_let_go(feathered:
     readings = [(ref, lambda raster: (threading.get_ident(), raster)) for ref in refs]
     first, again = lanes(readings), lanes(readings)
     assert first == again
-    assert len({one[0] for one in first if isinstance(one, tuple)}) == 3
+    assert len({result[0] for result in first if isinstance(result, tuple)}) == 3
     lanes.let_go()
     assert all(opened not in first for opened in lanes(readings))
 
@@ -158,8 +158,8 @@ def test_a_click_waits_for_the_window_that_is_being_measured(feathered: Block, l
         assert may_read.wait(60)
         return lanes(readings)  # type: ignore[arg-type]
 
-    ahead, request, found = MeasuredAhead(slowly), request_of(feathered), []
-    threads = [threading.Thread(target=lambda: found.append(ahead(request))) for _ in range(2)]
+    ahead, request, results = MeasuredAhead(slowly), request_of(feathered), []
+    threads = [threading.Thread(target=lambda: results.append(ahead(request))) for _ in range(2)]
     threads[0].start()
     assert begun.wait(60)
     threads[1].start()
@@ -167,4 +167,4 @@ def test_a_click_waits_for_the_window_that_is_being_measured(feathered: Block, l
     for thread in threads:
         thread.join(60)
     assert reads == [1]
-    assert len(found) == 2
+    assert len(results) == 2

@@ -55,13 +55,13 @@ def images(count: int = 2, shape: tuple[int, int] = SIZE) -> list[np.ndarray]:
     """Orthoimages of one scene, each with its noise."""
     scene = orthoimage(shape).astype(float)
     noise = [np.random.default_rng(i).normal(0, 6, scene.shape) for i in range(count)]
-    return [(scene + one).clip(1, 254).astype(np.uint8) for one in noise]
+    return [(scene + plane).clip(1, 254).astype(np.uint8) for plane in noise]
 
 
-def assert_nothing_foretold(found: Forecast, reason: str) -> None:
-    assert reason in str(found.reason)
-    assert found.pairs == ()
-    assert found.expected == (None, None, None)
+def assert_nothing_foretold(result: Forecast, reason: str) -> None:
+    assert reason in str(result.reason)
+    assert result.pairs == ()
+    assert result.expected == (None, None, None)
 
 
 def templates(notices: tuple[Message, ...]) -> list[str]:
@@ -71,17 +71,17 @@ def templates(notices: tuple[Message, ...]) -> list[str]:
 def test_a_blended_mosaic_keeps_what_was_foretold(make_raster: MakeRaster) -> None:
     a, b = (image.astype(np.float32) for image in images())
     paths = [make_raster(name, image) for name, image in (("a.tif", a), ("b.tif", b))]
-    found = forecast(*paths)
+    result = forecast(*paths)
     mosaic = describe_mosaic(RasterRef(make_raster("mosaic.tif", (a + b) / 2)))
     block, _ = make_block(mosaic, [RasterRef(path) for path in paths])
     seen = inspect_window(window_request(block, 1, box(64, 64), InspectionSettings()))
     contrast = [pair.change.contrast for pair in seen.pairs if pair.band == "luminance" and pair.change]
-    (pair,) = found.pairs
+    (pair,) = result.pairs
     for level, ratio in enumerate(pair.feather.ratios):
-        of_a, of_b = (float(one[level] or math.nan) ** 2 for one in contrast)  # the mosaic's energy over each source's
+        of_a, of_b = (float(row[level] or math.nan) ** 2 for row in contrast)  # the mosaic's energy over each source's
         assert 2 / (1 / of_a + 1 / of_b) == pytest.approx(ratio, rel=1e-3)
-    assert found.expected == pair.feather.ratios
-    assert seen.explanation.expected == pytest.approx(found.expected)
+    assert result.expected == pair.feather.ratios
+    assert seen.explanation.expected == pytest.approx(result.expected)
 
 
 def test_a_pixel_grid_that_lies_beside_is_no_shift_on_the_ground(make_raster: MakeRaster) -> None:
@@ -109,24 +109,24 @@ def test_real_orthoimages_blended_half_and_half(make_raster: MakeRaster, data_fo
         for column in range(0, mosaic.grid.columns - 256, 256)
     ]
     sources, _ = gather_sources([RasterRef(path) for path in paths], [], mosaic.wkt)
-    found = []
+    forecasts = []
     for window in windows:
         extent = mosaic.grid.window_extent(window)
-        one = foretold(sources, extent, ForecastSettings(), mosaic.wkt)
-        if one.reason is not None:
+        result = foretold(sources, extent, ForecastSettings(), mosaic.wkt)
+        if result.reason is not None:
             continue
-        assert one.extent == pytest.approx(extent)
+        assert result.extent == pytest.approx(extent)
         clips = [read_clip(OpenRaster(RasterRef(path)), mosaic, window).bands for path in paths]
         planes = [luminance(bands) for bands in clips]
-        both, *own = (
+        both, *energies = (
             np.array([np.sum(part**2) for part in decompose(plane).details]) for plane in (sum(planes) / 2, *planes)
         )
-        np.testing.assert_allclose(one.expected, both / np.mean(own, axis=0), rtol=1e-4)
-        found.append(one)
-    assert len(found) >= 10
-    first = np.array([one.expected[0] for one in found], float)
+        np.testing.assert_allclose(result.expected, both / np.mean(energies, axis=0), rtol=1e-4)
+        forecasts.append(result)
+    assert len(forecasts) >= 10
+    first = np.array([result.expected[0] for result in forecasts], float)
     assert 0.5 < np.median(first) < 0.65  # half of the finest detail would go: noise of two photos, 0.9 px apart
-    lengths = [one.pairs[0].shift.length for one in found if one.pairs[0].shift is not None]
+    lengths = [result.pairs[0].shift.length for result in forecasts if result.pairs[0].shift is not None]
     assert 0.4 < np.median(lengths) < 1.8  # as measured on these images by others
 
 
@@ -137,17 +137,17 @@ def test_a_mosaic_feathered_at_that_width_keeps_what_was_foretold(make_raster: M
     line = ogr.CreateGeometryFromWkt(f"LINESTRING ({left + 12.8} {top}, {left + 12.8} {top - 30})")
     paths = [make_raster(name, image) for name, image in (("a.tif", a), ("b.tif", b))]
     seams = Seamlines([bytes(line.ExportToWkb())])
-    found = forecast(*paths, extent=box(64, 64), seamlines=seams, width_m=2.0, ramp="linear")
+    result = forecast(*paths, extent=box(64, 64), seamlines=seams, width_m=2.0, ramp="linear")
     cut = np.where(weight > 0.5, b, a)
     window = np.s_[:, 64:192, 64:192]
     blended, hard = (
         np.array([np.sum(part**2) for part in decompose(luminance(image[window])).details])
         for image in (weight * b + (1 - weight) * a, cut)
     )
-    assert found.kept == found.pairs[0].kept
-    assert found.kept.window == pytest.approx(blended / hard, abs=0.02)
-    assert all(strip < whole for strip, whole in zip(found.kept.strip, found.kept.window) if strip and whole)
-    assert found.notices == ()
+    assert result.kept == result.pairs[0].kept
+    assert result.kept.window == pytest.approx(blended / hard, abs=0.02)
+    assert all(strip < whole for strip, whole in zip(result.kept.strip, result.kept.window) if strip and whole)
+    assert result.notices == ()
 
 
 def test_a_seam_that_had_to_be_assumed_is_told(make_raster: MakeRaster) -> None:
@@ -172,18 +172,18 @@ def test_the_finest_source_gives_the_pixels_whatever_the_order(make_raster: Make
     fine = make_raster("fine.tif", np.kron(a, np.ones((1, 2, 2), np.uint8)), gsd=0.05)
     coarse = make_raster("coarse.tif", a)
     for order in ((fine, coarse), (coarse, fine)):
-        found = forecast(*order, extent=box(64.5, 64.5))  # whole pixels of the finer one only
-        assert found.extent == pytest.approx(box(64.5, 64.5))
-        assert [pair.resampled for pair in found.pairs] == [True]
+        result = forecast(*order, extent=box(64.5, 64.5))  # whole pixels of the finer one only
+        assert result.extent == pytest.approx(box(64.5, 64.5))
+        assert [pair.resampled for pair in result.pairs] == [True]
 
 
 def test_a_source_with_a_hole_gives_its_place_to_the_next(make_raster: MakeRaster) -> None:
     first, second, third = images(3)
     first[:, 100:110, 100:110] = 0
-    paths = [make_raster(f"{i}.tif", one, nodata=0) for i, one in enumerate((first, second, third))]
-    found = forecast(*paths)
-    assert [(pair.source, pair.other) for pair in found.pairs] == [("1.tif", "2.tif")]
-    assert found.notices == ()  # it merely does not cover the window
+    paths = [make_raster(f"{i}.tif", pixels, nodata=0) for i, pixels in enumerate((first, second, third))]
+    result = forecast(*paths)
+    assert [(pair.source, pair.other) for pair in result.pairs] == [("1.tif", "2.tif")]
+    assert result.notices == ()  # it merely does not cover the window
     assert_nothing_foretold(forecast(*paths[:2]), "Only one source covers the window, so nothing will be feathered")
 
 
@@ -192,22 +192,22 @@ def test_sources_in_another_reference_system(make_raster: MakeRaster, tmp_path: 
     plain = make_raster("plain.tif", a, nodata=0)
     other = str(tmp_path / "other.tif")
     gdal.Warp(other, make_raster("b.tif", b, nodata=0), dstSRS="EPSG:32634", dstNodata=0, resampleAlg="cubic")
-    found = forecast(plain, other, extent=box(200, 200))
-    assert [pair.resampled for pair in found.pairs] == [True]
-    assert found.extent == pytest.approx(box(200, 200))
-    shift = found.pairs[0].shift
+    result = forecast(plain, other, extent=box(200, 200))
+    assert [pair.resampled for pair in result.pairs] == [True]
+    assert result.extent == pytest.approx(box(200, 200))
+    shift = result.pairs[0].shift
     assert shift.length < 0.1
     degrees = describe(RasterRef(other)).extent  # windows and footprints in that system, measured on the first's pixels
-    assert degrees[0] < found.extent[0]
+    assert degrees[0] < result.extent[0]
 
 
 def test_without_sources_or_with_one(make_raster: MakeRaster) -> None:
     path = make_raster("a.tif", images()[0])
     assert_nothing_foretold(forecast(path, extent=box(900, 0)), "No source covers the window; add the orthoimages")
-    found = forecast(path)
-    assert_nothing_foretold(found, "Only one source covers the window, so nothing will be feathered there.")
-    assert found.sources == 1
-    assert found.extent == pytest.approx(box(64, 64))
+    result = forecast(path)
+    assert_nothing_foretold(result, "Only one source covers the window, so nothing will be feathered there.")
+    assert result.sources == 1
+    assert result.extent == pytest.approx(box(64, 64))
 
 
 def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path: Path) -> None:
@@ -223,14 +223,14 @@ def test_bad_rasters_never_raise_and_are_named(make_raster: MakeRaster, tmp_path
     (tmp_path / "cut.tif").write_bytes((tmp_path / "cut.tif").read_bytes()[:60_000])
     lost = [type(sources[0])(RasterRef(path), sources[0].extent) for path in bad[3:]]
     for order in ([*sources, *added, *lost], [*lost, *reversed(added), *sources], [*added, *lost, *sources]):
-        found = foretold(order, box(64, 64), ForecastSettings(), wkt(UTM33))
-        assert [(pair.source, pair.other) for pair in found.pairs][-1] == ("0.tif", "1.tif")
-        assert found.reason is None
-        said = " ".join(templates(found.notices))
+        result = foretold(order, box(64, 64), ForecastSettings(), wkt(UTM33))
+        assert [(pair.source, pair.other) for pair in result.pairs][-1] == ("0.tif", "1.tif")
+        assert result.reason is None
+        said = " ".join(templates(result.notices))
         for words in ("grey.tif has no luminance", "flat.tif has no variance", "pixels of cut.tif can't be read",
                       "text.tif is not a raster", "lost.tif does not exist"):
             assert words in said
-        assert len(found.notices) == 5
+        assert len(result.notices) == 5
     alone = foretold([*lost, sources[0]], box(64, 64), ForecastSettings(), wkt(UTM33))
     assert_nothing_foretold(alone, "Only one source can be compared here: text.tif is not a raster")
     none = foretold(lost, box(64, 64), ForecastSettings(), wkt(UTM33))

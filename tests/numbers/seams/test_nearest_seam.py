@@ -42,10 +42,10 @@ def test_distance_is_that_of_ogr(several: list[list[tuple[int, int]]], place: tu
     x, y = EAST + place[0], NORTH + place[1]
     expected = min(drawn(*line).Distance(point(x, y)) for line in several)
     index = SeamIndex([seam(*line) for line in several])
-    found = index.nearest(x, y, expected + 1e-6)
-    assert found is not None
-    assert math.dist(found, (x, y)) == pytest.approx(expected, abs=1e-7)
-    assert min(drawn(*line).Distance(point(*found)) for line in several) == pytest.approx(0, abs=1e-7)
+    nearest = index.nearest(x, y, expected + 1e-6)
+    assert nearest is not None
+    assert math.dist(nearest, (x, y)) == pytest.approx(expected, abs=1e-7)
+    assert min(drawn(*line).Distance(point(*nearest)) for line in several) == pytest.approx(0, abs=1e-7)
     if expected > 1e-3:
         assert index.nearest(x, y, expected - 1e-6) is None
 

@@ -1,4 +1,4 @@
-"""Which judged windows belong together, and that they are resampled together."""
+"""Judged windows that belong together are resampled together."""
 from __future__ import annotations
 
 import numpy as np
@@ -22,33 +22,33 @@ def test_windows_far_apart_are_neighbourhoods_of_their_own() -> None:
 @pytest.mark.parametrize("spacing", [0, 30, 100, 200])
 def test_windows_that_overlap_or_are_near_belong_together(spacing: float) -> None:
     groups = [window(5000 * group + spacing * place, 300 * group) for group in range(6) for place in range(4)]
-    found = find_neighbourhoods(groups)
-    assert len(set(found)) == 6
-    assert all(len(set(found[start : start + 4])) == 1 for start in range(0, 24, 4))
+    numbers = find_neighbourhoods(groups)
+    assert len(set(numbers)) == 6
+    assert all(len(set(numbers[start : start + 4])) == 1 for start in range(0, 24, 4))
 
 
 def test_degrees_do_as_well_as_metres() -> None:
     metres = [window(2000 * (place // 3) + 100 * (place % 3), 40 * place) for place in range(15)]
     degrees = [(left / 70e3, bottom / 111e3, right / 70e3, top / 111e3) for left, bottom, right, top in metres]
-    found = find_neighbourhoods(metres)
-    assert find_neighbourhoods(degrees) == found
-    assert len(set(found)) == 5
+    numbers = find_neighbourhoods(metres)
+    assert find_neighbourhoods(degrees) == numbers
+    assert len(set(numbers)) == 5
 
 
 def test_a_long_row_is_cut() -> None:
     row = [window(200 * place) for place in range(40)]
-    found = find_neighbourhoods(row)
-    assert 8 <= len(set(found)) <= 16
-    for group in set(found):
-        members = [place for place, one in enumerate(found) if one == group]
+    numbers = find_neighbourhoods(row)
+    assert 8 <= len(set(numbers)) <= 16
+    for group in set(numbers):
+        members = [place for place, number in enumerate(numbers) if number == group]
         assert members == list(range(members[0], members[-1] + 1))
         assert len(members) <= 4  # 800 m
 
 
 def test_windows_without_an_outline_stand_for_themselves() -> None:
-    found = find_neighbourhoods([None, window(0), None, window(50)])
-    assert found[1] == found[3]
-    assert len(set(found)) == 3
+    numbers = find_neighbourhoods([None, window(0), None, window(50)])
+    assert numbers[1] == numbers[3]
+    assert len(set(numbers)) == 3
     assert find_neighbourhoods([]) == []
 
 

@@ -28,4 +28,4 @@ def numpys_in(value: object, name: str) -> list[str]:
         parts = [(field.name, getattr(value, field.name)) for field in fields(value)]
     elif isinstance(value, (list, tuple)):
         parts = list(enumerate(value))
-    return [found for part, held in parts for found in numpys_in(held, f"{name}.{part}")]
+    return [place for part, held in parts for place in numpys_in(held, f"{name}.{part}")]

@@ -52,26 +52,26 @@ def brighton(data_folder: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def labels(brighton: Path) -> np.ndarray:
-    """Which source each pixel of the mosaics is from; 0 outside."""
+    """The source that each pixel of the mosaics is from; 0 outside."""
     return read_pixels(str(brighton / "source_label.tif"), 0, 0, 3423, 2987)[0]
 
 
 @pytest.fixture(scope="module")
 def on_seams(labels: np.ndarray) -> list[PixelWindow]:
     """Windows inside the mosaics with at least two sources, none of which has more than 85 %."""
-    found = []
+    windows = []
     for row in range(0, labels.shape[0] - SIDE, SIDE):
         for column in range(0, labels.shape[1] - SIDE, SIDE):
             values, counts = np.unique(labels[row : row + SIDE, column : column + SIDE], return_counts=True)
             if values[0] > 0 and counts.max() <= 0.85 * SIDE**2:
-                found.append(PixelWindow(column, row, SIDE, SIDE))
-    return found
+                windows.append(PixelWindow(column, row, SIDE, SIDE))
+    return windows
 
 
 def sources_by_gdal(folder: Path, window: PixelWindow) -> dict[str, np.ndarray]:
     """The pixels of every orthoimage that covers a window of the mosaics, read by geotransforms alone."""
     left, width, _, top, _, height = gdal.Open(str(folder / HARD)).GetGeoTransform()
-    found = {}
+    sources = {}
     for path in sorted(folder.glob("DJI_*.tif")):
         dataset = gdal.Open(str(path))
         origin = dataset.GetGeoTransform()
@@ -81,8 +81,8 @@ def sources_by_gdal(folder: Path, window: PixelWindow) -> dict[str, np.ndarray]:
         if fits:
             pixels = read_pixels(str(path), column, row, SIDE, SIDE)
             if (pixels > 0).any(axis=0).all():
-                found[path.name] = pixels
-    return found
+                sources[path.name] = pixels
+    return sources
 
 
 def test_brighton_equals_pywavelets(brighton: Path, on_seams: list[PixelWindow]) -> None:
@@ -90,24 +90,24 @@ def test_brighton_equals_pywavelets(brighton: Path, on_seams: list[PixelWindow])
     block = block_of(str(brighton / HARD), sorted(brighton.glob("DJI_*.tif")))
     pairs = judged = 0
     for window, result in zip(chosen, inspect(block, chosen)):
-        own = shares(read_pixels(str(brighton / HARD), window.column, window.row, SIDE, SIDE))
+        of_mosaic = shares(read_pixels(str(brighton / HARD), window.column, window.row, SIDE, SIDE))
         others = {name: shares(pixels) for name, pixels in sources_by_gdal(brighton, window).items()}
         assert {clip.raster for clip in result.clips} >= {HARD, *others}  # a few invalid pixels may be filled
         for clip in result.clips:
-            expected = own if clip.role == "mosaic" else others.get(clip.raster, {})
+            expected = of_mosaic if clip.role == "mosaic" else others.get(clip.raster, {})
             for band in expected:
                 curve = clip.curves[band]
-                found = np.array([*curve.detail, curve.background])
-                np.testing.assert_allclose(found, expected[band], rtol=0, atol=1e-7)
-                np.testing.assert_allclose(found, expected[band], rtol=1e-4)
+                shown = np.array([*curve.detail, curve.background])
+                np.testing.assert_allclose(shown, expected[band], rtol=0, atol=1e-7)
+                np.testing.assert_allclose(shown, expected[band], rtol=1e-4)
         for pair in result.pairs:
             assert (pair.offset_x, pair.offset_y, pair.resampled) == (0, 0, False)  # one common grid
             if pair.source in others:
-                ratios = own[pair.band] / others[pair.source][pair.band]
+                ratios = of_mosaic[pair.band] / others[pair.source][pair.band]
                 assert (*pair.ratios.detail, pair.ratios.background) == pytest.approx(tuple(ratios), rel=1e-4)
                 pairs += 1
         if {clip.raster for clip in result.clips} == {HARD, *others}:
-            largest = max(own["luminance"][0] / other["luminance"][0] for other in others.values())
+            largest = max(of_mosaic["luminance"][0] / other["luminance"][0] for other in others.values())
             assert result.judgement.ratios.detail[0] == pytest.approx(largest, rel=1e-4)
             judged += 1
     assert pairs >= 6 * 4 * 2  # some two sources a window
@@ -125,7 +125,7 @@ def results(brighton: Path, on_seams: list[PixelWindow]) -> tuple[list[WindowRes
 
 def test_an_eye_just_sees_the_feathers_and_no_hard_cut(results: tuple[list[WindowResult], list[WindowResult]]) -> None:
     """In just noticeable differences at 2x."""
-    hard, feathered = ([one.visibility for one in of if one.visibility is not None] for of in results)
+    hard, feathered = ([result.visibility for result in of if result.visibility is not None] for of in results)
     assert len(hard) == len(feathered) >= 10
     assert max(hard) < 0.1
     assert min(feathered) > 0.3
@@ -138,14 +138,14 @@ def test_every_source_of_a_window_takes_part_wholly_or_in_part(
 ) -> None:
     in_part = 0
     for window, result in zip(on_seams, results[0]):
-        own = labels[window.row : window.row + SIDE, window.column : window.column + SIDE]
-        assert result.source_count >= len(np.unique(own))
+        inside = labels[window.row : window.row + SIDE, window.column : window.column + SIDE]
+        assert result.source_count >= len(np.unique(inside))
         assert result.explained == pytest.approx(1, abs=0.02)
-        told = {str(notice).split(" ")[0] for notice in result.notices}
+        partial = {str(notice).split(" ")[0] for notice in result.notices}
         whole = {clip.raster for clip in result.clips if clip.role == "source"}
-        assert {pair.source for pair in result.pairs} == told | whole  # who covers a part only is named
-        assert not told & whole
-        in_part += bool(told)
+        assert {pair.source for pair in result.pairs} == partial | whole  # who covers a part only is named
+        assert not partial & whole
+        in_part += bool(partial)
     assert in_part >= 3
 
 
@@ -163,7 +163,7 @@ def test_brightons_hard_seams_are_sound_and_the_feathered_ones_are_not(
     flagged = [result.judgement.verdict in (Verdict.SIGNIFICANT, Verdict.REDUCED) for result in judged]
     assert np.mean(flagged) >= 0.9
     assert np.mean([result.causes[0] is Cause.FEATHERING for result in judged]) >= 0.9
-    kept = [[one.profile.kept[0] for one in result if one.profile] for result in results]
+    kept = [[result.profile.kept[0] for result in result if result.profile] for result in results]
     assert max(kept[1]) < min(kept[0])  # the seam's own measure parts them, all of them
 
 

@@ -34,9 +34,9 @@ def as_jpeg(path: Path, folder: Path) -> Path:
 
 def decision(mosaic: Path, orthoimages: list[Path], seamlines: Path | str = "") -> Decision:
     block = open_block(mosaic, orthoimages)
-    found = scan(block, ScanSettings(piece_m=3.0), seamlines=seamlines)
-    made = decide({"a": found}, limit_rules(min_kept=0.7, max_share=0.02, max_run_m=25, min_measured=0.8))
-    assert (float(found.told["metres"]), made.delivery.lacking_m) == (found.seam_metres, 0)
+    result = scan(block, ScanSettings(piece_m=3.0), seamlines=seamlines)
+    made = decide({"a": result}, limit_rules(min_kept=0.7, max_share=0.02, max_run_m=25, min_measured=0.8))
+    assert (float(result.told["metres"]), made.delivery.lacking_m) == (result.seam_metres, 0)
     return made
 
 
@@ -45,9 +45,9 @@ def decision(mosaic: Path, orthoimages: list[Path], seamlines: Path | str = "") 
 @pytest.mark.parametrize("is_jpeg", [False, True])
 def test_a_sound_delivery_is_accepted(tmp_path: Path, data_folder: Path, is_jpeg: bool, is_given: bool) -> None:
     mosaic, orthoimages, seamlines = files(data_folder)
-    found = decision(as_jpeg(mosaic, tmp_path) if is_jpeg else mosaic, orthoimages, seamlines if is_given else "")
-    assert found.accepted, str(found.sentences[0])
-    assert any("compared with the orthoimages that were given" in str(sentence) for sentence in found.sentences)
+    decided = decision(as_jpeg(mosaic, tmp_path) if is_jpeg else mosaic, orthoimages, seamlines if is_given else "")
+    assert decided.accepted, str(decided.sentences[0])
+    assert any("compared with the orthoimages that were given" in str(sentence) for sentence in decided.sentences)
 
 
 def part(mosaic: Path, made: Path, width: int) -> Path:
@@ -64,8 +64,8 @@ def borders(seamlines: Path, mosaic: Path) -> list[ogr.Geometry]:
     corners = (left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)
     extent = ogr.CreateGeometryFromWkt(f"POLYGON(({', '.join(f'{x} {y}' for x, y in corners)}))")
     areas = [feature.geometry().Intersection(extent) for feature in given.GetLayer(0)]
-    shared = (one.Intersection(other) for one, other in combinations(areas, 2))
-    lines = (ogr.ForceToMultiLineString(one) for one in shared if one.GetDimension() == 1)
+    shared = (area.Intersection(other) for area, other in combinations(areas, 2))
+    lines = (ogr.ForceToMultiLineString(border) for border in shared if border.GetDimension() == 1)
     return sorted(lines, key=lambda line: -line.Length())
 
 
@@ -89,9 +89,9 @@ def test_seams_left_out_of_the_seamlines_leave_it_open(tmp_path: Path, data_fold
     lines = borders(seamlines, made)
     assert decision(made, orthoimages, as_lines(seamlines, tmp_path / "all.gpkg", lines)).accepted
     del lines[left_out]
-    found = decision(made, orthoimages, as_lines(seamlines, tmp_path / "some.gpkg", lines))
-    assert found.accepted is None
-    assert "are not counted (the longest around" in str(found.sentences[0])
+    decided = decision(made, orthoimages, as_lines(seamlines, tmp_path / "some.gpkg", lines))
+    assert decided.accepted is None
+    assert "are not counted (the longest around" in str(decided.sentences[0])
 
 
 @pytest.mark.release
@@ -117,6 +117,6 @@ def test_a_strip_cut_out_along_a_seam_leaves_it_open(tmp_path: Path, data_folder
                 pixels[:, max(row - 20, 0) : row + 20, max(column - 20, 0) : column + 20] = 0
     dataset.WriteArray(pixels)
     del dataset
-    found = decision(made, orthoimages)
-    assert found.accepted is None
-    assert "are not counted (the longest around" in str(found.sentences[0])
+    decided = decision(made, orthoimages)
+    assert decided.accepted is None
+    assert "are not counted (the longest around" in str(decided.sentences[0])

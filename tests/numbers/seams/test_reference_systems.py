@@ -52,7 +52,7 @@ def block_at(folder: Path, place: GeoTransform, system: int | str, feather: int 
 
 
 def placed(system: int | str, longitude: float, latitude: float) -> GeoTransform:
-    """Where pixels of a length on the ground lie."""
+    """The place of pixels of a length on the ground."""
     (x, y), east, north = metres_by_arcs(system, longitude, latitude)
     across, down = PIXEL / east, PIXEL / north
     return x - COLUMNS / 2 * across, across, 0.0, y + ROWS / 2 * down, 0.0, -down
@@ -67,15 +67,15 @@ def test_a_seam_has_the_length_that_it_has_on_the_ground(
     tmp_path: Path, system: int | str, longitude: float, latitude: float
 ) -> None:
     block = block_at(tmp_path, placed(system, longitude, latitude), system)
-    found = scan(block)
-    assert found.seam_metres == pytest.approx(LENGTH, abs=0.02)
-    assert found.failed_metres == found.seam_metres
+    result = scan(block)
+    assert result.seam_metres == pytest.approx(LENGTH, abs=0.02)
+    assert result.failed_metres == result.seam_metres
     (tmp_path / "plain").mkdir()
     plain = scan(block_at(tmp_path / "plain", PLAIN, UTM33))
-    assert kept(found) == pytest.approx(kept(plain), abs=0.002)
-    assert found.pieces[0].band_width_m == pytest.approx(plain.pieces[0].band_width_m, rel=0.01)
+    assert kept(result) == pytest.approx(kept(plain), abs=0.002)
+    assert result.pieces[0].band_width_m == pytest.approx(plain.pieces[0].band_width_m, rel=0.01)
     for run, outcome in ((30.0, AcceptanceOutcome.ACCEPTED), (20.0, AcceptanceOutcome.REJECTED)):
-        decision = decide(make_delivery({"sheet": seam_rows(found)}, block.mosaic.wkt), limit_rules(0.7, 1.0, run))
+        decision = decide(make_delivery({"sheet": seam_rows(result)}, block.mosaic.wkt), limit_rules(0.7, 1.0, run))
         assert decision.outcome is outcome
         assert decision.whole.failed_m == pytest.approx(LENGTH, abs=0.02)
     xmin, ymin, xmax, ymax = block.mosaic.extent
@@ -90,13 +90,13 @@ def test_the_system_that_is_given_holds_whatever_files_name(tmp_path: Path) -> N
         write_raster(tmp_path / f"{name}.tif", image, geotransform=place, system=UTM33)
         for name, image in zip(("mosaic", "a", "b"), pixels(FEATHERED))
     ]
-    with pytest.warns(SeamInspectorWarning) as told:
+    with pytest.warns(SeamInspectorWarning) as warned:
         block = open_block(wrong[0], wrong[1:], crs="EPSG:3857")
-    assert sorted(str(one.message).partition(" ")[0] for one in told) == ["a.tif", "b.tif", "mosaic.tif"]
-    assert all("EPSG:3857" in str(one.message) and f"EPSG:{UTM33}" in str(one.message) for one in told)
-    found = scan(block)
-    assert kept(found) == pytest.approx(right)
-    assert found.seam_metres == pytest.approx(LENGTH, abs=0.02)
+    assert sorted(str(warning.message).partition(" ")[0] for warning in warned) == ["a.tif", "b.tif", "mosaic.tif"]
+    assert all("EPSG:3857" in str(warning.message) and f"EPSG:{UTM33}" in str(warning.message) for warning in warned)
+    result = scan(block)
+    assert kept(result) == pytest.approx(right)
+    assert result.seam_metres == pytest.approx(LENGTH, abs=0.02)
     with pytest.raises(SettingsError, match="'EPSG:0' is not a projected or geographic coordinate reference system"):
         open_block(wrong[0], wrong[1:], crs="EPSG:0")
 
@@ -116,10 +116,10 @@ def test_rows_that_run_north_change_nothing(tmp_path: Path, feather: int) -> Non
         for name, image in (("mosaic", mosaic), ("a", first), ("b", second))
     )
     turned = write_raster(tmp_path / "turned.tif", second[::-1], geotransform=south_up)
-    expected, found = inspected(path, [a, b]), inspected(path, [a, turned])
-    assert found.judgement == expected.judgement
-    assert found.notices == ()
-    assert found.profile.kept == expected.profile.kept
+    expected, upturned = inspected(path, [a, b]), inspected(path, [a, turned])
+    assert upturned.judgement == expected.judgement
+    assert upturned.notices == ()
+    assert upturned.profile.kept == expected.profile.kept
     assert kept(scan(open_block(path, [a, turned]))) == kept(scan(open_block(path, [a, b])))
 
 
@@ -129,7 +129,7 @@ def test_an_orthoimage_of_the_neighbouring_zone_takes_part_in_windows_as_in_scan
 ) -> None:
     _, first, second = pixels(feather)
     place = (715000.0, *PLAIN[1:])  # near the edge of the zone
-    a, b = (write_raster(tmp_path / f"{n}.tif", one, geotransform=place) for n, one in (("a", first), ("b", second)))
+    a, b = (write_raster(tmp_path / f"{n}.tif", data, geotransform=place) for n, data in (("a", first), ("b", second)))
     there, back = str(tmp_path / "neighbour.tif"), str(tmp_path / "back.tif")
     size = {"xRes": PIXEL, "yRes": PIXEL, "resampleAlg": "cubic", "dstNodata": 0}
     gdal.Warp(there, b, dstSRS="EPSG:32634", **size)
@@ -138,22 +138,22 @@ def test_an_orthoimage_of_the_neighbouring_zone_takes_part_in_windows_as_in_scan
     warped = gdal.Open(back).ReadAsArray()
     mixed = np.where(warped == 0, first, blended(first, warped, feather))
     path = write_raster(tmp_path / "mosaic.tif", mixed, geotransform=place)
-    result, found = inspected(path, [a, there]), scan(open_block(path, [a, there]))
+    result, scanned = inspected(path, [a, there]), scan(open_block(path, [a, there]))
     assert result.notices == ()
     assert result.profile.kept[0] == pytest.approx(1 if feather == HARD else 0.52, abs=0.06)
-    assert kept(found) == pytest.approx([result.profile.kept[0]], abs=0.05)
+    assert kept(scanned) == pytest.approx([result.profile.kept[0]], abs=0.05)
 
 
 def test_more_seams_than_outlines_allow_are_told_and_not_listed(tmp_path: Path) -> None:
     """A mosaic that changes its source every 32 px."""
-    first, second = images(own=20.0)
+    first, second = images(detail_dn=20.0)
     row, column = np.indices(first.shape) // 32
     paths = [
         write_raster(tmp_path / f"{name}.tif", image)
         for name, image in (("mosaic", np.where((row + column) % 2, first, second)), ("a", first), ("b", second))
     ]
-    found = scan(open_block(paths[0], paths[1:]))
-    assert found.pieces == ()
+    result = scan(open_block(paths[0], paths[1:]))
+    assert result.pieces == ()
     # Two squares of 102.4 m, and 0.0004 more on the ground.
-    (said,) = (str(notice) for notice in found.notices if "outlines are only 820 m long" in str(notice))
+    (said,) = (str(notice) for notice in result.notices if "outlines are only 820 m long" in str(notice))
     assert "as after warping by nearest neighbour" in said

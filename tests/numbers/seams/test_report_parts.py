@@ -22,9 +22,9 @@ def test_the_overview_is_a_small_picture_of_the_place(make_raster: MakeRaster) -
     pixels[..., :100] = 0
     mosaic = describe_mosaic(RasterRef(make_raster("mosaic.tif", pixels, nodata=0)))
     left, top = ORIGIN
-    found = read_overview(mosaic, (left - 50, top - 20, left + 30, top + 50), 150)
-    assert found is not None
-    block, extent = found
+    overview = read_overview(mosaic, (left - 50, top - 20, left + 30, top + 50), 150)
+    assert overview is not None
+    block, extent = overview
     assert extent == pytest.approx((left, top - 20, left + 30, top))
     assert block.bands.shape == (3, 100, 150)
     assert not block.valid[:, :49].any()

@@ -34,12 +34,12 @@ def labels(*cells: Cell) -> np.ndarray:
 
 
 def test_a_pixel_belongs_to_the_cell_that_holds_its_centre() -> None:
-    found = labels(cell("west.tif", (0, 0), (64, 0), (0, 48)), cell("east.tif", (64, 0), (64, 48), (0, 48)))
+    drawn = labels(cell("west.tif", (0, 0), (64, 0), (0, 48)), cell("east.tif", (64, 0), (64, 48), (0, 48)))
     row, column = np.mgrid[:48, :64] + 0.5
     west = column / 64 + row / 48
     sure = np.abs(west - 1) > 0.01
-    np.testing.assert_array_equal(found[sure], (west > 1)[sure])
-    assert not (found == UNKNOWN).any()
+    np.testing.assert_array_equal(drawn[sure], (west > 1)[sure])
+    assert not (drawn == UNKNOWN).any()
 
 
 @pytest.mark.parametrize("name", ["west.tif", "west", "WEST.TIF", "/block/images/west.tif", "C:\\block\\west.jp2"])
@@ -57,7 +57,7 @@ def test_a_cell_of_a_source_that_takes_no_part_says_nothing(name: str) -> None:
 @pytest.mark.parametrize("corners", [(-9, 0, 0, 48), (64, 0, 70, 48), (0, -9, 64, 0), (0, 48, 64, 60)])
 def test_a_cell_that_touches_a_rectangle_at_any_side_is_not_over_it(corners: tuple[float, ...]) -> None:
     extent = GRID.window_extent(WINDOW)
-    rounded = [tuple(round(value, 6) for value in one) for one in (extent, box("west", *corners).extent)]
+    rounded = [tuple(round(value, 6) for value in corners_m) for corners_m in (extent, box("west", *corners).extent)]
     beside = Cell("west", b"", rounded[1])
     assert cells_over([beside], rounded[0]) == ()
     left, top, right, bottom = corners

@@ -49,8 +49,8 @@ def test_the_papers_rule_and_the_seam_can_differ(make_raster: MakeRaster, source
     assert by_seam.judgement.verdict is Verdict.SIGNIFICANT
     assert by_seam.paper_verdict is by_paper.paper_verdict is by_paper.judgement.verdict is not Verdict.SIGNIFICANT
     assert by_seam.judgement.ratios == by_paper.judgement.ratios
-    own, *others = (clip.curves["luminance"] for clip in by_paper.clips)
-    assert by_paper.judgement == judge(own, others)
+    of_mosaic, *others = (clip.curves["luminance"] for clip in by_paper.clips)
+    assert by_paper.judgement == judge(of_mosaic, others)
     assert (by_seam.reference, by_paper.reference) == ("seam", "sources")
 
 
@@ -115,9 +115,9 @@ def test_there_is_a_share_kept_for_every_level(
 ) -> None:
     image = blended(sources, 40)
     usual = inspected(make_raster, image, sources[:2]).profile
-    found = inspected(make_raster, image, sources[:2], levels=levels).profile
-    assert len(found.kept) == levels
-    assert found.kept[0] == pytest.approx(usual.kept[0], abs=0.01)
-    known = [kept for kept in found.kept if kept is not None]
-    assert found.kept[: len(known)] == tuple(known)  # coefficients larger than a cell of 16 px tell nothing of a place
+    seam = inspected(make_raster, image, sources[:2], levels=levels).profile
+    assert len(seam.kept) == levels
+    assert seam.kept[0] == pytest.approx(usual.kept[0], abs=0.01)
+    known = [kept for kept in seam.kept if kept is not None]
+    assert seam.kept[: len(known)] == tuple(known)  # coefficients larger than a cell of 16 px tell nothing of a place
     assert len(known) == min(levels, 4)

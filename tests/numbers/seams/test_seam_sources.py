@@ -154,7 +154,7 @@ def test_where_a_source_of_other_pixels_is_missed_its_pixel_size_is_said_first(
 def test_where_all_are_resampled_the_verdict_says_so(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
     fine = [np.kron(source, np.ones((1, 2, 2), np.uint8)) for source in sources[:2]]
     mosaic = mosaic_of(make_raster, blended(sources, 40))
-    block = block_of(mosaic, *(make_raster(f"{name}.tif", one, gsd=0.05) for name, one in zip("ab", fine)))
+    block = block_of(mosaic, *(make_raster(f"{name}.tif", pixels, gsd=0.05) for name, pixels in zip("ab", fine)))
     for reference in ("seam", "sources", "composite"):
         result = inspect(block, WHOLE, reference=reference)
         assert result.judgement.verdict is not Verdict.NOT_COMPARABLE
@@ -170,7 +170,7 @@ def test_a_mosaic_of_8_bit_of_deeper_sources_has_no_narrowed_histogram(
     deep = [source.astype(np.uint16) * factor + np.uint16(factor // 2) for source in sources[:2]]
     mosaic = mosaic_of(make_raster, blended(sources))
     options = ["TILED=YES", *([f"NBITS={bits}"] if bits < 16 else [])]
-    paths = [make_raster(f"{name}.tif", one, options=options) for name, one in zip("ab", deep)]
+    paths = [make_raster(f"{name}.tif", pixels, options=options) for name, pixels in zip("ab", deep)]
     result = inspect(block_of(mosaic, *paths), WHOLE)
     assert result.causes == (Cause.NONE,)
     assert result.judgement.verdict is Verdict.PRESERVED
@@ -190,8 +190,8 @@ def test_causes_do_not_depend_on_how_many_grey_values_there_are(
         "nothing": hard, "unsharp": 2 * hard - ndimage.gaussian_filter(hard, (0, 1, 1)), "gain": 0.6 * hard + 20,
         "blur": ndimage.gaussian_filter(hard, (0, 0.7, 0.7)), "noise": hard + rng.normal(0, 4, hard.shape),
     }[change]
-    few = inspected(make_raster, as_bytes(made), [as_bytes(one) for one in fine])
-    many = inspected(make_raster, in_16_bit(made), [in_16_bit(one) for one in fine])
+    few = inspected(make_raster, as_bytes(made), [as_bytes(plane) for plane in fine])
+    many = inspected(make_raster, in_16_bit(made), [in_16_bit(plane) for plane in fine])
     assert many.causes == few.causes
     assert many.judgement.verdict is few.judgement.verdict
 
@@ -203,7 +203,7 @@ def test_floating_point_of_any_scale_is_measured_as_8_bit_is(
 ) -> None:
     """Reflectance from 0 to 1: verdict, causes and what is kept; variances and tones stay in the file's values."""
     image = blended(sources, 40)
-    scaled = [(one * factor).astype(np.float32) for one in (image, *sources[:2])]
+    scaled = [(pixels * factor).astype(np.float32) for pixels in (image, *sources[:2])]
     few, many = inspected(make_raster, image, sources[:2]), inspected(make_raster, scaled[0], scaled[1:])
     assert many.judgement.verdict is few.judgement.verdict
     assert many.causes == few.causes

@@ -36,19 +36,19 @@ def profile(kept: float, low: float | None = None, high: float | None = None) ->
 
 
 def judged(
-    found: SeamProfile | None, min_kept: float = limits.MAX_SIGNIFICANT_KEPT, sharpness: float | None = 1.0,
+    profile: SeamProfile | None, min_kept: float = limits.MAX_SIGNIFICANT_KEPT, sharpness: float | None = 1.0,
     **of_window: float,
 ) -> tuple[Verdict, Message | None]:
     figures = {"has_seam": True, "explained": 1.0, "mixed_share": 0.0, **of_window}
-    return judge_by_seam(SimpleNamespace(profile=found, sharpness=sharpness, **figures), min_kept)  # type: ignore[arg-type]
+    return judge_by_seam(SimpleNamespace(profile=profile, sharpness=sharpness, **figures), min_kept)  # type: ignore[arg-type]
 
 
-def verdict_of(found: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> Verdict:
-    return judged(found, sharpness=sharpness, has_seam=has_seam)[0]
+def verdict_of(profile: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> Verdict:
+    return judged(profile, sharpness=sharpness, has_seam=has_seam)[0]
 
 
-def reason_of(found: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> str | None:
-    reason = judged(found, sharpness=sharpness, has_seam=has_seam)[1]
+def reason_of(profile: SeamProfile | None, sharpness: float | None = 1.0, has_seam: bool = True) -> str | None:
+    reason = judged(profile, sharpness=sharpness, has_seam=has_seam)[1]
     return reason.template if reason else None
 
 
@@ -102,7 +102,7 @@ def test_a_loss_that_may_be_none_is_no_loss(kept: float) -> None:
 
 
 def test_a_wide_interval_is_no_verdict() -> None:
-    """Where it may be a loss or none; a loss for sure stays one, however wide."""
+    """An interval that holds both a loss and none decides nothing; a loss for sure stays one, however wide."""
     assert verdict_of(profile(0.8, 0.55, MOST_SPREAD * 0.55)) is Verdict.PRESERVED
     wide = profile(0.8, 0.55, MOST_SPREAD * 0.55 + LITTLE)
     assert verdict_of(wide) is Verdict.NOT_COMPARABLE
@@ -143,10 +143,10 @@ def test_without_a_seam_the_sharpness_alone_is_judged_and_that_is_said() -> None
     assert verdict_of(None, 0.2, has_seam=False) is Verdict.SIGNIFICANT
 
 
-@pytest.mark.parametrize("found", [profile(1.0), profile(0.9), None])
-def test_a_gross_blur_is_significant_whatever_the_seam_kept(found: SeamProfile | None) -> None:
-    assert verdict_of(found, BLURRED - LITTLE) is Verdict.SIGNIFICANT
-    assert verdict_of(found, BLURRED + LITTLE) is not Verdict.SIGNIFICANT
+@pytest.mark.parametrize("measured", [profile(1.0), profile(0.9), None])
+def test_a_gross_blur_is_significant_whatever_the_seam_kept(measured: SeamProfile | None) -> None:
+    assert verdict_of(measured, BLURRED - LITTLE) is Verdict.SIGNIFICANT
+    assert verdict_of(measured, BLURRED + LITTLE) is not Verdict.SIGNIFICANT
 
 
 def test_a_slight_blur_is_reduced_beyond_its_tolerance() -> None:
@@ -170,8 +170,8 @@ def test_what_no_source_explains_is_not_judged() -> None:
 def test_nothing_but_a_gross_blur_is_significant_by_the_sharpness_whatever_is_mixed(sharpness: float) -> None:
     """No cliff: a little more or less of a mixture moved the limit."""
     assert BLURRED < 0.4
-    for found in (profile(1.04, 0.93, 1.1), profile(1.0)):
-        assert verdict_of(found, sharpness) is Verdict.REDUCED
+    for measured in (profile(1.04, 0.93, 1.1), profile(1.0)):
+        assert verdict_of(measured, sharpness) is Verdict.REDUCED
     assert verdict_of(None, sharpness, has_seam=False) is Verdict.REDUCED
 
 
@@ -201,8 +201,8 @@ def test_a_limit_that_is_no_share_is_refused(name: str, limit: float) -> None:
 
 @pytest.mark.parametrize(("sharpness", "verdict"), [(1.0, Verdict.NOT_COMPARABLE), (0.7, Verdict.REDUCED)])
 def test_preserved_is_never_said_of_a_mixture(sharpness: float, verdict: Verdict) -> None:
-    found, reason = judged(None, sharpness=sharpness, has_seam=False, mixed_share=MIN_MIXED)
-    assert (found, reason and reason.template) == (verdict, seams_messages.MIXED_ALL_OVER.template)
+    said, reason = judged(None, sharpness=sharpness, has_seam=False, mixed_share=MIN_MIXED)
+    assert (said, reason and reason.template) == (verdict, seams_messages.MIXED_ALL_OVER.template)
     assert judged(None, has_seam=False, mixed_share=MIN_MIXED - LITTLE)[0] is Verdict.PRESERVED
 
 

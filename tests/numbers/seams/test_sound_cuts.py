@@ -40,28 +40,28 @@ def sharp_beside_soft(seed: int) -> list[np.ndarray]:
 def test_a_sound_cut_in_a_compressed_mosaic_is_sound(
     make_raster: MakeRaster, ground: object, seed: int, quality: int
 ) -> None:
-    images = [np.clip(np.rint(np.stack([one, 0.9 * one + 8, 1.05 * one - 5])), 1, 255).astype(np.uint8)
-              for one in ground(seed)]  # type: ignore[operator]
+    images = [np.clip(np.rint(np.stack([plane, 0.9 * plane + 8, 1.05 * plane - 5])), 1, 255).astype(np.uint8)
+              for plane in ground(seed)]  # type: ignore[operator]
     border = SHAPE[1] / 2 + 40 * np.sin(ROWS / 60)
     mosaic = jpeg(quality)(np.where(border > COLUMNS, *images), np.random.default_rng(seed))
     sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", images)]
-    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
-    assert Cause.MISSING_SOURCE not in found.causes
-    assert found.judgement.verdict in (Verdict.PRESERVED, Verdict.REDUCED)  # reduced by what compression took
+    result = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert Cause.MISSING_SOURCE not in result.causes
+    assert result.judgement.verdict in (Verdict.PRESERVED, Verdict.REDUCED)  # reduced by what compression took
     # Of squares of 8 px that hold both images compression does take something along the seam.
-    assert found.profile.kept[0] == pytest.approx(1, abs=0.2 if ground is sharp_beside_soft else 0.05)
-    assert found.profile.high >= 0.95
+    assert result.profile.kept[0] == pytest.approx(1, abs=0.2 if ground is sharp_beside_soft else 0.05)
+    assert result.profile.high >= 0.95
 
 
 @pytest.fixture(scope="module")
 def photographs() -> list[np.ndarray]:
     """Two of one generated ground, (3, rows, columns) 8 bit."""
-    return [one[:, 300 : 300 + SHAPE[0], 300 : 300 + SHAPE[1]] for one in draw_ground()]
+    return [plane[:, 300 : 300 + SHAPE[0], 300 : 300 + SHAPE[1]] for plane in draw_ground()]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "toned", [lambda one: 0.8 * one + 10, lambda one: 255 * (one / 255) ** 0.7], ids=["gain", "gamma"]
+    "toned", [lambda values: 0.8 * values + 10, lambda values: 255 * (values / 255) ** 0.7], ids=["gain", "gamma"]
 )
 def test_one_image_as_it_was_beside_one_in_other_tones(
     make_raster: MakeRaster, photographs: list[np.ndarray], toned: Callable[[np.ndarray], np.ndarray]
@@ -72,9 +72,9 @@ def test_one_image_as_it_was_beside_one_in_other_tones(
     border = SHAPE[1] / 2 + 20 * np.sin(ROWS / 40)
     mosaic = through(np.where(border > COLUMNS, photographs[0], second), rng)
     sources = [make_raster(f"{name}.tif", through(image, rng)) for name, image in zip("ab", photographs)]
-    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
-    assert Cause.MISSING_SOURCE not in found.causes
-    assert found.profile.high >= 0.95
+    result = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert Cause.MISSING_SOURCE not in result.causes
+    assert result.profile.high >= 0.95
 
 
 @pytest.mark.slow
@@ -87,12 +87,12 @@ def test_orthoimages_that_were_compressed_since_make_no_blur_of_a_sound_mosaic(
     mosaic = np.where(border > COLUMNS, *photographs)
     stored = [jpeg(quality)(photograph, rng) for photograph in photographs[:how_many]] + photographs[how_many:]
     sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", stored)]
-    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
-    assert not {Cause.BLUR, Cause.NOISE_ADDED, Cause.SHARPENED, Cause.MISSING_SOURCE} & set(found.causes)
-    assert found.judgement.verdict is Verdict.PRESERVED
+    result = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert not {Cause.BLUR, Cause.NOISE_ADDED, Cause.SHARPENED, Cause.MISSING_SOURCE} & set(result.causes)
+    assert result.judgement.verdict is Verdict.PRESERVED
     soft = ndimage.gaussian_filter(mosaic.astype(float), (0, 1, 1))
-    found = inspect(block_of(mosaic_of(make_raster, soft), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
-    assert Cause.BLUR in found.causes
+    result = inspect(block_of(mosaic_of(make_raster, soft), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert Cause.BLUR in result.causes
 
 
 @pytest.mark.parametrize("share", [0.25, 0.35])
@@ -103,18 +103,18 @@ def test_what_is_mixed_into_all_of_one_side_is_no_noise(
     first, second = (photograph.astype(float) for photograph in photographs)
     mosaic = np.where(border > COLUMNS, (1 - share) * first + share * second, second)
     sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", photographs)]
-    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
-    assert found.profile.kept[0] < 0.97
+    result = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert result.profile.kept[0] < 0.97
 
 
 @pytest.mark.parametrize("seed", [1, 40])
 def test_a_feather_is_seen_beside_even_ground(make_raster: MakeRaster, seed: int) -> None:
     """40 px wide, and half of the window says nothing of tones."""
-    images = [np.clip(np.rint(one), 1, 255) for one in half_even(seed)]
+    images = [np.clip(np.rint(plane), 1, 255) for plane in half_even(seed)]
     second = np.clip((COLUMNS - SHAPE[1] / 2) / 40 + 0.5, 0, 1)
     made = 255 * ((1 - second) * images[0] + second * images[1]) ** 0.6 / 255**0.6
-    planes = [np.stack([np.rint(4 * one - 500)] * 3).astype(np.int16) for one in (made, *images)]
+    planes = [np.stack([np.rint(4 * plane - 500)] * 3).astype(np.int16) for plane in (made, *images)]
     sources = [make_raster(f"{name}.tif", plane) for name, plane in zip("ab", planes[1:])]
-    found = inspect(block_of(mosaic_of(make_raster, planes[0]), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
-    assert found.judgement.verdict is Verdict.SIGNIFICANT
-    assert found.profile.kept[0] == pytest.approx(0.55, abs=0.07)
+    result = inspect(block_of(mosaic_of(make_raster, planes[0]), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert result.judgement.verdict is Verdict.SIGNIFICANT
+    assert result.profile.kept[0] == pytest.approx(0.55, abs=0.07)

@@ -55,13 +55,13 @@ def test_a_window_of_128_px_is_measured_and_its_curves_are_its_own(
     result = inspect_window(request)
     assert result.judgement.verdict is verdict
     assert result.profile.by_energy is not None
-    own = np.s_[:, 160:288, 176:304]
+    inner = np.s_[:, 160:288, 176:304]
     for clip, pixels in zip(result.clips, (blended(images, width), *images)):
-        for band, plane in zip(("red", "green", "blue"), pixels[own]):
+        for band, plane in zip(("red", "green", "blue"), pixels[inner]):
             curve = clip.curves[band]
             np.testing.assert_allclose((*curve.detail, curve.background), decompose(plane).shares, rtol=1e-4)
-    first = decompose(luminance(blended(images, width)[own])).shares[0]
-    ratios = [first / decompose(luminance(image[own])).shares[0] for image in images]
+    first = decompose(luminance(blended(images, width)[inner])).shares[0]
+    ratios = [first / decompose(luminance(image[inner])).shares[0] for image in images]
     assert result.judgement.ratios.detail[0] == pytest.approx(max(ratios), rel=1e-4)
 
 
@@ -85,7 +85,7 @@ def test_a_source_that_ends_beside_the_window_takes_part_as_far_as_it_goes(
     mosaic = mosaic_of(make_raster, blended(images, 33))
     first[:, :, WINDOW.column + WINDOW.width + 20 :] = 0
     second[:, : WINDOW.row - 40] = 0
-    paths = [make_raster(f"{number}.tif", one, nodata=0) for number, one in enumerate((first, second))]
+    paths = [make_raster(f"{number}.tif", pixels, nodata=0) for number, pixels in enumerate((first, second))]
     block = block_of(mosaic, *paths)
     result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
     assert len(result.clips) == 3  # the window itself is covered by both
@@ -103,9 +103,9 @@ def test_a_mosaic_without_pixels_around_the_window_is_measured_all_the_same(
     block = block_of(mosaic, *(make_raster(f"{number}.tif", image) for number, image in enumerate(images)))
     result = inspect_window(WindowRequest(1, mosaic, block.sources, WINDOW, InspectionSettings()))
     assert result.judgement.verdict is Verdict.SIGNIFICANT
-    own = np.s_[:, 160:288, 176:304]
+    inner = np.s_[:, 160:288, 176:304]
     (shown, *_) = result.clips
-    np.testing.assert_allclose(shown.curves["red"].detail, decompose(image[own][0]).shares[:-1], rtol=1e-4)
+    np.testing.assert_allclose(shown.curves["red"].detail, decompose(image[inner][0]).shares[:-1], rtol=1e-4)
 
 
 @given(

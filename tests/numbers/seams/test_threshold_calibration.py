@@ -34,13 +34,13 @@ def normal_verdicts(visible: int, invisible: int, apart: float = 1.5, seed: int 
 
 @given(VALUES, VALUES)
 def test_the_area_is_mann_whitneys(visible: list[float], invisible: list[float]) -> None:
-    found = calibrate(Verdicts("ratio_1", tuple(visible), tuple(invisible)))
+    result = calibrate(Verdicts("ratio_1", tuple(visible), tuple(invisible)))
     statistic = stats.mannwhitneyu(invisible, visible).statistic
-    assert found.area is not None
-    assert found.area.value == pytest.approx(statistic / (len(visible) * len(invisible)))
-    assert 0 <= found.area.low <= found.area.high <= 1
-    x, y = zip((0, 0), *((1 - step.specificity, step.sensitivity) for step in found.steps))
-    assert sum((y[i] + y[i + 1]) / 2 * (x[i + 1] - x[i]) for i in range(len(x) - 1)) == pytest.approx(found.area.value)
+    assert result.area is not None
+    assert result.area.value == pytest.approx(statistic / (len(visible) * len(invisible)))
+    assert 0 <= result.area.low <= result.area.high <= 1
+    x, y = zip((0, 0), *((1 - step.specificity, step.sensitivity) for step in result.steps))
+    assert sum((y[i] + y[i + 1]) / 2 * (x[i + 1] - x[i]) for i in range(len(x) - 1)) == pytest.approx(result.area.value)
 
 
 @given(VALUES, VALUES)
@@ -48,16 +48,16 @@ def test_the_threshold_is_told_with_what_it_does_to_the_judged_windows(
     visible: list[float], invisible: list[float]
 ) -> None:
     verdicts = Verdicts("ratio_1", tuple(visible), tuple(invisible))
-    found = calibrate(verdicts, most=1.0)
-    if found.best is None:
-        assert any("threshold" in str(notice) for notice in found.notices)
+    result = calibrate(verdicts, most=1.0)
+    if result.best is None:
+        assert any("threshold" in str(notice) for notice in result.notices)
     else:
-        assert found.best == step_at(verdicts, found.best.threshold)
-        assert 0 < found.best.youden <= max(step.youden for step in found.steps)
-        assert found.best.threshold < 1
-        assert found.best_range is not None
-        assert found.best_range[0] <= found.best.threshold <= found.best_range[1] <= 1
-    assert found.steps == tuple(step_at(verdicts, value) for value in sorted({*visible, *invisible}))
+        assert result.best == step_at(verdicts, result.best.threshold)
+        assert 0 < result.best.youden <= max(step.youden for step in result.steps)
+        assert result.best.threshold < 1
+        assert result.best_range is not None
+        assert result.best_range[0] <= result.best.threshold <= result.best_range[1] <= 1
+    assert result.steps == tuple(step_at(verdicts, value) for value in sorted({*visible, *invisible}))
 
 
 @given(VALUES, VALUES)
@@ -65,29 +65,29 @@ def test_a_measure_of_loss_is_calibrated_as_what_is_left_is(visible: list[float]
     """Visibility is high where kept is low: the same curve, and thresholds that flag what lies at or above them."""
     left = calibrate(Verdicts("kept_1", tuple(3 - value for value in visible), tuple(3 - value for value in invisible)))
     verdicts = Verdicts("visibility", tuple(visible), tuple(invisible), is_loss=True)
-    found = calibrate(verdicts)
-    assert found.verdicts == verdicts
-    assert found.area == left.area
-    assert found.steps == tuple(step_at(verdicts, value) for value in sorted({*visible, *invisible}, reverse=True))
-    for step in found.steps:
+    result = calibrate(verdicts)
+    assert result.verdicts == verdicts
+    assert result.area == left.area
+    assert result.steps == tuple(step_at(verdicts, value) for value in sorted({*visible, *invisible}, reverse=True))
+    for step in result.steps:
         assert step.flagged_visible == sum(value >= step.threshold for value in visible)
         assert step.flagged_invisible == sum(value >= step.threshold for value in invisible)
-    if found.best and found.best_range:
-        assert found.best == step_at(verdicts, found.best.threshold)
-        assert found.best_range[0] <= found.best.threshold <= found.best_range[1]
+    if result.best and result.best_range:
+        assert result.best == step_at(verdicts, result.best.threshold)
+        assert result.best_range[0] <= result.best.threshold <= result.best_range[1]
 
 
 def test_the_interval_is_that_of_scipys_bootstrap() -> None:
     verdicts = normal_verdicts(30, 60)
-    found = calibrate(verdicts).area
+    interval = calibrate(verdicts).area
 
     def area(visible: np.ndarray, invisible: np.ndarray, axis: int = -1) -> np.ndarray:
         return np.mean(visible[..., :, np.newaxis] < invisible[..., np.newaxis, :], axis=(-1, -2))
 
     groups = verdicts.visible, verdicts.invisible
     with_scipy = stats.bootstrap(groups, area, method="percentile", n_resamples=4000, batch=500, random_state=1)
-    assert found is not None
-    assert (found.low, found.high) == pytest.approx(tuple(with_scipy.confidence_interval), abs=0.01)
+    assert interval is not None
+    assert (interval.low, interval.high) == pytest.approx(tuple(with_scipy.confidence_interval), abs=0.01)
 
 
 def test_the_same_verdicts_give_the_same_numbers() -> None:
@@ -106,36 +106,36 @@ def test_the_interval_holds_the_true_area() -> None:
 
 @pytest.mark.parametrize(("visible", "invisible"), [(4, 50), (50, 4), (0, 0)])
 def test_too_few_verdicts_give_words_and_no_number(visible: int, invisible: int) -> None:
-    found = calibrate(normal_verdicts(visible, invisible))
-    assert (found.steps, found.area, found.best, found.best_range, found.wanted) == ((), None, None, None, None)
-    (notice,) = found.notices
+    result = calibrate(normal_verdicts(visible, invisible))
+    assert (result.steps, result.area, result.best, result.best_range, result.wanted) == ((), None, None, None, None)
+    (notice,) = result.notices
     assert f"{visible} visible and {invisible} invisible" in str(notice)
     assert "judge more windows" in str(notice)
 
 
 def test_verdicts_fully_apart_are_no_certainty() -> None:
-    found = calibrate(Verdicts("ratio_1", (0.1, 0.2, 0.3, 0.35, 0.4), (0.62, 0.7, 0.8, 0.9, 1.2)), most=1.0)
-    assert found.area is not None
-    assert found.best is not None
-    assert found.area.value == found.area.high == 1
-    assert found.area.low < 0.75  # ten verdicts: far from sure
-    assert 0.4 < found.best.threshold < 0.62
-    assert found.best.threshold == 0.5  # of all in the gap's middle the one with the fewest decimals
-    assert "resampling" in str(found.notices[0])
+    result = calibrate(Verdicts("ratio_1", (0.1, 0.2, 0.3, 0.35, 0.4), (0.62, 0.7, 0.8, 0.9, 1.2)), most=1.0)
+    assert result.area is not None
+    assert result.best is not None
+    assert result.area.value == result.area.high == 1
+    assert result.area.low < 0.75  # ten verdicts: far from sure
+    assert 0.4 < result.best.threshold < 0.62
+    assert result.best.threshold == 0.5  # of all in the gap's middle the one with the fewest decimals
+    assert "resampling" in str(result.notices[0])
 
 
 def test_a_measure_that_tells_nothing_says_so() -> None:
-    found = calibrate(normal_verdicts(40, 40, apart=0))
-    assert found.area is not None
-    assert found.area.low < 0.5 < found.area.high
-    assert any("0.5 is a guess" in str(notice) for notice in found.notices)
+    result = calibrate(normal_verdicts(40, 40, apart=0))
+    assert result.area is not None
+    assert result.area.low < 0.5 < result.area.high
+    assert any("0.5 is a guess" in str(notice) for notice in result.notices)
 
 
 def test_losses_above_what_can_be_set_are_told() -> None:
-    found = calibrate(Verdicts("ratio_1", (1.1, 1.2, 1.3, 1.4, 1.5), (1.6, 1.7, 1.8, 1.9, 2.0)), most=1.0)
-    assert found.best is None
-    assert found.best_range is None
-    assert any("threshold of 1.55" in str(notice) and "below 1" in str(notice) for notice in found.notices)
+    result = calibrate(Verdicts("ratio_1", (1.1, 1.2, 1.3, 1.4, 1.5), (1.6, 1.7, 1.8, 1.9, 2.0)), most=1.0)
+    assert result.best is None
+    assert result.best_range is None
+    assert any("threshold of 1.55" in str(notice) and "below 1" in str(notice) for notice in result.notices)
 
 
 # --- how many verdicts are enough ------------------------------------------------------------------------------
@@ -192,10 +192,10 @@ def test_wanted_verdicts_are_just_enough(area: float, visible: int, invisible: i
 def test_verdicts_of_one_place_are_told() -> None:
     lonely = normal_verdicts(10, 10)
     together = replace(lonely, visible_places=(0,) * 10, invisible_places=(0,) * 10)
-    found = calibrate(together)
-    assert found.best_range == calibrate(lonely).best_range
-    assert found.neighbourhoods is None
-    assert any("one neighbourhood" in str(notice) for notice in found.notices)
+    result = calibrate(together)
+    assert result.best_range == calibrate(lonely).best_range
+    assert result.neighbourhoods is None
+    assert any("one neighbourhood" in str(notice) for notice in result.notices)
 
 
 def test_the_standard_limits_are_those_of_the_guide(repository: Path) -> None:

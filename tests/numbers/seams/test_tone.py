@@ -44,12 +44,12 @@ def test_a_line_is_recovered(band: np.ndarray, gain: float, bias: float) -> None
 def test_a_quarter_of_foreign_content_does_not_turn_the_line(band: np.ndarray) -> None:
     mosaic = 0.7 * band.astype(np.float32) + 12
     mosaic[:, : SIDE // 4] = 250 - band[:, : SIDE // 4]
-    x, y = (coarse_means(one, LEVELS).ravel() for one in (band, mosaic))
+    x, y = (coarse_means(plane, LEVELS).ravel() for plane in (band, mosaic))
     robust = stats.theilslopes(y[::4], x[::4])
     assert fit(mosaic, band).gain == pytest.approx(0.7, rel=1e-3)
     assert abs(robust.slope - 0.7) < abs(np.polyfit(x, y, 1)[0] - 0.7)  # that least squares would have been turned
-    own = EVERYWHERE & (np.arange(SIDE >> LEVELS) >= (SIDE >> LEVELS) // 4)
-    assert fit(mosaic, band, own).gain == pytest.approx(0.7)
+    known = EVERYWHERE & (np.arange(SIDE >> LEVELS) >= (SIDE >> LEVELS) // 4)
+    assert fit(mosaic, band, known).gain == pytest.approx(0.7)
 
 
 @pytest.mark.parametrize("gamma", [0.5, 0.6, 0.8, 1.25, 1.6, 2.2])
@@ -60,7 +60,7 @@ def test_a_power_function_is_recovered(band: np.ndarray, gamma: float) -> None:
 
 def test_nothing_is_made_up_where_there_is_nothing_to_fit(band: np.ndarray) -> None:
     flat = np.full_like(band, 90)
-    means = [coarse_means(one, LEVELS)[np.newaxis] for one in (band, flat)]
+    means = [coarse_means(plane, LEVELS)[np.newaxis] for plane in (band, flat)]
     pixels: list[tuple[np.ndarray, Sequence[float]]] = [(band[np.newaxis], (1.0,))]
     assert fit_tones(means[0], means[1], EVERYWHERE, pixels) == [None]
     assert fit_tones(means[1], means[0], EVERYWHERE, pixels) == [None]

@@ -57,8 +57,8 @@ def _mannos_sakrison(frequency: float) -> float:
 def test_it_is_the_integral_of_the_papers_formulas(
     kept: tuple[float, ...], variance: tuple[float, ...], grey: float, magnification: float
 ) -> None:
-    found = visibility(kept, variance, grey, WHITE, magnification)
-    assert found == pytest.approx(by_integration(kept, variance, grey, magnification), rel=1e-3, abs=1e-6)
+    seen = visibility(kept, variance, grey, WHITE, magnification)
+    assert seen == pytest.approx(by_integration(kept, variance, grey, magnification), rel=1e-3, abs=1e-6)
 
 
 def test_nothing_is_made_up() -> None:
@@ -93,13 +93,13 @@ WHOLE = slice(0, SIDE), slice(0, SIDE)
 
 
 def test_a_feathers_window_is_seen_and_a_hard_cuts_is_not() -> None:
-    found = {}
+    seen = {}
     for width in (0, 66):
         made = blend(width)
         detail = made.detail()
-        found[width] = window_visibility(detail.profile, detail.judged, made.made, WHOLE, raster("uint8"))
-    assert found[0] < 0.25
-    assert found[66] > found[0] + 0.8
+        seen[width] = window_visibility(detail.profile, detail.judged, made.made, WHOLE, raster("uint8"))
+    assert seen[0] < 0.25
+    assert seen[66] > seen[0] + 0.8
 
 
 def windows_of(folder: Path, pattern: str) -> Iterator[np.ndarray]:
@@ -129,24 +129,24 @@ def just_seen(plane: np.ndarray, magnification: float, levels: int) -> float:
     variance, grey = detail_of(plane), float(plane.mean())
 
     def beyond(kept: float) -> float:
-        found = visibility([kept] * levels, variance[:levels], grey, WHITE, magnification)
-        return found - 1
+        seen = visibility([kept] * levels, variance[:levels], grey, WHITE, magnification)
+        return seen - 1
 
     return float(brentq(beyond, 1e-9, 1))
 
 
 @pytest.fixture(scope="module")
 def brighton(data_folder: Path) -> list[np.ndarray]:
-    found = list(windows_of(data_folder / "seams" / "brighton", "DJI_*.tif"))
-    assert len(found) > 20
-    return found
+    windows = list(windows_of(data_folder / "seams" / "brighton", "DJI_*.tif"))
+    assert len(windows) > 20
+    return windows
 
 
 @pytest.mark.release
 def test_at_2x_one_difference_is_kept_0_62_at_the_finest_level(brighton: list[np.ndarray]) -> None:
-    found = [just_seen(plane, 2, 1) for plane in brighton]
-    assert np.median(found) == pytest.approx(0.62, abs=0.015)
-    assert (min(found), max(found)) == pytest.approx((0.50, 0.68), abs=0.03)
+    kept = [just_seen(plane, 2, 1) for plane in brighton]
+    assert np.median(kept) == pytest.approx(0.62, abs=0.015)
+    assert (min(kept), max(kept)) == pytest.approx((0.50, 0.68), abs=0.03)
 
 
 @pytest.mark.release
@@ -154,19 +154,19 @@ def test_at_2x_one_difference_is_kept_0_62_at_the_finest_level(brighton: list[np
 def test_pooled_over_levels_it_is_near_the_standard_limit(
     brighton: list[np.ndarray], magnification: int, kept: float
 ) -> None:
-    found = float(np.median([just_seen(plane, magnification, 3) for plane in brighton]))
-    assert found == pytest.approx(kept, abs=0.02)
-    assert found == pytest.approx(MAX_SIGNIFICANT_KEPT, abs=0.07)
+    median_kept = float(np.median([just_seen(plane, magnification, 3) for plane in brighton]))
+    assert median_kept == pytest.approx(kept, abs=0.02)
+    assert median_kept == pytest.approx(MAX_SIGNIFICANT_KEPT, abs=0.07)
 
 
 @pytest.mark.release
 def test_averages_of_strangers_are_seen(brighton: list[np.ndarray]) -> None:
     """Windows of other ground, so that nothing but the coarser levels has anything in common."""
-    found = []
-    for one, other in zip(brighton, brighton[len(brighton) // 2 :]):
-        variance, left = detail_of(one), detail_of((one - one.mean() + other - other.mean()) / 2)
+    seen = []
+    for plane, other in zip(brighton, brighton[len(brighton) // 2 :]):
+        variance, left = detail_of(plane), detail_of((plane - plane.mean() + other - other.mean()) / 2)
         mean = [(a + b) / 2 for a, b in zip(variance, detail_of(other))]
         kept = [of / whole for of, whole in zip(left, mean)]
         assert kept[0] == pytest.approx(0.5, abs=0.05)
-        found.append(visibility(kept, mean, float(one.mean()), WHITE))
-    assert 1.4 <= np.median(found) <= 1.8
+        seen.append(visibility(kept, mean, float(plane.mean()), WHITE))
+    assert 1.4 <= np.median(seen) <= 1.8

@@ -48,10 +48,10 @@ except ValueError:
 
 @pytest.mark.slow
 def test_one_thread_while_anything_runs(repository: Path) -> None:
-    own = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
-    own["PYTHONPATH"] = str(repository / "build" / "plugins")
+    environment = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    environment["PYTHONPATH"] = str(repository / "build" / "plugins")
     finished = subprocess.run(
-        [sys.executable, "-c", PROGRAM], env=own, capture_output=True, text=True, timeout=120, check=False
+        [sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, timeout=120, check=False
     )
     assert finished.returncode == 0, finished.stderr
     before, *inside, after, failed = finished.stdout.split()
@@ -61,7 +61,7 @@ def test_one_thread_while_anything_runs(repository: Path) -> None:
 
 @pytest.mark.parametrize("own_mb", [3000, 40])
 def test_gdal_keeps_no_more_than_is_read_at_a_time(own_mb: int) -> None:
-    own = gdal.GetCacheMax()
+    cache = gdal.GetCacheMax()
     try:
         gdal.SetCacheMax(own_mb * 2**20)
         with measuring():
@@ -71,7 +71,7 @@ def test_gdal_keeps_no_more_than_is_read_at_a_time(own_mb: int) -> None:
         assert inside == min(own_mb, 128 * (os.cpu_count() or 1)) * 2**20
         assert gdal.GetCacheMax() == own_mb * 2**20
     finally:
-        gdal.SetCacheMax(own)
+        gdal.SetCacheMax(cache)
 
 
 ARRAYS = """

@@ -48,27 +48,27 @@ class Delivery:
         """Its seamlines with what lies on either side."""
         dataset = ogr.Open(str(self.seams))
         features = [
-            ({"left": one[self.seam_fields[0]], "right": one[self.seam_fields[1]]},
-             bytes(one.GetGeometryRef().ExportToWkb()))
-            for one in dataset.GetLayer("seamlines")
+            ({"left": row[self.seam_fields[0]], "right": row[self.seam_fields[1]]},
+             bytes(row.GetGeometryRef().ExportToWkb()))
+            for row in dataset.GetLayer("seamlines")
         ]
         return given_seams(features, describe_mosaic(RasterRef(str(self.mosaic))).grid)
 
     def known_cells(self) -> list[Cell]:
-        """Which part each orthoimage has."""
-        found = []
+        """The part that each orthoimage has."""
+        cells = []
         dataset = ogr.Open(str(self.seams))
-        for one in dataset.GetLayer(self.cells):
-            left, right, bottom, top = one.GetGeometryRef().GetEnvelope()
-            found.append(Cell(one["source"], bytes(one.GetGeometryRef().ExportToWkb()), (left, bottom, right, top)))
-        return found
+        for row in dataset.GetLayer(self.cells):
+            left, right, bottom, top = row.GetGeometryRef().GetEnvelope()
+            cells.append(Cell(row["source"], bytes(row.GetGeometryRef().ExportToWkb()), (left, bottom, right, top)))
+        return cells
 
 
-def scanned_pieces(one: Delivery, folder: Path, is_given: bool, piece_m: float) -> tuple[JudgedPiece, ...]:
+def scanned_pieces(delivery: Delivery, folder: Path, is_given: bool, piece_m: float) -> tuple[JudgedPiece, ...]:
     """Whole ones that could be measured."""
-    mosaic = describe_mosaic(RasterRef(str(one.mosaic)))
-    made = tuple(Source(RasterRef(str(path)), describe(RasterRef(str(path))).extent) for path in one.sources)
-    request, _ = scan_request(mosaic, made, ScanSettings(piece_m=piece_m), one.given() if is_given else None)
+    mosaic = describe_mosaic(RasterRef(str(delivery.mosaic)))
+    made = tuple(Source(RasterRef(str(path)), describe(RasterRef(str(path))).extent) for path in delivery.sources)
+    request, _ = scan_request(mosaic, made, ScanSettings(piece_m=piece_m), delivery.given() if is_given else None)
     with whole_scan(request, folder / "loss.tif") as scan, ThreadPoolExecutor(2) as executor:
         for _ in scan.steps(executor, 4):
             pass
@@ -77,11 +77,11 @@ def scanned_pieces(one: Delivery, folder: Path, is_given: bool, piece_m: float) 
     return tuple(piece for piece in result.pieces if piece.kept and piece.piece.length_m > 0.9 * piece_m)
 
 
-def windows_of(one: Delivery, pieces: Sequence[JudgedPiece], with_cells: bool) -> list[SeamProfile | None]:
+def windows_of(delivery: Delivery, pieces: Sequence[JudgedPiece], with_cells: bool) -> list[SeamProfile | None]:
     """What windows say, each around the middle of a piece; None where it can't be judged."""
-    mosaic, found = describe_mosaic(RasterRef(str(one.mosaic))), []
-    refs = [RasterRef(str(path)) for path in one.sources]
-    block, _ = make_block(mosaic, refs, (), one.known_cells() if with_cells else ())
+    mosaic, profiles = describe_mosaic(RasterRef(str(delivery.mosaic))), []
+    refs = [RasterRef(str(path)) for path in delivery.sources]
+    block, _ = make_block(mosaic, refs, (), delivery.known_cells() if with_cells else ())
     for piece in pieces:
         columns = mosaic.grid.column_at(piece.piece.vertices[:, 0])
         rows = mosaic.grid.row_at(piece.piece.vertices[:, 1])
@@ -90,20 +90,20 @@ def windows_of(one: Delivery, pieces: Sequence[JudgedPiece], with_cells: bool) -
         extent = mosaic.grid.window_extent(window)
         is_inside = window.cut_to(mosaic.columns, mosaic.rows) == window
         request = window_request(block, 1, extent, InspectionSettings())
-        found.append(inspect_window(request).profile if is_inside else None)
-    return found
+        profiles.append(inspect_window(request).profile if is_inside else None)
+    return profiles
 
 
-def assert_they_say_the_same(one: Delivery, pieces: Sequence[JudgedPiece], is_given: bool, fewest: int) -> None:
-    both = [(piece, found) for piece, found in zip(pieces, windows_of(one, pieces, is_given)) if found is not None]
+def assert_they_say_the_same(delivery: Delivery, pieces: Sequence[JudgedPiece], is_given: bool, fewest: int) -> None:
+    both = [(piece, seam) for piece, seam in zip(pieces, windows_of(delivery, pieces, is_given)) if seam is not None]
     assert len(both) >= fewest
     apart = []
-    for piece, found in both:
-        if not (found.low <= piece.high and piece.low <= found.high):
-            apart.append((piece.kept[0], piece.low, piece.high, found.kept[0], found.low, found.high))
+    for piece, seam in both:
+        if not (seam.low <= piece.high and piece.low <= seam.high):
+            apart.append((piece.kept[0], piece.low, piece.high, seam.kept[0], seam.low, seam.high))
     assert not apart
-    differences = [abs(np.log(piece.kept[0] / found.kept[0])) for piece, found in both if piece.kept and found.kept[0]]
-    widths = [np.log(found.high / found.low) for _, found in both]
+    differences = [abs(np.log(piece.kept[0] / seam.kept[0])) for piece, seam in both if piece.kept and seam.kept[0]]
+    widths = [np.log(seam.high / seam.low) for _, seam in both]
     assert np.median(differences) < np.median(widths) / 2
 
 
@@ -112,8 +112,8 @@ def assert_they_say_the_same(one: Delivery, pieces: Sequence[JudgedPiece], is_gi
 def test_of_made_up_images(tmp_path: Path, width: int) -> None:
     given = images()
     made = scene(tmp_path, blended(*given, beside(SEAM_PX, width)), given)
-    one = Delivery(Path(made.mosaic.ref.path), [Path(source.ref.path) for source in made.sources])
-    assert_they_say_the_same(one, scanned_pieces(one, tmp_path, False, 20.0), False, 3)
+    delivery = Delivery(Path(made.mosaic.ref.path), [Path(source.ref.path) for source in made.sources])
+    assert_they_say_the_same(delivery, scanned_pieces(delivery, tmp_path, False, 20.0), False, 3)
 
 
 @pytest.fixture(scope="module")
@@ -124,11 +124,11 @@ def brighton(data_folder: Path) -> Path:
 @pytest.mark.parametrize(("name", "is_given"), [("mosaic_hardseam.tif", True), ("mosaic_feather0p4m.tif", False)])
 def test_of_brighton(tmp_path: Path, brighton: Path, name: str, is_given: bool) -> None:
     gdal.Translate(str(tmp_path / name), str(brighton / name), srcWin=[1200, 900, 1024, 1024])
-    one = Delivery(
+    delivery = Delivery(
         tmp_path / name, sorted(brighton.glob("DJI_*.tif")), brighton / "seamlines.gpkg", ("left_src", "right_src"),
         "source_polygons",
     )
-    assert_they_say_the_same(one, scanned_pieces(one, tmp_path, is_given, 6.0), is_given, 4)
+    assert_they_say_the_same(delivery, scanned_pieces(delivery, tmp_path, is_given, 6.0), is_given, 4)
 
 
 HARD, FEATHERED = [pytest.param(0.001, id="hard")], [pytest.param(1.5, id="feathered")]
@@ -138,7 +138,7 @@ HARD, FEATHERED = [pytest.param(0.001, id="hard")], [pytest.param(1.5, id="feath
 def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Delivery:
     """Its orthoimages are resampled and balanced one by one."""
     made = make_demo_block(tmp_path_factory.mktemp("block"), (120.0, 100.0), feather_m=request.param)
-    (dodged,) = (one.bounds for one in made.damage if one.cause == "dodging")
+    (dodged,) = (damage.bounds for damage in made.damage if damage.cause == "dodging")
     return Delivery(made.mosaic, made.sources, made.seamlines, dodged=dodged)
 
 
@@ -153,14 +153,14 @@ def is_hidden(piece: JudgedPiece) -> bool:
     return {piece.left, piece.right} == {MIDDLE, GAP_FILLER}
 
 
-def is_single(piece: JudgedPiece, one: Delivery) -> bool:
+def is_single(piece: JudgedPiece, delivery: Delivery) -> bool:
     """Whether no other seam and no dodged field reaches into a window around it."""
     x, y = (piece.piece.vertices.min(axis=0) + piece.piece.vertices.max(axis=0)) / 2
     reach = SIDE_PX / 2 * 0.1
     around = ogr.CreateGeometryFromWkt(f"POINT ({x} {y})").Buffer(reach * np.sqrt(2))
-    left, bottom, right, top = one.dodged
+    left, bottom, right, top = delivery.dodged
     is_dodged = left - reach < x < right + reach and bottom - reach < y < top + reach
-    cells = sum(ogr.CreateGeometryFromWkb(cell.wkb).Intersects(around) for cell in one.known_cells())
+    cells = sum(ogr.CreateGeometryFromWkb(cell.wkb).Intersects(around) for cell in delivery.known_cells())
     return cells == 2 and not is_dodged
 
 
@@ -179,9 +179,9 @@ def test_of_a_feather_that_is_wider_than_the_corridor(
 ) -> None:
     """All ground that the window has is mixed, and so it hardly knows how much; the scan knows other ground."""
     hidden = list(filter(is_hidden, given_pieces))
-    both = [(piece, found) for piece, found in zip(hidden, windows_of(demo_block, hidden, True)) if found is not None]
+    both = [(piece, seam) for piece, seam in zip(hidden, windows_of(demo_block, hidden, True)) if seam is not None]
     assert len(both) >= 3
-    assert all(piece.kept is not None and max(piece.kept[0], found.kept[0]) < 0.85 for piece, found in both)
+    assert all(piece.kept is not None and max(piece.kept[0], seam.kept[0]) < 0.85 for piece, seam in both)
 
 
 @pytest.mark.slow

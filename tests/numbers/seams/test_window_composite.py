@@ -13,7 +13,7 @@ from tests.numbers.seams.made_seams import BORDER, WHOLE, as_bytes, blended, thr
 
 def composite(make_raster: MakeRaster, image: np.ndarray, given: list[np.ndarray]) -> WindowComposite | Message:
     mosaic = mosaic_of(make_raster, image)
-    block = block_of(mosaic, *(make_raster(f"{'abc'[i]}.tif", one, nodata=0) for i, one in enumerate(given)))
+    block = block_of(mosaic, *(make_raster(f"{'abc'[i]}.tif", pixels, nodata=0) for i, pixels in enumerate(given)))
     return window_composite(window_request(block, 1, mosaic.grid.window_extent(WHOLE), InspectionSettings()))
 
 
@@ -21,15 +21,15 @@ def test_a_feather_is_cut_and_tones_are_the_mosaics(make_raster: MakeRaster) -> 
     """The sources were darker: the composite has their detail, and no step against the mosaic."""
     first, second, other = three_images()
     mosaic = blended([first, second], 40)
-    found = composite(make_raster, mosaic, [as_bytes(0.8 * one + 5) for one in (first, second, other)])
-    assert isinstance(found, WindowComposite)
-    assert found.names == ("red", "green", "blue")
-    assert found.bands.dtype == np.uint8
+    result = composite(make_raster, mosaic, [as_bytes(0.8 * plane + 5) for plane in (first, second, other)])
+    assert isinstance(result, WindowComposite)
+    assert result.names == ("red", "green", "blue")
+    assert result.bands.dtype == np.uint8
     away = abs(np.arange(WHOLE.width) - BORDER) > 40
-    assert abs(found.bands[..., away].astype(int) - mosaic[..., away]).max() <= 3
+    assert abs(result.bands[..., away].astype(int) - mosaic[..., away]).max() <= 3
     band = ~away
     cut = np.where(np.arange(WHOLE.width) < BORDER, first, second)[..., band].astype(int)
-    assert abs(found.bands[..., band] - cut).mean() < 0.6 * abs(mosaic[..., band].astype(int) - cut).mean()
+    assert abs(result.bands[..., band] - cut).mean() < 0.6 * abs(mosaic[..., band].astype(int) - cut).mean()
 
 
 def test_strangers_make_no_composite(make_raster: MakeRaster) -> None:

@@ -129,12 +129,12 @@ polylines = st.lists(st.tuples(coordinate, coordinate), min_size=2, max_size=8, 
 
 @given(polylines, st.sampled_from([32, 50, 100, 250, 500]), st.floats(1, 600))
 def test_what_every_placement_promises(points: Sequence[tuple[float, float]], side: float, spacing: float) -> None:
-    one = seam(*points)
-    placement = place_windows([one], KILOMETRE, PlacingSettings(side, spacing))
+    line = seam(*points)
+    placement = place_windows([line], KILOMETRE, PlacingSettings(side, spacing))
     for placed in placement.windows:
         assert placed.window.cut_to(KILOMETRE.columns, KILOMETRE.rows) == placed.window
         left, bottom, right, top = KILOMETRE.window_extent(placed.window)
-        x, y = point_at(one.vertices, placed.station_m)
+        x, y = point_at(line.vertices, placed.station_m)
         # Centred: the seam point is nearer than half a pixel to the middle.
         assert max(abs(x - (left + right) / 2), abs(y - (bottom + top) / 2)) <= 0.2500001
     for a, b in combinations(placement.windows, 2):
@@ -166,13 +166,13 @@ def test_lengths_are_positive(length: float) -> None:
 
 
 def test_a_window_too_small_for_the_levels_says_how_long_it_must_be() -> None:
-    one = seam((100, 500), (1900, 500))
+    line = seam((100, 500), (1900, 500))
     with pytest.raises(SettingsError, match=r"a side of 128\.0 m or more"):
-        place_windows([one], KILOMETRE, PlacingSettings(60, 200, 8))
+        place_windows([line], KILOMETRE, PlacingSettings(60, 200, 8))
     with pytest.raises(SettingsError, match=r"a side of 32\.0 m or more"):
-        place_windows([one], KILOMETRE, PlacingSettings(10, 200, 3))
-    assert place_windows([one], KILOMETRE, PlacingSettings(128, 200, 8)).windows
-    assert place_windows([one], KILOMETRE, PlacingSettings(32, 200, 3)).windows
+        place_windows([line], KILOMETRE, PlacingSettings(10, 200, 3))
+    assert place_windows([line], KILOMETRE, PlacingSettings(128, 200, 8)).windows
+    assert place_windows([line], KILOMETRE, PlacingSettings(32, 200, 3)).windows
 
 
 def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> None:

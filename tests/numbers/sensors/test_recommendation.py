@@ -1,4 +1,4 @@
-"""Which model is recommended for given errors, and what it is judged on."""
+"""The model that is recommended for given errors, and what it is judged on."""
 from __future__ import annotations
 
 import numpy as np

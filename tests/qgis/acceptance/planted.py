@@ -23,7 +23,7 @@ SHAPE = ROWS, STRIP * STRIPS
 
 
 def seam_column(seam: int) -> np.ndarray:
-    """Where a seam crosses each row."""
+    """The column where a seam crosses each row."""
     return STRIP * (seam + 1) + 12 * np.sin(np.arange(ROWS) / 60 + seam)
 
 
@@ -63,8 +63,8 @@ def make_block(
     fades = np.clip((np.arange(ROWS) - smooth) / 20 + 0.5, 0, 1)[:, np.newaxis] if smooth else 1.0
     images = []
     for number in range(STRIPS):
-        own = 110 + fades * (22 * scene + 9 * texture(SHAPE, 0.8, number + 1))
-        images.append(np.clip(np.rint(np.stack([own, own + 6, own - 6])), 1, 255).astype(np.uint8))
+        plane = 110 + fades * (22 * scene + 9 * texture(SHAPE, 0.8, number + 1))
+        images.append(np.clip(np.rint(np.stack([plane, plane + 6, plane - 6])), 1, 255).astype(np.uint8))
     made = images[0].astype(float)
     for seam in range(STRIPS - 1):
         aside = np.arange(SHAPE[1]) + 0.5 - seam_column(seam)[:, np.newaxis]

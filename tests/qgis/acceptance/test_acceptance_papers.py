@@ -129,13 +129,13 @@ def test_a_scan_without_some_orthoimages_is_told() -> None:
 
 
 def test_the_cover_tells_what_the_scan_saw_beside_the_seams(tmp_path: Path) -> None:
-    told = {
+    facts = {
         "wavelet": "coif3", "seams": "given", "unexplained": "0.0125", "unexplained_at": "500010 5400020 12 30",
         "unchanged_metres": "10.0", "unseen_metres": "400.0", "unseen_longest": "90.0",
         "unseen_at": "500100 5400200 6 90; 500300 5400400 8 60", "nodata_inside": "0.004",
         "nodata_at": "500001 5400002 3 4",
     }  # fmt: skip
-    outcome = accept(sealed(seams(KEPT), **told), REPORT=str(tmp_path / "r.html"))
+    outcome = accept(sealed(seams(KEPT), **facts), REPORT=str(tmp_path / "r.html"))
     page = (tmp_path / "r.html").read_text(encoding="utf-8").replace("<wbr>", "").replace("\u00a0", " ")
     assert "coif3" in page
     total = outcome.results["TOTAL_METRES"]

@@ -70,10 +70,10 @@ def test_ready_rules_and_a_file_of_ones_own(tmp_path: Path) -> None:
     strict = decide(made, READY_RULES="strict")
     assert strict.results["ACCEPTED"] == 0
     assert "Strict" in decision(strict)
-    own = tmp_path / "contract's <own>.json"
+    rule_file = tmp_path / "contract's <own>.json"
     rules = [{"check": "kept", "least": 0.8, "source": "§ 4"}, RUN]
-    own.write_text(json.dumps({"name": "contract 7", "rules": rules}), encoding="utf-8")
-    outcome = decide(made, RULES=str(own))
+    rule_file.write_text(json.dumps({"name": "contract 7", "rules": rules}), encoding="utf-8")
+    outcome = decide(made, RULES=str(rule_file))
     assert outcome.results["ACCEPTED"] == 1
     assert outcome.results["FAILED_METRES"] == 50
     assert decision(outcome).startswith("Accepted by 'contract 7'")
@@ -89,9 +89,9 @@ def test_a_parameter_that_contradicts_the_rules_is_refused(tmp_path: Path) -> No
     given = {"SEAMS": [seams([P] * 4)], "READY_RULES": "strict"}
     assert_refused("acceptmosaic", "MAX_RUN is 30.*, and the rules in strict are given", MAX_RUN=30, **given)
     assert_refused("acceptmosaic", "PLAN is iso2859, and the rules in strict are given", PLAN="iso2859", **given)
-    own = tmp_path / "own.json"
-    own.write_text("{}")
-    assert_refused("acceptmosaic", "strict.*own.json are given; choose one of them", RULES=str(own), **given)
+    rule_file = tmp_path / "own.json"
+    rule_file.write_text("{}")
+    assert_refused("acceptmosaic", "strict.*own.json are given; choose one of them", RULES=str(rule_file), **given)
 
 
 @pytest.mark.parametrize(

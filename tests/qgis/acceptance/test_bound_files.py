@@ -70,7 +70,7 @@ def test_files_that_were_moved_and_are_given_are_the_same(project: Path) -> None
 
 @pytest.mark.parametrize("name", ["mosaic.tif", "west.tif", "east.tif"])
 def test_another_file_of_the_same_size_and_time_decides_nothing(scanned: Path, tmp_path: Path, name: str) -> None:
-    """Where it was scanned, with nothing given."""
+    """The scanned file lies where it was, and nothing is given."""
     shutil.copy2(scanned / name, tmp_path / name)
     try:
         rewrite(scanned / name)

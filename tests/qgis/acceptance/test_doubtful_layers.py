@@ -80,5 +80,5 @@ def test_a_sheet_of_which_nothing_was_measured_is_not_passed_over(tmp_path: Path
     assert run("acceptmosaic", SEAMS=[good]).results["DECISION"] == "accepted"
     outcome = run("acceptmosaic", SEAMS=[good, broken])
     assert outcome.results["DECISION"] == "undecided"
-    told = outcome.log.infos + outcome.log.warnings
-    assert any("sheets of which nothing was measured: 1 (broken)" in item for item in told)
+    notices = outcome.log.infos + outcome.log.warnings
+    assert any("sheets of which nothing was measured: 1 (broken)" in item for item in notices)

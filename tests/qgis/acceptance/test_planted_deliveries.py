@@ -52,13 +52,13 @@ def decide(folder: Path, *layers: QgsVectorLayer | str, **more: Any) -> Run:
     return run("acceptmosaic", **{"SEAMS": list(layers), **papers, **more})
 
 
-def said(found: Run) -> str:
-    return " ".join(found.log.infos + found.log.warnings)
+def said(outcome: Run) -> str:
+    return " ".join(outcome.log.infos + outcome.log.warnings)
 
 
-def assert_all_say_the_same(folder: Path, found: Run, *layers: QgsVectorLayer | str) -> None:
+def assert_all_say_the_same(folder: Path, outcome: Run, *layers: QgsVectorLayer | str) -> None:
     """The decision's metres are sums of rows of the layers, and those of report, record and failures."""
-    assert found.complaint is None
+    assert outcome.complaint is None
     total = failed = measured = 0.0
     for layer in layers:
         held = QgsVectorLayer(layer, "seams", "ogr") if isinstance(layer, str) else layer
@@ -70,19 +70,19 @@ def assert_all_say_the_same(folder: Path, found: Run, *layers: QgsVectorLayer | 
             total += row["length"]
             failed += row["length"] * (state == "failed")
             measured += row["length"] * (state in ("failed", "passed"))
-    assert found.results["TOTAL_METRES"] == pytest.approx(total)
-    assert found.results["MEASURED_METRES"] == pytest.approx(measured)
-    assert found.results["FAILED_METRES"] == pytest.approx(failed)
+    assert outcome.results["TOTAL_METRES"] == pytest.approx(total)
+    assert outcome.results["MEASURED_METRES"] == pytest.approx(measured)
+    assert outcome.results["FAILED_METRES"] == pytest.approx(failed)
     defects = QgsVectorLayer(str(folder / "failures.gpkg"), "failures", "ogr")
     lengths = [row["length"] for row in defects.getFeatures()]
     assert sum(lengths) == pytest.approx(failed, abs=0.01)
-    assert max(lengths, default=0) == pytest.approx(found.results["LONGEST_FAILURE"], abs=0.01)
+    assert max(lengths, default=0) == pytest.approx(outcome.results["LONGEST_FAILURE"], abs=0.01)
     page = outline((folder / "decision.html").read_text(encoding="utf-8")).words.replace("\u00a0", " ")
     assert f"{failed:.1f} m" in page
-    assert found.results["DECISION"].capitalize() in page
+    assert outcome.results["DECISION"].capitalize() in page
     root = ElementTree.parse(folder / "quality.xml").getroot()
     texts = [layer.text or "" for layer in root.iter()]
-    assert any(text.startswith(decision(found)[:60]) for text in texts)
+    assert any(text.startswith(decision(outcome)[:60]) for text in texts)
     if measured:
         records = [float(text) for text in texts if re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", text)]
         assert any(abs(record - 100 * failed / measured) < 0.005 for record in records)
@@ -150,8 +150,8 @@ def test_5_a_missing_orthoimage(spoilt: Block, tmp_path: Path) -> None:
     outcome = decide(tmp_path, made.results["SEAMS"], MAX_SHARE=100, MAX_RUN=1000)
     assert outcome.results["DECISION"] == "undecided"
     assert re.search(r"\d\d\u00a0% of the mosaic of seams match no orthoimage and 10\u00a0% may", decision(outcome))
-    (told,) = (text for text in outcome.log.warnings if "found no orthoimage for" in text)
-    x, y = map(float, re.search(r"around ([\d.]+), ([\d.]+) \(", told).groups())  # type: ignore[union-attr]
+    (warning,) = (text for text in outcome.log.warnings if "found no orthoimage for" in text)
+    x, y = map(float, re.search(r"around ([\d.]+), ([\d.]+) \(", warning).groups())  # type: ignore[union-attr]
     left, top = gdal.Open(spoilt.mosaic).GetGeoTransform()[::3]
     assert 800 < (x - left) / GSD < 1200  # the third strip
     assert 0 < (top - y) / GSD < ROWS

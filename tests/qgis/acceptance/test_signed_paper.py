@@ -108,7 +108,7 @@ def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_ke
 def test_without_orthoimages_there_is_the_mosaic_alone(
     tmp_path: Path, feathered: Files, paper: tuple[Run, Path]
 ) -> None:
-    """As with an export, which lost what its scan wrote beside its rows."""
+    """The layer is like an export, which lost what its scan wrote beside its rows."""
     exported = str(tmp_path / "seams.shp")
     gdal.VectorTranslate(exported, str(paper[1] / "seams.gpkg"), layers=["seams"])
     made = run(
@@ -136,10 +136,10 @@ def test_sheets_come_back_with_their_verdicts() -> None:
 
 def test_digests_are_what_anybody_computes(paper: tuple[Run, Path], feathered: Files) -> None:
     _, folder = paper
-    told = subprocess.run(["sha256sum", feathered.mosaic], capture_output=True, text=True, check=True).stdout.split()[0]
+    digest = subprocess.check_output(["sha256sum", feathered.mosaic], text=True).split()[0]
     words = page(folder).words
-    assert told in words
-    assert told in (folder / "quality.xml").read_text(encoding="utf-8")
+    assert digest in words
+    assert digest in (folder / "quality.xml").read_text(encoding="utf-8")
     rows = [
         f"{path.name}\t{path}\t\t{path.stat().st_size}\n" for path in map(Path, sorted(feathered.sources))
     ]  # fmt: skip

@@ -94,8 +94,8 @@ def decided(folder: Path, sheets: object, files: Files, out: Path) -> str:
            "scan:seams": str(out / "seams.gpkg")},
     )  # fmt: skip
     assert made.complaint is None
-    told = (*made.log.infos, *made.log.warnings)
-    return next(item for item in told if re.match("(Accepted|Rejected|Undecided) by", item))
+    notices = (*made.log.infos, *made.log.warnings)
+    return next(item for item in notices if re.match("(Accepted|Rejected|Undecided) by", item))
 
 
 @pytest.fixture(scope="module")

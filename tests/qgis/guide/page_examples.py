@@ -46,5 +46,5 @@ def same_call(call: Call) -> tuple[str, dict[str, list[str]]]:
 
 
 def commands(path: Path) -> list[str]:
-    """Those of a page in its order, and where windows are to be judged in between."""
+    """Commands of a page in its order, and where windows are to be judged in between."""
     return [str(command) for command in _COMMAND.findall(path.read_text("utf-8"))]

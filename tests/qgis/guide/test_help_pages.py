@@ -29,7 +29,7 @@ TAKEN = {
     "file": {"outputFile"},
     "number": {"outputNumber"},
 }
-"""Which outputs the modeler offers for an input, by their types."""
+"""Outputs that the modeler offers for an input, by their types."""
 
 
 def tool(repository: Path, name: str) -> ModuleType:
@@ -42,8 +42,8 @@ def tool(repository: Path, name: str) -> ModuleType:
     return module
 
 
-def help_file(one: QgsProcessingAlgorithm) -> Path:
-    address = urlsplit(one.helpUrl())
+def help_file(algorithm: QgsProcessingAlgorithm) -> Path:
+    address = urlsplit(algorithm.helpUrl())
     assert address.scheme == "file"
     return Path(url2pathname(unquote(address.path)))
 

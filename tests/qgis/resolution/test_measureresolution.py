@@ -140,8 +140,8 @@ def test_lines_that_show_nothing_at_all_are_no_success(target: BarScene, places:
     lines = bar_layer(shapes, range(1, len(shapes) + 1), ["along"] * len(shapes))
     made = measure(log, RASTER=target.path, GROUPS=lines, **TARGET)
     assert f"None of the {len(shapes)} lines shows bars" in str(made.complaint)
-    told = " ".join([*log.infos, *log.warnings])
-    assert "leaves target.tif" in told or "No bars stand out" in told
+    words = " ".join([*log.infos, *log.warnings])
+    assert "leaves target.tif" in words or "No bars stand out" in words
 
 
 # the real photograph of a USAF-1951 target

@@ -42,12 +42,12 @@ def images(
 ) -> list[np.ndarray]:
     """Two of one scene, each with fine detail of its own, (bands, rows, columns); no pixel is 0."""
     scene, most = texture(shape, 3.0, 40), 255 if np.dtype(dtype).kind == "f" else np.iinfo(dtype).max
-    own = np.stack([110 + 6 * band + 22 * scene + 5 * texture(shape, 3.0, 41 + band) for band in range(bands)])
-    return [np.clip(np.rint(scale * (own + 9 * texture(shape, 0.8, seed))), 1, most).astype(dtype) for seed in (1, 2)]
+    base = np.stack([110 + 6 * band + 22 * scene + 5 * texture(shape, 3.0, 41 + band) for band in range(bands)])
+    return [np.clip(np.rint(scale * (base + 9 * texture(shape, 0.8, seed))), 1, most).astype(dtype) for seed in (1, 2)]
 
 
 def seam_columns(rows: int, columns: int) -> np.ndarray:
-    """Where the seam crosses each row."""
+    """The column where the seam crosses each row."""
     return 0.3 * columns + 0.04 * columns * np.sin(np.arange(rows) / 40)
 
 

@@ -148,7 +148,7 @@ def test_who_is_not_sure_did_not_judge() -> None:
 
 def test_how_well_two_operators_agree_is_told() -> None:
     second = ["visible"] * 5 + ["invisible"] * 9 + ["unsure"]
-    told = run("calibratethreshold", WINDOWS=judged(observer_2=("string", second))).log.infos
+    notices = run("calibratethreshold", WINDOWS=judged(observer_2=("string", second))).log.infos
     agreed = "Both operators judged 14 windows and agreed on 13. Cohen's kappa 0.85"
-    assert any(item.startswith(agreed) for item in told)
+    assert any(item.startswith(agreed) for item in notices)
     assert not any("operators" in info for info in run("calibratethreshold", WINDOWS=judged()).log.infos)

@@ -70,7 +70,7 @@ def other_system(name: str) -> str:
 def test_a_reference_system_set_by_hand_is_taken_and_said_once(
     scene: Scene, tmp_path: Path, project: QgsProject, expected: list[dict[str, Any]], step: str
 ) -> None:
-    """As after a file that names a wrong one: QGIS draws such layers in place."""
+    """The layer's system is as after a file that names a wrong one: QGIS draws such layers in place."""
     layers = [
         file_of(tmp_path, path.name, whole(path), system=2180, nodata=0)
         for path in (scene.mosaic, scene.west, scene.east)

@@ -55,7 +55,7 @@ FIELDS = {
 @pytest.mark.parametrize("levels", [1, 3, 5])
 def test_fields(scene: Scene, levels: int) -> None:
     outcome = inspect(scene, LEVELS=levels)
-    """By name and type; {} is each level in turn."""
+    """Fields by name and type; {} is each level in turn."""
     for table, names in FIELDS.items():
         expected = []
         for name in names.split():

@@ -124,9 +124,9 @@ def test_nothing_outside_the_patches_differs_and_inside_are_the_orthoimages(feat
     # Where the mosaic was of one of them already, it stays as it was but for tones.
     old = fine[1:][0], fine[1:][1]
     pure = pixels(feathered.mosaic)
-    own = pure - ndimage.gaussian_filter(pure, (0, 2, 2))
-    unmixed = inside & (np.min([np.abs(own - image).mean(axis=0) for image in old], axis=0) < 0.4)
-    assert np.median(np.abs(fine[0] - own).mean(axis=0)[unmixed]) < 1.0
+    detail = pure - ndimage.gaussian_filter(pure, (0, 2, 2))
+    unmixed = inside & (np.min([np.abs(detail - image).mean(axis=0) for image in old], axis=0) < 0.4)
+    assert np.median(np.abs(fine[0] - detail).mean(axis=0)[unmixed]) < 1.0
 
 
 def test_images_three_pixels_apart_are_left_alone(tmp_path: Path) -> None:

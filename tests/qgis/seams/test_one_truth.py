@@ -165,19 +165,19 @@ def test_the_profile_and_the_picture_show_a_loss_where_it_is_told(
 def test_a_loss_in_the_whole_window_is_in_its_picture_and_beside_its_profile(
     rows: dict[str, WindowRecord], results: dict[str, WindowResult]
 ) -> None:
-    told = 0
+    compared = 0
     for name, row in rows.items():
         result = results[name]
         if not re.search(" of the window's detail|In all ", window_sentence(row, result)) or result.loss is None:
             continue
-        told += 1
+        compared += 1
         whole, kept = 1 - (row.sharpness or 0.0) ** 2, np.nan_to_num(result.loss.kept, nan=1.0)
         assert 1 - np.minimum(kept, 1).mean() == pytest.approx(whole, abs=0.05), name  # by area and by energy
         if result.profile is not None and result.profile.measure is Measure.ENERGY:
             shown = ShownProfile(result.profile, 0.1, 0.7, ground_left=result.ground_left)
             for words in summary_words(shown):
                 assert f"{percent(result.ground_left)} %" in words
-    assert told
+    assert compared
 
 
 def test_nothing_that_is_said_contradicts_the_verdict(

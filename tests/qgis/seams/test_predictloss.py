@@ -28,11 +28,11 @@ def predict(scene: Scene, *boxes: tuple[float, ...], log: Log | None = None, **p
 def left_of_a_blend(scene: Scene, box: tuple[int, int, int, int], wavelet: str, levels: int) -> list[float]:
     """The detail variance of the 50:50 blend of the scene's sources over the mean of theirs, by PyWavelets."""
     west, east = (luminance(read_pixels(str(path), *box)) for path in (scene.west, scene.east))
-    of_blend, *own = (
+    of_blend, *of_sources = (
         np.array([np.sum(part**2) for part in decompose(image, wavelet, levels).details])
         for image in ((west + east) / 2, west, east)
     )
-    return [float(item) for item in of_blend / np.mean(own, axis=0)]
+    return [float(item) for item in of_blend / np.mean(of_sources, axis=0)]
 
 
 # --- the numbers -----------------------------------------------------------------------------------------------

@@ -83,10 +83,10 @@ def test_the_clips_are_the_rasters_pixels(inspected: Run, scene: Scene, tmp_path
     for (side, x, y), jpeg in zip(places, pictures[1::4]):
         column = round((float(x) - left) / width - int(side) / 2)
         row = round((float(y) - top) / height - int(side) / 2)
-        own = np.moveaxis(dataset.ReadAsArray(column, row, int(side), int(side)), 0, 2).astype(float)
+        clip = np.moveaxis(dataset.ReadAsArray(column, row, int(side), int(side)), 0, 2).astype(float)
         shown = decoded(jpeg).astype(float)
-        assert shown.shape == own.shape
-        assert np.corrcoef(own.ravel(), shown.ravel())[0, 1] > 0.97  # stretched, and through JPEG
+        assert shown.shape == clip.shape
+        assert np.corrcoef(clip.ravel(), shown.ravel())[0, 1] > 0.97  # stretched, and through JPEG
     assert int(places[0][0]) == 128  # all of a window that is smaller than a part
 
 

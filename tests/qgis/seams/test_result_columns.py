@@ -17,10 +17,10 @@ from tests.qgis.seams.test_window_summary import result
 from tests.qgis.seams.written_results import write_results
 
 
-def record_of(found: WindowResult) -> WindowRecord:
+def record_of(result: WindowResult) -> WindowRecord:
     """What is read of a window whose result was written into a window layer."""
     drawn = layer("Polygon", [outline(SHARP)])
-    write_results(drawn, {1: found}, observer="visible")
+    write_results(drawn, {1: result}, observer="visible")
     (record,) = window_layer.read_layer(drawn)
     return record
 

@@ -161,13 +161,13 @@ def test_killed_while_the_picture_is_written_there_is_none(
 
 def test_a_changed_setting_or_input_starts_anew_and_says_so(files: Files, tmp_path: Path) -> None:
     (tmp_path / "own").mkdir()
-    own = write_scene(tmp_path / "own", images(SHAPE, bands=1))
+    other_scene = write_scene(tmp_path / "own", images(SHAPE, bands=1))
     results = tmp_path / "results"
-    scan(own, results, StopAt(1.0))
-    changed = scan(own, results, StopAt(1.0), CELL=64)
+    scan(other_scene, results, StopAt(1.0))
+    changed = scan(other_scene, results, StopAt(1.0), CELL=64)
     assert changed.log.warnings == ["The scan starts from the beginning, as a setting changed since it stopped."]
-    os.utime(own.west, ns=(1, 1))
-    touched = scan(own, results, CELL=64)
+    os.utime(other_scene.west, ns=(1, 1))
+    touched = scan(other_scene, results, CELL=64)
     assert touched.log.warnings == [
         "The scan starts from the beginning, as the sources or one of their files changed since it stopped."
     ]
@@ -199,14 +199,14 @@ def test_a_source_that_is_deleted_while_the_scan_runs_costs_its_blocks_only(
     files: Files, tmp_path: Path
 ) -> None:
     west, east = images(SHAPE, bands=1)
-    own = write_scene(tmp_path, [west, east], name="m")
+    written = write_scene(tmp_path, [west, east], name="m")
 
     class Deleting(Log):
         def __init__(self) -> None:
             super().__init__()
-            self.progressChanged.connect(lambda _: Path(own.west).unlink(missing_ok=True))
+            self.progressChanged.connect(lambda _: Path(written.west).unlink(missing_ok=True))
 
     log = Deleting()
-    ended = run("scanmosaic", log, **own.given(LOSS=str(tmp_path / "loss.tif")))
+    ended = run("scanmosaic", log, **written.given(LOSS=str(tmp_path / "loss.tif")))
     assert ended.complaint is None
     assert sum("does not exist" in line for line in log.warnings) <= 1, log.warnings

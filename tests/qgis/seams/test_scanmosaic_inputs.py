@@ -45,21 +45,21 @@ def scan(files: Files, **more: Any) -> Run:
     return run("scanmosaic", **files.given(**more))
 
 
-def assert_failed_along_the_seam(found: Run, metres: float = SEAM_METRES, by: float = 0.05) -> None:
+def assert_failed_along_the_seam(outcome: Run, metres: float = SEAM_METRES, by: float = 0.05) -> None:
     """All of it, and nothing is said that an operator had to look into."""
-    assert found.complaint is None
-    assert found.log.warnings == found.log.errors == []
-    assert found.results["SEAM_METRES"] == pytest.approx(metres, rel=by)
-    assert found.results["FAILED_METRES"] == pytest.approx(found.results["SEAM_METRES"])
+    assert outcome.complaint is None
+    assert outcome.log.warnings == outcome.log.errors == []
+    assert outcome.results["SEAM_METRES"] == pytest.approx(metres, rel=by)
+    assert outcome.results["FAILED_METRES"] == pytest.approx(outcome.results["SEAM_METRES"])
 
 
-def assert_lost_along_the_seam(found: Run) -> None:
+def assert_lost_along_the_seam(outcome: Run) -> None:
     """Loss is told where compression or resampling blurs it a little, so that some pieces are just above the limit."""
-    assert found.complaint is None
-    assert found.log.warnings == found.log.errors == []
-    assert found.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.05)
-    assert found.results["FAILED_METRES"] > 0.5 * SEAM_METRES
-    assert max(found.column("kept_1", "SEAMS")) < 0.85
+    assert outcome.complaint is None
+    assert outcome.log.warnings == outcome.log.errors == []
+    assert outcome.results["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.05)
+    assert outcome.results["FAILED_METRES"] > 0.5 * SEAM_METRES
+    assert max(outcome.column("kept_1", "SEAMS")) < 0.85
 
 
 # what the pixels are

@@ -39,7 +39,7 @@ def system_in(path: Path) -> str:
 
 @pytest.mark.parametrize("system", SYSTEMS)
 def test_a_file_has_its_system_whatever_qgis_knows_of_it(tmp_path: Path, system: str | int) -> None:
-    """Where a thread that asked for it first has ended, QGIS's writer would leave it out."""
+    """QGIS's writer would leave it out where a thread that asked for it first has ended."""
     path, text = tmp_path / "a.gpkg", wkt(system)
     emptied_system(text)
     assert write_table(path, "lines", FIELDS, LINE, text) is None

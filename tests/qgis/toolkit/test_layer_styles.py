@@ -18,7 +18,7 @@ class Shouting(QTranslator):
     """A language that is told from English everywhere but in the names of values."""
 
     def translate(self, context: str, text: str, disambiguation: str | None = None, count: int = -1) -> str:
-        return re.sub(r"\{\w+\}|[^{]+", lambda found: found[0] if found[0][0] == "{" else found[0].upper(), text)
+        return re.sub(r"\{\w+\}|[^{]+", lambda match: match[0] if match[0][0] == "{" else match[0].upper(), text)
 
     def isEmpty(self) -> bool:
         return False

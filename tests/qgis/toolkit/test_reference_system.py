@@ -94,7 +94,7 @@ def test_an_epoch_is_kept() -> None:
 
 
 def test_systems_and_transformations_are_made_in_one_place() -> None:
-    """Which minds the threads that end and asks PROJ first; and QGIS's writer, which minds neither, writes nothing."""
+    """It minds threads that end and asks PROJ first; QGIS's writer, which minds neither, writes nothing."""
     made = re.compile(r"QgsCoordinateTransform\(|QgsCoordinateReferenceSystem\.from|\.setDestinationCrs\("
                       r"|QgsVectorFileWriter\.(?:create|write)")  # fmt: skip
     one_place = Path(reference_systems.__file__).resolve()

@@ -63,8 +63,8 @@ def test_a_title_at_the_foot_of_the_page_is_words_alone() -> None:
     evil = "</style>\"; } body { display: none } \\ ąć"
     text = environment().from_string("{{ evil|css_text }}").render(evil=evil)
     assert re.fullmatch(r"(?:[A-Za-z0-9 ]|\\[0-9a-f]+ )*", text)
-    told = re.sub(r"\\([0-9a-f]+) ", lambda code: chr(int(code.group(1), 16)), text)
-    assert told == evil
+    words = re.sub(r"\\([0-9a-f]+) ", lambda code: chr(int(code.group(1), 16)), text)
+    assert words == evil
     assert len(environment().from_string("{{ 'x' * 999 }}{{ ('x' * 999)|css_text }}").render()) < 999 + 130
 
 

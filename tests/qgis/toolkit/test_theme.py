@@ -42,11 +42,11 @@ def ink(widget: QWidget, box: QRect) -> float:
 
 
 @pytest.mark.parametrize(
-    ("one", "other", "ratio"), [("#000000", "#ffffff", 21), ("#777777", "#ffffff", 4.48), ("#123456", "#123456", 1)]
+    ("colour", "other", "ratio"), [("#000000", "#ffffff", 21), ("#777777", "#ffffff", 4.48), ("#123456", "#123456", 1)]
 )
-def test_contrast_is_that_of_wcag(one: str, other: str, ratio: float) -> None:
-    assert contrast(QColor(one), QColor(other)) == pytest.approx(ratio, abs=0.01)
-    assert contrast(QColor(other), QColor(one)) == pytest.approx(ratio, abs=0.01)
+def test_contrast_is_that_of_wcag(colour: str, other: str, ratio: float) -> None:
+    assert contrast(QColor(colour), QColor(other)) == pytest.approx(ratio, abs=0.01)
+    assert contrast(QColor(other), QColor(colour)) == pytest.approx(ratio, abs=0.01)
 
 
 def test_without_a_readable_palette_around_it_is_the_widget_s_own(qgis_app: QApplication) -> None:

@@ -51,10 +51,10 @@ def test_compression_leaves_its_grid_wherever_that_begins(
     bands = np.repeat(plane[np.newaxis], 3, axis=0).clip(0, 255).astype(np.uint8)
     large = np.pad(bands, ((0, 0), (corner[0], 8), (corner[1], 8)), mode="reflect")
     made = aftermaths.jpeg(quality)(large, RNG)[1, corner[0] :, corner[1] :][: SHAPE[0], : SHAPE[1]]
-    found = texture_of(made, plane)
-    assert found.quantised > MIN_VANISHED
+    texture = texture_of(made, plane)
+    assert texture.quantised > MIN_VANISHED
     deep = texture_of(257 * made.astype(np.float32), 257 * plane, unit_dn=257)  # the same in 16 bit
-    assert deep.quantised == pytest.approx(found.quantised, abs=0.01)
+    assert deep.quantised == pytest.approx(texture.quantised, abs=0.01)
 
 
 @pytest.mark.parametrize("change", ["noise", "unsharp", "blur", "gain"])
@@ -64,15 +64,15 @@ def test_nothing_else_leaves_such_a_grid(plane: np.ndarray, change: str) -> None
         "noise": plane + noise, "unsharp": 2 * plane - ndimage.gaussian_filter(plane, 1) + noise,
         "blur": ndimage.gaussian_filter(plane + noise, 0.8), "gain": np.rint(0.3 * plane),
     }[change]
-    found = texture_of(np.rint(made), plane)
-    assert found.quantised < MIN_VANISHED
+    texture = texture_of(np.rint(made), plane)
+    assert texture.quantised < MIN_VANISHED
 
 
 def test_what_compressed_the_sources_is_none_of_the_mosaics(plane: np.ndarray) -> None:
     bands = np.repeat(plane[np.newaxis], 3, axis=0).clip(0, 255).astype(np.uint8)
     source = aftermaths.jpeg(60)(bands, RNG)[1].astype(np.float32)
-    found = texture_of(source + RNG.normal(0, 2, SHAPE), source)
-    assert found.quantised < MIN_VANISHED
+    texture = texture_of(source + RNG.normal(0, 2, SHAPE), source)
+    assert texture.quantised < MIN_VANISHED
 
 
 def raster(mosaic: Raster, data_type: str, bits: int | None = None) -> Raster:
@@ -80,7 +80,7 @@ def raster(mosaic: Raster, data_type: str, bits: int | None = None) -> Raster:
 
 
 @pytest.mark.parametrize(
-    ("own", "theirs", "gain", "expected"),
+    ("ours", "theirs", "gain", "expected"),
     [
         (("uint8", None), ("uint8", None), 0.6, 0.6),
         (("uint8", None), ("uint16", 12), 255 / 4095, 1.0),
@@ -93,7 +93,7 @@ def raster(mosaic: Raster, data_type: str, bits: int | None = None) -> Raster:
     ],
 )
 def test_gains_are_told_in_the_range_of_values(
-    mosaic: Raster, own: tuple[str, int | None], theirs: tuple[str, int | None], gain: float, expected: float | None
+    mosaic: Raster, ours: tuple[str, int | None], theirs: tuple[str, int | None], gain: float, expected: float | None
 ) -> None:
-    factor = range_factor(raster(mosaic, *own), raster(mosaic, *theirs))
+    factor = range_factor(raster(mosaic, *ours), raster(mosaic, *theirs))
     assert (factor if factor is None else gain * factor) == (expected if expected is None else pytest.approx(expected))

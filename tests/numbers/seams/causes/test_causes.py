@@ -43,19 +43,19 @@ OF_PROFILE = {"kept": "kept", "kept_high": "high", **{
 
 def evidence(**changes: Any) -> CauseEvidence:
     """Sound but for some values: of the evidence, of its profile or texture, or of the tones of both sources."""
-    own = {field.name for field in fields(CauseEvidence)}
-    of_texture = {field.name for field in fields(Texture)} - own
-    found = replace(SOUND, **{name: value for name, value in changes.items() if name in own})
+    of_evidence = {field.name for field in fields(CauseEvidence)}
+    of_texture = {field.name for field in fields(Texture)} - of_evidence
+    changed = replace(SOUND, **{name: value for name, value in changes.items() if name in of_evidence})
     texture = {name: value for name, value in changes.items() if name in of_texture}
     profile = {OF_PROFILE[name]: value for name, value in changes.items() if name in OF_PROFILE}
-    tone = {name: value for name, value in changes.items() if name not in own | of_texture | set(OF_PROFILE)}
+    tone = {name: value for name, value in changes.items() if name not in of_evidence | of_texture | set(OF_PROFILE)}
     if "kept" in profile:
         profile["kept"] = (profile["kept"], 1.0, 1.0)
     if profile:
-        found = replace(found, profile=replace(SOUND_PROFILE, **profile))
+        changed = replace(changed, profile=replace(SOUND_PROFILE, **profile))
     if texture:
-        found = replace(found, texture=replace(SOUND_TEXTURE, **texture))
-    return replace(found, tones=tuple(replace(one, **tone) for one in SOUND.tones)) if tone else found
+        changed = replace(changed, texture=replace(SOUND_TEXTURE, **texture))
+    return replace(changed, tones=tuple(replace(fitted, **tone) for fitted in SOUND.tones)) if tone else changed
 
 
 def two_tones(**changes: Any) -> CauseEvidence:
@@ -107,9 +107,9 @@ def test_a_feather_is_blamed_where_it_takes_a_good_part_of_the_loss() -> None:
     much = {**values, "by_mixture": 1 - part - LITTLE}
     assert causes_taken(evidence(**much, feather_width_px=20.0)) == ((Cause.FEATHERING, 0.1),)
     little = {**values, "by_mixture": 0.98}
-    found = causes_taken(evidence(**little, feather_width_px=20.0))
-    assert [cause for cause, _ in found] == [Cause.UNCLEAR, Cause.FEATHERING]
-    assert [share for _, share in found] == pytest.approx([0.09, 0.01])
+    causes = causes_taken(evidence(**little, feather_width_px=20.0))
+    assert [cause for cause, _ in causes] == [Cause.UNCLEAR, Cause.FEATHERING]
+    assert [share for _, share in causes] == pytest.approx([0.09, 0.01])
     misfit = dict(causes_taken(evidence(**little, feather_width_px=20.0, misfit=OFF)))
     assert sum(misfit.values()) == pytest.approx(0.1)
     assert misfit[Cause.MISREGISTRATION] == pytest.approx(OFF.share * 0.01)
@@ -166,9 +166,9 @@ def test_each_cause_begins_at_its_limit(
 @pytest.mark.parametrize(("name", "limit", "beyond", "besides", "cause"), AT_LIMITS)
 def test_alone_it_is_the_only_one(name: str, limit: float, beyond: int, besides: dict[str, Any], cause: Cause) -> None:
     """Or with what had to be there besides and is a cause of its own: sources that were compressed can be blurred."""
-    found = find_causes(evidence(**{**besides, name: limit + beyond * LITTLE}))
-    own = {Cause.COMPRESSED} if "quantised" in besides else {Cause.GAMMA} if "gamma" in besides else set()
-    assert set(found) == {cause} | own
+    causes = find_causes(evidence(**{**besides, name: limit + beyond * LITTLE}))
+    implied = {Cause.COMPRESSED} if "quantised" in besides else {Cause.GAMMA} if "gamma" in besides else set()
+    assert set(causes) == {cause} | implied
 
 
 @pytest.mark.parametrize("codec", [{"source_traces": 0.5}, {"lossy_sources": True}])
@@ -184,9 +184,9 @@ def test_what_a_codec_took_of_the_sources_since_is_none_of_the_mosaics_doing(cod
     [(rules.MIN_MISFIT_SHARE, True), (rules.MIN_MISFIT_SHARE - LITTLE, False)],  # moved or not, they show other things
 )
 def test_misregistration_is_what_images_differ_by_since_they_do_not_fit(share: float, is_named: bool) -> None:
-    found = find_causes(evidence(**FEATHERED, lost=0.2, misfit=Misfit(3.0, share)))
-    assert (Cause.MISREGISTRATION in found) is is_named
-    assert Cause.FEATHERING in found
+    causes = find_causes(evidence(**FEATHERED, lost=0.2, misfit=Misfit(3.0, share)))
+    assert (Cause.MISREGISTRATION in causes) is is_named
+    assert Cause.FEATHERING in causes
 
 
 @pytest.mark.parametrize(
@@ -227,9 +227,9 @@ def test_contrast_that_was_taken_evenly_was_taken_by_dodging_and_by_nothing_else
     assert causes_taken(evidence(**EVENED)) == ((Cause.DODGING, pytest.approx(1 - 0.7**2)),)
     by_contrast = {**EVENED, "filter_power": None, "fit": rules.MIN_EVENED_FIT}
     assert causes_taken(evidence(**by_contrast)) == ((Cause.DODGING, pytest.approx(1 - 0.7**2)),)
-    found = causes_taken(evidence(**EVENED, off_pixel=0.5, **COMPRESSED))
-    assert found[0] == (Cause.DODGING, pytest.approx(1 - 0.7**2))
-    assert dict(found[1:]) == {Cause.RESAMPLED: 0.0, Cause.COMPRESSED: 0.0}
+    causes = causes_taken(evidence(**EVENED, off_pixel=0.5, **COMPRESSED))
+    assert causes[0] == (Cause.DODGING, pytest.approx(1 - 0.7**2))
+    assert dict(causes[1:]) == {Cause.RESAMPLED: 0.0, Cause.COMPRESSED: 0.0}
 
 
 @pytest.mark.parametrize(
@@ -308,8 +308,8 @@ def test_all_that_took_part_are_ranked_by_what_each_took_in_one_unit() -> None:
 @given(sharpness=st.floats(0.1, 1.5), lost=st.floats(0, 1), clipped=st.floats(0, 1))
 def test_what_was_taken_adds_up_to_what_the_sharpness_says(sharpness: float, lost: float, clipped: float) -> None:
     gone = 1 - sharpness**2
-    own = evidence(**FEATHERED, lost=lost, least_transfer=0.5, sharpness=sharpness, clipped=0.1, clipped_lost=clipped)
-    taken = sum(share for _, share in causes_taken(own))
+    lossy = evidence(**FEATHERED, lost=lost, least_transfer=0.5, sharpness=sharpness, clipped=0.1, clipped_lost=clipped)
+    taken = sum(share for _, share in causes_taken(lossy))
     assert taken == pytest.approx(max(gone, lost + clipped))
 
 
@@ -332,10 +332,10 @@ def test_a_misfit_goes_first_where_it_is_more_than_half_of_what_a_feather_took(
 
 @pytest.mark.parametrize(("width_px", "first"), [(2 * STRIP_PX, Cause.MISREGISTRATION), (1400.0, Cause.FEATHERING)])
 def test_a_misfit_goes_behind_where_a_narrower_feather_gives_back_more(width_px: float, first: Cause) -> None:
-    found = causes_taken(evidence(**{**FEATHERED, "feather_width_px": width_px}, lost=0.2, misfit=Misfit(0.9, 0.8)))
-    assert found[0][0] is first
-    assert {cause for cause, _ in found} == {Cause.MISREGISTRATION, Cause.FEATHERING}
-    assert sum(share for _, share in found) == pytest.approx(0.2)
+    causes = causes_taken(evidence(**{**FEATHERED, "feather_width_px": width_px}, lost=0.2, misfit=Misfit(0.9, 0.8)))
+    assert causes[0][0] is first
+    assert {cause for cause, _ in causes} == {Cause.MISREGISTRATION, Cause.FEATHERING}
+    assert sum(share for _, share in causes) == pytest.approx(0.2)
 
 
 def test_at_a_cut_a_misfit_takes_nothing() -> None:
@@ -351,14 +351,14 @@ def test_whatever_was_measured_there_is_a_cause_or_none_alone(
     missing: float, kept: float, mixed: float, clipped: float, gain: float, gamma: float, transfer: float, noise: float,
     quantised: float, shift: float, uneven: float,
 ) -> None:
-    found = find_causes(evidence(
+    causes = find_causes(evidence(
         missing=missing, kept=kept, kept_high=1.2 * kept, lost=max(1 - kept, 0), mixed=mixed, clipped=clipped,
         gain=gain, gamma=gamma, transfer=transfer, least_transfer=transfer, most_transfer=transfer, noise_dn=noise,
         quantised=quantised, misfit=Misfit(shift, missing), unevenness=uneven,
     ))
-    assert len(set(found)) == len(found) > 0
-    assert Cause.UNCLEAR not in found
-    assert (Cause.NONE in found) is (found == (Cause.NONE,))
+    assert len(set(causes)) == len(causes) > 0
+    assert Cause.UNCLEAR not in causes
+    assert (Cause.NONE in causes) is (causes == (Cause.NONE,))
 
 
 def percent(share: float) -> str:
@@ -396,4 +396,4 @@ def test_the_limits_are_those_that_the_guide_tells(repository: Path, cause: Caus
     """Else nothing but real mosaics would tell that one was changed."""
     guide = (repository / "docs" / "method" / "causes.md").read_text(encoding="utf-8")
     limit, *_ = re.findall(rf"^\| `{cause.value}` \| ([^|]*) \|", guide, re.MULTILINE)
-    assert [one for one in IN_GUIDE[cause] if one not in limit] == []
+    assert [word for word in IN_GUIDE[cause] if word not in limit] == []

@@ -28,9 +28,9 @@ def test_an_infrared_mosaic_is_measured_as_the_coloured_one(make_raster: MakeRas
     path = make_raster("cir.tif", mosaic[[3, 0, 1]], colours=colours)
     if said == "names":
         name_bands(path)
-    found = [inspect(block_of(one, *paths), WHOLE) for one in (describe_mosaic(RasterRef(path)), plain)]
-    assert {one.judgement.verdict for one in found} == {Verdict.SIGNIFICANT if width else Verdict.PRESERVED}
-    assert {one.causes for one in found} == {(Cause.FEATHERING,) if width else (Cause.NONE,)}
+    results = [inspect(block_of(described, *paths), WHOLE) for described in (describe_mosaic(RasterRef(path)), plain)]
+    assert {result.judgement.verdict for result in results} == {Verdict.SIGNIFICANT if width else Verdict.PRESERVED}
+    assert {result.causes for result in results} == {(Cause.FEATHERING,) if width else (Cause.NONE,)}
 
 
 def with_infrared(image: np.ndarray, seed: int) -> np.ndarray:

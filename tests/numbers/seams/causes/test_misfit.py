@@ -121,18 +121,18 @@ def test_what_counts_is_how_images_are_placed(
     images: tuple[Seen, Seen], mosaic: Raster, name: str, feather: str
 ) -> None:
     true = float(np.hypot(*PLACINGS[name].placed))
-    found = found_in(images, PLACINGS[name], FEATHERS[feather], mosaic)
-    assert Cause.MISSING_SOURCE not in found.causes  # of images that fit well once they are moved as well
-    assert found.misfit == pytest.approx(true, abs=0.1)
-    misfit = found.evidence.misfit
+    explanation = found_in(images, PLACINGS[name], FEATHERS[feather], mosaic)
+    assert Cause.MISSING_SOURCE not in explanation.causes  # of images that fit well once they are moved as well
+    assert explanation.misfit == pytest.approx(true, abs=0.1)
+    misfit = explanation.evidence.misfit
     is_told = true >= 1 and misfit is not None and misfit.share >= MIN_MISFIT_SHARE
-    assert (Cause.MISREGISTRATION in found.causes) is is_told
-    taken = dict(causes_taken(found.evidence))
+    assert (Cause.MISREGISTRATION in explanation.causes) is is_told
+    taken = dict(causes_taken(explanation.evidence))
     if feather == "hard":
         assert not any(taken.get(cause) for cause in ALONG_THE_SEAM)
     else:
-        assert Cause.FEATHERING in found.causes
-        misfit = found.evidence.misfit
+        assert Cause.FEATHERING in explanation.causes
+        misfit = explanation.evidence.misfit
         is_first = taken.get(Cause.MISREGISTRATION, 0.0) > taken[Cause.FEATHERING]
         assert is_first is (misfit.share > 0.5)
 
@@ -141,7 +141,7 @@ def test_a_common_offset_and_a_correction_drop_out() -> None:
     between, first, second = Shift(1.5, -0.5, 0.5), Shift(0.25, 0.25, 0.5), Shift(1.75, -0.25, 0.5)
     assert placed_misfit(between, first, second) == (0.0, 0.0)
     assert placed_misfit(between, first, first) == (1.5, -0.5)
-    moved = (Shift(one.x + 0.5, one.y - 0.25, 0.5) for one in (first, second))
+    moved = (Shift(shift.x + 0.5, shift.y - 0.25, 0.5) for shift in (first, second))
     assert placed_misfit(between, *moved) == (0.0, 0.0)
 
 
@@ -152,7 +152,7 @@ def test_the_share_is_what_images_would_not_differ_by_if_they_fitted(away: Place
     moved = np.asarray(ndimage.shift(plane, (away[1], away[0]), order=5, mode="mirror"), np.float32)
     seam = np.zeros((128, 128), bool)
     seam[:, 52:76] = True
-    found = misfit_of(away, moved, plane, seam, "coif3")
-    assert found.px == pytest.approx(np.hypot(*away))
-    assert found.share == pytest.approx(share, abs=0.05)
+    misfit = misfit_of(away, moved, plane, seam, "coif3")
+    assert misfit.px == pytest.approx(np.hypot(*away))
+    assert misfit.share == pytest.approx(share, abs=0.05)
     assert misfit_of(away, moved, plane, np.zeros_like(seam), "coif3").share == 0

@@ -37,9 +37,9 @@ def brighton(data_folder: Path) -> Path:
 @pytest.fixture(scope="module")
 def scenes(brighton: Path) -> list[Scene]:
     """Windows on seams, spread over the mosaic."""
-    found = brighton_scenes(brighton, SIDE, EACH * len(OPERATIONS))
-    assert len(found) == EACH * len(OPERATIONS)
-    return found
+    chosen = brighton_scenes(brighton, SIDE, EACH * len(OPERATIONS))
+    assert len(chosen) == EACH * len(OPERATIONS)
+    return chosen
 
 
 Found = list[tuple[Truth, Scene, Explanation]]
@@ -48,11 +48,11 @@ Found = list[tuple[Truth, Scene, Explanation]]
 @pytest.fixture(scope="module")
 def spoilt(scenes: list[Scene]) -> Found:
     """Every operation in some windows of its own, and what is said of them."""
-    found = []
+    explained_scenes = []
     for number, scene in enumerate(scenes):
         truth = OPERATIONS[number % len(OPERATIONS)]
-        found.append((truth, scene, explained(scene, truth.make(scene))[0]))
-    return found
+        explained_scenes.append((truth, scene, explained(scene, truth.make(scene))[0]))
+    return explained_scenes
 
 
 def smaller_share(scene: Scene) -> float:
@@ -60,21 +60,21 @@ def smaller_share(scene: Scene) -> float:
     return float(min((scene.labels == number).mean() for number in scene.main))
 
 
-def besides_misfit(found: Explanation) -> tuple[Cause, ...]:
+def besides_misfit(explanation: Explanation) -> tuple[Cause, ...]:
     """Brighton's own orthoimages lie apart in relief, by up to 3 px."""
-    return tuple(cause for cause in found.causes if cause is not Cause.MISREGISTRATION) or (Cause.NONE,)
+    return tuple(cause for cause in explanation.causes if cause is not Cause.MISREGISTRATION) or (Cause.NONE,)
 
 
 def test_the_cause_is_found(spoilt: Found) -> None:
-    judged = [(truth, besides_misfit(found)[0]) for truth, _, found in spoilt if not truth.shift]
+    judged = [(truth, besides_misfit(explanation)[0]) for truth, _, explanation in spoilt if not truth.shift]
     wrong = Counter((truth.name, cause.value) for truth, cause in judged if cause is not truth.cause)
     assert sum(wrong.values()) <= 0.05 * len(judged), wrong
 
 
 def test_what_took_nothing_comes_last(spoilt: Found) -> None:
-    for truth, _, found in spoilt:
-        taken = dict(causes_taken(found.evidence))
-        shares = [taken[cause] for cause in found.causes if cause in taken]
+    for truth, _, explanation in spoilt:
+        taken = dict(causes_taken(explanation.evidence))
+        shares = [taken[cause] for cause in explanation.causes if cause in taken]
         assert shares == sorted(shares, reverse=True), truth.name
         if truth.cause in (Cause.NONE, Cause.NARROWED_HISTOGRAM, Cause.COLOUR_SHIFT):
             assert max(shares, default=0) < 0.02, (truth.name, taken)
@@ -82,16 +82,16 @@ def test_what_took_nothing_comes_last(spoilt: Found) -> None:
 
 def test_feathers_are_as_wide_as_they_were_made(spoilt: Found) -> None:
     """A Gaussian goes from 5 to 95 % over 3.29 sigma."""
-    for truth, scene, found in spoilt:
+    for truth, scene, explanation in spoilt:
         if truth.cause is Cause.FEATHERING and smaller_share(scene) > 0.2:
-            assert found.profile.feather_width_px == pytest.approx(3.29 * sigma_of(truth), rel=0.25), truth.name
+            assert explanation.profile.feather_width_px == pytest.approx(3.29 * sigma_of(truth), rel=0.25), truth.name
 
 
 def test_gain_and_bias_are_measured(spoilt: Found) -> None:
     gains, biases = [], []
-    for truth, scene, found in spoilt:
+    for truth, scene, explanation in spoilt:
         wanted = truth.linear(scene) if truth.linear else (truth.gain, truth.bias)
-        tone = found.changes[-1][LUMINANCE].tone
+        tone = explanation.changes[-1][LUMINANCE].tone
         if wanted[0] is not None and wanted[1] is not None:
             gains.append(abs(tone.gain / wanted[0] - 1))
             biases.append(abs(tone.bias - wanted[1]))
@@ -102,17 +102,17 @@ def test_gain_and_bias_are_measured(spoilt: Found) -> None:
 
 
 def test_gamma_is_measured(spoilt: Found) -> None:
-    for truth, _, found in spoilt:
-        tone = found.changes[-1][LUMINANCE].tone
+    for truth, _, explanation in spoilt:
+        tone = explanation.changes[-1][LUMINANCE].tone
         if truth.colours is None:
             assert tone.gamma == pytest.approx(truth.gamma, abs=0.05), truth.name
 
 
 def test_shifts_are_measured(spoilt: Found) -> None:
     errors = []
-    for truth, scene, found in spoilt:
+    for truth, scene, explanation in spoilt:
         if truth.shift:
-            shift = found.changes[scene.main[1]][LUMINANCE].shift
+            shift = explanation.changes[scene.main[1]][LUMINANCE].shift
             errors.append(np.hypot(shift.x - truth.shift[0], shift.y - truth.shift[1]) if shift else np.inf)
     assert len(errors) == 3 * EACH
     assert max(errors) < 0.1
@@ -125,10 +125,10 @@ def true_kept(scene: Scene, sigma_px: float) -> float:
     """What a feather of that sigma leaves of the sources' finest detail within 8 px of the seam, by PyWavelets."""
     fine = [details(luminance(clip.bands), 1, "coif3") for clip in scene.sources]
     followed = [(scene.labels == number).astype(np.float32) for number in range(len(fine))]
-    weights = [ndimage.gaussian_filter(one, sigma_px) for one in followed]
+    weights = [ndimage.gaussian_filter(mask, sigma_px) for mask in followed]
     near = seam_distance(scene.labels) <= 8
     made, plain = (
-        float(np.square(sum(share * one for share, one in zip(shares, fine)))[:, near].sum())
+        float(np.square(sum(share * plane for share, plane in zip(shares, fine)))[:, near].sum())
         for shares in (weights, followed)
     )
     return made / plain
@@ -141,11 +141,11 @@ def sigma_of(truth: Truth) -> float:
 
 def test_what_feathers_kept_is_told(spoilt: Found) -> None:
     errors, held = [], []
-    for truth, scene, found in spoilt:
+    for truth, scene, explanation in spoilt:
         if truth.cause is Cause.FEATHERING:
             kept = true_kept(scene, sigma_of(truth))
-            errors.append(found.profile.kept[0] - kept)
-            held.append(found.profile.low <= kept <= found.profile.high)
+            errors.append(explanation.profile.kept[0] - kept)
+            held.append(explanation.profile.low <= kept <= explanation.profile.high)
     assert np.median(np.abs(errors)) < 0.05
     assert np.max(np.abs(errors)) < 0.15
     assert sum(held) >= len(held) - 2
@@ -153,8 +153,8 @@ def test_what_feathers_kept_is_told(spoilt: Found) -> None:
 
 def test_what_came_over_the_whole_mosaic_is_no_loss_of_the_seam(spoilt: Found) -> None:
     judged = [
-        (truth.name, judge_by_seam(replace(found, sharpness=1.0))[0])
-        for truth, _, found in spoilt if truth.cause in CHANGES_THE_WHOLE
+        (truth.name, judge_by_seam(replace(explanation, sharpness=1.0))[0])
+        for truth, _, explanation in spoilt if truth.cause in CHANGES_THE_WHOLE
     ]
     assert len(judged) >= 9 * EACH
     verdicts = Counter(verdict for _, verdict in judged)
@@ -164,9 +164,9 @@ def test_what_came_over_the_whole_mosaic_is_no_loss_of_the_seam(spoilt: Found) -
 
 
 def test_feathers_are_flagged(spoilt: Found) -> None:
-    for truth, _, found in spoilt:
+    for truth, _, explanation in spoilt:
         if truth.cause is Cause.FEATHERING:
-            verdict, _ = judge_by_seam(found)
+            verdict, _ = judge_by_seam(explanation)
             assert verdict in (Verdict.REDUCED, Verdict.SIGNIFICANT), truth.name
 
 
@@ -202,10 +202,10 @@ def test_sources_that_were_balanced_are_no_loss(scenes: list[Scene]) -> None:
         toned = [clip.bands.astype(np.float32) for clip in scene.sources]
         toned[scene.main[0]] = 0.85 * toned[scene.main[0]]
         toned[scene.main[1]] = 1.1 * toned[scene.main[1]]
-        found = explained(scene, whole_values(cut(scene.labels, toned)))[0]
-        assert besides_misfit(found)[0] is Cause.BALANCED
-        assert judge_by_seam(found)[0] is Verdict.PRESERVED
-        gains = sorted(tone.gain for tone in found.evidence.tones if tone.gain)
+        explanation = explained(scene, whole_values(cut(scene.labels, toned)))[0]
+        assert besides_misfit(explanation)[0] is Cause.BALANCED
+        assert judge_by_seam(explanation)[0] is Verdict.PRESERVED
+        gains = sorted(tone.gain for tone in explanation.evidence.tones if tone.gain)
         assert gains[0] == pytest.approx(0.85, rel=0.02)
         assert gains[-1] == pytest.approx(1.1, rel=0.02)
 
@@ -215,11 +215,11 @@ def test_a_source_that_is_not_given_is_missed(scenes: list[Scene]) -> None:
     for scene in scenes[:8]:
         missing = scene.main[1]
         given = replace(scene, sources=tuple(clip for i, clip in enumerate(scene.sources) if i != missing))
-        found = explained(given, scene.cut())[0]
+        explanation = explained(given, scene.cut())[0]
         share = float((scene.labels == missing).mean())
         assert share > 0.1
-        errors.append(abs(1 - found.explained - share))
-        main.append(found.cause is Cause.MISSING_SOURCE)
+        errors.append(abs(1 - explanation.explained - share))
+        main.append(explanation.cause is Cause.MISSING_SOURCE)
     assert sum(main) >= len(main) - 1
     assert np.median(errors) < 0.05
     assert sorted(errors)[-2] < 0.15
@@ -227,7 +227,7 @@ def test_a_source_that_is_not_given_is_missed(scenes: list[Scene]) -> None:
 
 @pytest.mark.parametrize("name", ["hard cut", "feather 0.4 m", "gain 0.6", "gamma 0.6", "gamma 1.6"])
 def test_the_right_source_is_followed(scenes: list[Scene], name: str) -> None:
-    (truth,) = (one for one in OPERATIONS if one.name == name)
+    (truth,) = (operation for operation in OPERATIONS if operation.name == name)
     right = []
     for scene in scenes[:6]:
         fine = [high_pass(luminance(bands)) for bands in (truth.make(scene), *(clip.bands for clip in scene.sources))]
@@ -236,16 +236,16 @@ def test_the_right_source_is_followed(scenes: list[Scene], name: str) -> None:
 
 
 def test_a_hard_cut_has_lost_nothing_against_the_composite(spoilt: Found) -> None:
-    for truth, _, found in spoilt:
+    for truth, _, explanation in spoilt:
         if truth.cause is Cause.NONE:
-            assert found.ratios[LUMINANCE].detail == pytest.approx((1, 1, 1), abs=0.005)
-            assert found.changes[-1][LUMINANCE].contrast == pytest.approx((1, 1, 1), abs=0.005)
-            assert found.mixed_share < MOST_MIXED
+            assert explanation.ratios[LUMINANCE].detail == pytest.approx((1, 1, 1), abs=0.005)
+            assert explanation.changes[-1][LUMINANCE].contrast == pytest.approx((1, 1, 1), abs=0.005)
+            assert explanation.mixed_share < MOST_MIXED
 
 
 def test_a_gain_leaves_the_ratio_and_lowers_contrast(scenes: list[Scene]) -> None:
-    found = explained(scenes[0], gain(scenes[0], 0.6, 20))[0]
-    change = found.changes[-1][LUMINANCE]
-    assert found.ratios[LUMINANCE].detail[1:] == pytest.approx((1, 1), abs=0.02)
+    explanation = explained(scenes[0], gain(scenes[0], 0.6, 20))[0]
+    change = explanation.changes[-1][LUMINANCE]
+    assert explanation.ratios[LUMINANCE].detail[1:] == pytest.approx((1, 1), abs=0.02)
     assert change.contrast == pytest.approx((0.6,) * 3, rel=0.03)  # rounding adds to the finest
     assert change.sharpness == pytest.approx((1,) * 3, rel=0.03)

@@ -33,9 +33,9 @@ def energy(plane: np.ndarray, where: np.ndarray) -> float:
 
 def test_the_hard_cut_is_expected_of_a_hard_cut(sources: list[np.ndarray]) -> None:
     mosaic = grey(cut(LABELS, sources))
-    found = expected_of(mosaic, [grey(source) for source in sources])
-    assert (found.labels == LABELS).mean() > 0.997
-    rest = (found.plane - mosaic)[INNER]
+    expected = expected_of(mosaic, [grey(source) for source in sources])
+    assert (expected.labels == LABELS).mean() > 0.997
+    rest = (expected.plane - mosaic)[INNER]
     assert np.median(np.abs(rest)) < 0.3
     assert rest.std() < 0.15 * high_pass(mosaic)[INNER].std()
 
@@ -43,12 +43,12 @@ def test_the_hard_cut_is_expected_of_a_hard_cut(sources: list[np.ndarray]) -> No
 @pytest.mark.parametrize("sigma", [4.0, 10.0])
 def test_what_a_feather_took_is_in_what_is_expected(sources: list[np.ndarray], sigma: float) -> None:
     mosaic, hard = grey(feather(LABELS, sources, sigma)), grey(cut(LABELS, sources))
-    found = expected_of(mosaic, [grey(source) for source in sources])
+    expected = expected_of(mosaic, [grey(source) for source in sources])
     weight = ndimage.gaussian_filter((LABELS == 0).astype(float), sigma)
     band = (weight > 0.2) & (weight < 0.8)
     assert energy(mosaic, band) < 0.85 * energy(hard, band)
-    assert energy(found.plane, band) == pytest.approx(energy(hard, band), rel=0.06)
-    assert (found.labels == LABELS).mean() > 0.97
+    assert energy(expected.plane, band) == pytest.approx(energy(hard, band), rel=0.06)
+    assert (expected.labels == LABELS).mean() > 0.97
 
 
 OPERATIONS = {
@@ -64,12 +64,12 @@ OPERATIONS = {
 def test_what_came_over_the_whole_mosaic_is_expected(sources: list[np.ndarray], operation: str) -> None:
     hard = grey(cut(LABELS, sources))
     mosaic = OPERATIONS[operation](hard).astype(np.float32)
-    found = expected_of(mosaic, [grey(source) for source in sources])
-    assert (found.labels == LABELS).mean() > 0.98
+    expected = expected_of(mosaic, [grey(source) for source in sources])
+    assert (expected.labels == LABELS).mean() > 0.98
     everywhere = np.zeros(SHAPE, bool)
     everywhere[INNER] = True
-    assert energy(found.plane, everywhere) == pytest.approx(energy(mosaic, everywhere), rel=0.04)
-    rest = high_pass(found.plane - mosaic)[INNER]
+    assert energy(expected.plane, everywhere) == pytest.approx(energy(mosaic, everywhere), rel=0.04)
+    rest = high_pass(expected.plane - mosaic)[INNER]
     assert rest.std() < 0.2 * high_pass(mosaic)[INNER].std()
 
 
@@ -77,10 +77,10 @@ def test_a_source_that_was_blurred_before_the_cut_has_a_filter_of_its_own(source
     soft = [source.astype(np.float32) for source in sources]
     soft[0] = ndimage.gaussian_filter(soft[0], (0, 1, 1))
     mosaic = grey(np.asarray(cut(LABELS, soft)))
-    found = expected_of(mosaic, [grey(source) for source in sources])
+    expected = expected_of(mosaic, [grey(source) for source in sources])
     for number in (0, 1, 2):
-        own = ndimage.distance_transform_edt(np.equal(LABELS, number)) > 8
-        assert energy(found.plane, own) == pytest.approx(energy(mosaic, own), rel=0.06), number
+        inner = ndimage.distance_transform_edt(np.equal(LABELS, number)) > 8
+        assert energy(expected.plane, inner) == pytest.approx(energy(mosaic, inner), rel=0.06), number
 
 
 def test_a_mixture_by_which_sources_explain_far_less_than_one_by_one_is_none(
@@ -89,16 +89,16 @@ def test_a_mixture_by_which_sources_explain_far_less_than_one_by_one_is_none(
     """Filters of two images have 50 taps, which explain much; a sound cut of resampled images read 0.47 by such."""
     wild = 3 * np.random.default_rng(1).standard_normal((2, 5, 5), np.float32)
     monkeypatch.setattr(expecting, "MIN_LEFT_UNMIXED", 0.0)
-    monkeypatch.setattr(expecting, "mixed_ground", lambda own, *_: MixedGround(1.0, tuple(wild), own))
+    monkeypatch.setattr(expecting, "mixed_ground", lambda mosaic, *_: MixedGround(1.0, tuple(wild), mosaic))
     mosaic = OPERATIONS["half a pixel"](grey(cut(LABELS, sources))).astype(np.float32)
     assert (expected_of(mosaic, [grey(source) for source in sources]).labels == LABELS).mean() > 0.98
 
 
 def test_balanced_sources_each_have_their_tone(sources: list[np.ndarray]) -> None:
-    toned = [gain * grey(one) + bias for one, (gain, bias) in zip(sources, [(0.8, 30), (1.2, -25), (1.0, 5), (1, 0)])]
+    toned = [gain * grey(rgb) + bias for rgb, (gain, bias) in zip(sources, [(0.8, 30), (1.2, -25), (1.0, 5), (1, 0)])]
     mosaic = np.choose(LABELS, toned).astype(np.float32)
-    found = expected_of(mosaic, [grey(source) for source in sources])
-    rest = (found.plane - mosaic)[INNER]
+    expected = expected_of(mosaic, [grey(source) for source in sources])
+    rest = (expected.plane - mosaic)[INNER]
     assert np.abs(np.median(rest)) < 0.3
     assert rest.std() < 0.25 * high_pass(mosaic)[INNER].std()
 
@@ -107,11 +107,11 @@ def test_where_no_source_explains_the_mosaic_stands_itself(sources: list[np.ndar
     other = sources[2][:, ::-1, ::-1]  # of other ground, and missing
     mosaic = grey(cut(LABELS, [*sources[:2], other]))
     given = [grey(source) for source in sources[:2]]
-    found = expected_of(mosaic, given)
-    unknown = found.labels == UNKNOWN
+    expected = expected_of(mosaic, given)
+    unknown = expected.labels == UNKNOWN
     assert (unknown == (LABELS == 2)).mean() > 0.97
-    np.testing.assert_array_equal(found.plane[unknown], mosaic[unknown])
-    np.testing.assert_array_equal(found.unfiltered[unknown], mosaic[unknown])
+    np.testing.assert_array_equal(expected.plane[unknown], mosaic[unknown])
+    np.testing.assert_array_equal(expected.unfiltered[unknown], mosaic[unknown])
 
 
 def test_pixels_that_a_source_does_not_have_are_never_its(sources: list[np.ndarray]) -> None:
@@ -120,6 +120,6 @@ def test_pixels_that_a_source_does_not_have_are_never_its(sources: list[np.ndarr
     valid = np.broadcast_to(row < 160, SHAPE)  # the second is cut off a little below where it ends
     planes[1] = np.where(valid, planes[1], planes[1][valid].mean())
     mosaic = grey(cut(LABELS, sources))
-    found = expected_of(mosaic, planes, valid={1: valid})
-    assert not (found.labels[~valid] == 1).any()
-    assert (found.labels == LABELS).mean() > 0.99
+    expected = expected_of(mosaic, planes, valid={1: valid})
+    assert not (expected.labels[~valid] == 1).any()
+    assert (expected.labels == LABELS).mean() > 0.99

@@ -1,4 +1,4 @@
-"""Which source a mosaic follows and where it mixes two, by a first estimate, on mosaics made from known cuts."""
+"""The source that a mosaic follows and where it mixes two, by a first estimate, on mosaics made from known cuts."""
 from __future__ import annotations
 
 import dataclasses
@@ -35,8 +35,8 @@ def followed(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> FollowedSourc
     return follow_planes([high_pass(plane) for plane in planes])
 
 
-def right(found: FollowedSource, labels: np.ndarray) -> float:
-    return float((found.labels == labels).mean())
+def right(result: FollowedSource, labels: np.ndarray) -> float:
+    return float((result.labels == labels).mean())
 
 
 def test_of_sources_that_are_the_same_neither_is_followed_for_sure_but_where_there_is_nothing_to_see() -> None:
@@ -59,70 +59,70 @@ def test_a_high_band_is_high_passed_as_a_whole(rows: int) -> None:
 
 
 def test_a_hard_cut_is_found(sources: list[np.ndarray], labels: np.ndarray) -> None:
-    found = followed(cut(labels, sources), sources)
-    assert right(found, labels) >= 0.99
-    assert found.followed == (0, 2, 1)
-    assert found.unclear_share < 0.03
-    assert found.mixed_share < MOST_MIXED
-    assert found.fit > 0.98
-    assert not found.unexplained.any()
+    result = followed(cut(labels, sources), sources)
+    assert right(result, labels) >= 0.99
+    assert result.followed == (0, 2, 1)
+    assert result.unclear_share < 0.03
+    assert result.mixed_share < MOST_MIXED
+    assert result.fit > 0.98
+    assert not result.unexplained.any()
 
 
 @pytest.mark.parametrize("sigma", [6.7, 13.3])
 def test_a_feather_is_found_as_a_mixture(sources: list[np.ndarray], labels: np.ndarray, sigma: float) -> None:
-    found = followed(feather(labels, sources, sigma), sources)
+    result = followed(feather(labels, sources, sigma), sources)
     inner = ndimage.gaussian_filter((labels == 0).astype(np.float32), sigma)
     zone = (inner > 0.2) & (inner < 0.8)
-    assert right(found, labels) >= 0.97
-    assert found.mixed_share > 0.5 * float(zone.mean())
-    assert found.clear[zone].mean() < 0.3
+    assert right(result, labels) >= 0.97
+    assert result.mixed_share > 0.5 * float(zone.mean())
+    assert result.clear[zone].mean() < 0.3
 
 
 def test_a_blurred_mosaic_follows_areas_and_no_specks(sources: list[np.ndarray], labels: np.ndarray) -> None:
     blurred = ndimage.gaussian_filter(cut(labels, sources).astype(np.float32), (0, 2, 2))
-    found = followed(blurred, sources)
-    cells = found.labels[::4, ::4]  # what is followed is told for squares of 4 px
+    result = followed(blurred, sources)
+    cells = result.labels[::4, ::4]  # what is followed is told for squares of 4 px
     alone = [ndimage.uniform_filter((cells == i).astype(float), 3)[cells == i] < 1.5 / 9 for i in range(len(sources))]
     assert sum(map(np.count_nonzero, alone)) == 0  # none that is like no neighbour
-    assert right(found, labels) > 0.95
+    assert right(result, labels) > 0.95
 
 
 def test_a_stranger_is_not_explained(sources: list[np.ndarray]) -> None:
     stranger = orthoimage(SHAPE, seed=99)[:, ::-1]
-    found = followed(stranger, sources)
-    assert found.fit < MIN_FIT
-    assert found.unexplained.mean() > 0.95
+    result = followed(stranger, sources)
+    assert result.fit < MIN_FIT
+    assert result.unexplained.mean() > 0.95
 
 
 def test_sources_that_show_the_same_are_not_mixed() -> None:
     rng = np.random.default_rng(4)
     scene = orthoimage(SHAPE).astype(np.float32)
     mosaic, first, second = (scene + rng.normal(0, 1.5, scene.shape) for _ in range(3))
-    found = followed(mosaic, [first, second])  # either alone explains what both together do
-    assert found.fit > 0.9
-    assert found.mixed_share == 0
-    assert 0.3 < found.shares[0] < 0.7
+    result = followed(mosaic, [first, second])  # either alone explains what both together do
+    assert result.fit > 0.9
+    assert result.mixed_share == 0
+    assert 0.3 < result.shares[0] < 0.7
 
 
 def test_known_labels_decide_what_is_followed_and_where_sources_are_mixed(
     sources: list[np.ndarray], labels: np.ndarray
 ) -> None:
     """Here what is no seam looks like a mixture, as resampled images may, and nothing of it is clear."""
-    found = followed(feather(labels, sources, 6.7), sources)
-    mixed, clear = found.mixed.copy(), found.clear.copy()
+    result = followed(feather(labels, sources, 6.7), sources)
+    mixed, clear = result.mixed.copy(), result.clear.copy()
     away = np.s_[200:260, 20:60]  # from all borders
     mixed[away], clear[away] = True, False
-    found = dataclasses.replace(found, mixed=mixed, clear=clear)
+    result = dataclasses.replace(result, mixed=mixed, clear=clear)
     known = labels.copy()
     known[:, :10] = UNKNOWN
-    with_known = found.with_known(known)
+    with_known = result.with_known(known)
     np.testing.assert_array_equal(with_known.labels[:, 10:], labels[:, 10:])
-    np.testing.assert_array_equal(with_known.labels[:, :10], found.labels[:, :10])
+    np.testing.assert_array_equal(with_known.labels[:, :10], result.labels[:, :10])
     assert not with_known.mixed[away].any()
     assert with_known.clear[away].all()
     inner = ndimage.gaussian_filter((labels == 0).astype(np.float32), 6.7)
     along_seam = (inner > 0.35) & (inner < 0.65)
     assert with_known.mixed[along_seam].mean() > 0.5
     assert not (with_known.mixed & with_known.clear)[:, 10:].any()
-    assert with_known.unclear_share < found.unclear_share
+    assert with_known.unclear_share < result.unclear_share
     assert sum(with_known.shares) == pytest.approx(1)

@@ -27,12 +27,12 @@ def stored(quality: int) -> Stored:
 
 def image(seed: int, common: float = 0.5) -> np.ndarray:
     """An image of one ground: a part of the finest detail is each image's own."""
-    ground, own = texture(SHAPE, 1.2, 1), texture(SHAPE, 1.2, 10 + seed)
-    return np.asarray(120 + 18 * (np.sqrt(common) * ground + np.sqrt(1 - common) * own), np.float32)
+    ground, detail = texture(SHAPE, 1.2, 1), texture(SHAPE, 1.2, 10 + seed)
+    return np.asarray(120 + 18 * (np.sqrt(common) * ground + np.sqrt(1 - common) * detail), np.float32)
 
 
 def unexplained(mosaic: np.ndarray, sources: list[np.ndarray]) -> np.ndarray:
-    fine = [high_pass(one) for one in (mosaic, *sources)]
+    fine = [high_pass(plane) for plane in (mosaic, *sources)]
     first = follow_planes(fine)
     given = {i: fine[1 + i] for i in range(len(sources)) if i in first.followed}
     detail = FineDetail(fine[0], given, is_compressed=lambda number: number is None or number in given)
@@ -61,25 +61,25 @@ def test_a_codec_makes_nothing_foreign(of_mosaic: int, way: str) -> None:
 def test_a_part_of_an_image_that_is_not_given_is_foreign(of_mosaic: int, of_sources: int, common: float) -> None:
     images = [stored(of_sources)(image(seed, common)) for seed in (1, 2, 3)]
     mosaic = stored(of_mosaic)(cut(images[0], images[1], images[1], images[2]))
-    found = unexplained(mosaic, images[:2])
-    assert found[:, 400:].mean() > 0.7
-    assert found[:, :370].mean() < 0.03
+    foreign = unexplained(mosaic, images[:2])
+    assert foreign[:, 400:].mean() > 0.7
+    assert foreign[:, :370].mean() < 0.03
 
 
 @pytest.mark.parametrize("of_mosaic", [75, 90])
 def test_an_image_that_resembles_the_given_one_is_told_where_there_is_much_of_it(of_mosaic: int) -> None:
     first, other = image(1, 0.9), image(2, 0.9)
-    found = unexplained(stored(of_mosaic)(cut(first, first, other)), [first])
-    assert found[:, 370:].mean() > 0.7
-    assert found[:, :310].mean() < 0.03
+    foreign = unexplained(stored(of_mosaic)(cut(first, first, other)), [first])
+    assert foreign[:, 370:].mean() > 0.7
+    assert foreign[:, :310].mean() < 0.03
 
 
 @pytest.mark.parametrize("common", [0.2, 0.65])
 def test_a_source_of_which_all_is_foreign_is_told_where_others_are_true(common: float) -> None:
     images = [image(seed, common) for seed in (1, 2, 3)]
-    found = unexplained(stored(75)(cut(images[0], images[2])), images[:2])
-    assert found[:, 270:].mean() > 0.7
-    assert found[:, :240].mean() < 0.03
+    foreign = unexplained(stored(75)(cut(images[0], images[2])), images[:2])
+    assert foreign[:, 270:].mean() > 0.7
+    assert foreign[:, :240].mean() < 0.03
 
 
 def test_a_feather_of_given_images_is_not_foreign() -> None:
@@ -94,11 +94,11 @@ def test_patches_are_judged_by_the_noise_of_their_own_source() -> None:
     labels = np.zeros((20, 20), np.uint8)
     labels[:, 10:] = 1
     left_over = energy * np.where(labels == 0, 0.05, 0.3) * np.exp(rng.normal(0, 0.1, energy.shape))
-    found = foreign_patches(energy, left_over, labels, lambda number: True)
-    assert not found.any()
+    foreign = foreign_patches(energy, left_over, labels, lambda number: True)
+    assert not foreign.any()
     left_over[5:8, 2:6] = 0.85 * energy[5:8, 2:6]
-    found = foreign_patches(energy, left_over, labels, lambda number: True)
-    assert found[5:8, 2:6].mean() > 0.9
-    found[5:8, 2:6] = False
-    assert not found.any()
+    foreign = foreign_patches(energy, left_over, labels, lambda number: True)
+    assert foreign[5:8, 2:6].mean() > 0.9
+    foreign[5:8, 2:6] = False
+    assert not foreign.any()
     assert not foreign_patches(np.zeros((4, 4)), np.zeros((4, 4)), np.zeros((4, 4), np.uint8), lambda _: True).any()

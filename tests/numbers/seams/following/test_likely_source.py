@@ -1,4 +1,4 @@
-"""Where exactly a mosaic passes from one source to another, and where none of them explains it."""
+"""The exact border between sources in a mosaic, and where none of them explains it."""
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
@@ -24,7 +24,7 @@ def found_in(
     mosaic: np.ndarray, planes: list[np.ndarray], valid: Mapping[int, np.ndarray] | None = None,
     interpolated: Collection[int] = (),
 ) -> LikelySource:
-    fine = [high_pass(one) for one in (mosaic, *planes)]
+    fine = [high_pass(plane) for plane in (mosaic, *planes)]
     rough = follow_planes(fine)
     sources = {i: fine[1 + i] for i in range(len(planes)) if i in rough.followed}
     detail = FineDetail(fine[0], sources, valid or {}, interpolated=interpolated)
@@ -35,18 +35,18 @@ def cut_at(border: int, first: np.ndarray, second: np.ndarray) -> np.ndarray:
     return np.where(np.arange(SHAPE[1]) < border, first, second)
 
 
-def borders(found: LikelySource) -> np.ndarray:
+def borders(likely: LikelySource) -> np.ndarray:
     """Column of each row where the first source ends."""
-    return np.asarray((found.labels == 0).sum(axis=1))
+    return np.asarray((likely.labels == 0).sum(axis=1))
 
 
 @pytest.mark.parametrize(("west", "east"), [(6.0, 6.0), (12.0, 4.0), (4.0, 12.0), (20.0, 4.0)])
 def test_the_border_leans_towards_neither_the_weak_nor_the_strong(west: float, east: float) -> None:
     first, second = plane(west, 1), plane(east, 2)
-    found = borders(found_in(cut_at(BORDER, first, second), [first, second]))
-    assert np.median(found) == pytest.approx(BORDER, abs=2)
-    assert np.mean(found) == pytest.approx(BORDER, abs=1.5)
-    assert np.std(found) < 3
+    columns = borders(found_in(cut_at(BORDER, first, second), [first, second]))
+    assert np.median(columns) == pytest.approx(BORDER, abs=2)
+    assert np.mean(columns) == pytest.approx(BORDER, abs=1.5)
+    assert np.std(columns) < 3
 
 
 @pytest.mark.parametrize("change", ["gain", "noise", "unsharp", "blur"])
@@ -58,16 +58,16 @@ def test_the_border_stays_whatever_came_over_the_mosaic(change: str) -> None:
         "gain": 0.6 * mosaic + 20, "noise": mosaic + np.random.default_rng(3).normal(0, 2, SHAPE),
         "unsharp": 2 * mosaic - smooth, "blur": smooth,
     }[change].astype(np.float32)
-    found = borders(found_in(changed, [first, second]))
-    assert np.mean(found) == pytest.approx(BORDER, abs=2)
+    columns = borders(found_in(changed, [first, second]))
+    assert np.mean(columns) == pytest.approx(BORDER, abs=2)
 
 
 @pytest.mark.parametrize("width", [16, 40])
 def test_in_a_feather_the_border_is_where_both_weigh_the_same(width: int) -> None:
     first, second = plane(8, 1), plane(8, 2)
     weight = np.clip((np.arange(SHAPE[1]) + 0.5 - BORDER) / width + 0.5, 0, 1)
-    found = borders(found_in(((1 - weight) * first + weight * second).astype(np.float32), [first, second]))
-    assert np.mean(found) == pytest.approx(BORDER, abs=2)
+    columns = borders(found_in(((1 - weight) * first + weight * second).astype(np.float32), [first, second]))
+    assert np.mean(columns) == pytest.approx(BORDER, abs=2)
 
 
 @pytest.mark.parametrize("side", [64, 120])
@@ -76,12 +76,12 @@ def test_a_part_from_no_given_source_is_found(side: int) -> None:
     gap = np.s_[40 : 40 + side, 100 : 100 + side]
     mosaic = cut_at(BORDER, first, second)
     mosaic[gap] = missing[gap]
-    found = found_in(mosaic, [first, second]).unexplained
+    unexplained = found_in(mosaic, [first, second]).unexplained
     inside = np.zeros(SHAPE, bool)
     inside[gap] = True
-    assert found[ndimage.binary_erosion(inside, iterations=7)].mean() > 0.98
-    assert found[~inside].mean() < 0.025  # told by squares of 36 px
-    assert found.mean() == pytest.approx(inside.mean(), rel=0.35 if side == 64 else 0.2)
+    assert unexplained[ndimage.binary_erosion(inside, iterations=7)].mean() > 0.98
+    assert unexplained[~inside].mean() < 0.025  # told by squares of 36 px
+    assert unexplained.mean() == pytest.approx(inside.mean(), rel=0.35 if side == 64 else 0.2)
 
 
 @pytest.mark.parametrize("alike", [0.2, 0.4])
@@ -94,9 +94,9 @@ def test_a_missing_source_is_found_though_its_detail_is_like_that_of_one_given(a
         for seed in (1, 3)
     )
     border = round((1 - share) * SHAPE[1])
-    found = found_in(cut_at(border, first, missing), [first]).unexplained
-    assert found[:, border + 10 : -10].mean() > 0.9
-    assert found[:, 10 : border - 10].mean() < 0.05
+    unexplained = found_in(cut_at(border, first, missing), [first]).unexplained
+    assert unexplained[:, border + 10 : -10].mean() > 0.9
+    assert unexplained[:, 10 : border - 10].mean() < 0.05
 
 
 def alike_planes(alike: float) -> list[np.ndarray]:
@@ -116,9 +116,9 @@ def test_a_missing_image_of_a_triplet_is_not_taken_for_its_neighbours(alike: flo
     mosaic = cut_at(80, first, second)
     mosaic[:, 170:] = missing[:, 170:]
     mosaic += np.float32(noise) * np.random.default_rng(4).standard_normal(SHAPE, np.float32)
-    found = found_in(mosaic, [first, second]).unexplained
-    assert found[:, 180:-8].mean() > 0.9
-    assert found[:, :160].mean() < 0.02
+    unexplained = found_in(mosaic, [first, second]).unexplained
+    assert unexplained[:, 180:-8].mean() > 0.9
+    assert unexplained[:, :160].mean() < 0.02
 
 
 @pytest.mark.parametrize("share", [0.3, 0.55])
@@ -130,9 +130,9 @@ def test_a_source_that_stands_in_for_its_neighbour_is_told_by_its_own_ground(sha
         for seed in (1, 3)
     )
     border = round((1 - share) * SHAPE[1])
-    found = found_in(np.rint(cut_at(border, first, missing)), [first]).unexplained
-    assert found[:, border + 10 : -10].mean() > 0.98
-    assert found[:, 10 : border - 10].mean() < 0.01
+    unexplained = found_in(np.rint(cut_at(border, first, missing)), [first]).unexplained
+    assert unexplained[:, border + 10 : -10].mean() > 0.98
+    assert unexplained[:, 10 : border - 10].mean() < 0.01
     assert not found_in(np.rint(missing), [first]).unexplained.any()  # as much everywhere: nothing tells it apart
 
 
@@ -141,9 +141,9 @@ def test_a_source_that_stands_in_is_told_though_it_seems_resampled(alike: float)
     """There is none of its own ground, so what it leaves over is compared with what the other source does."""
     _, second, missing = alike_planes(alike)
     first = plane(9, 4)
-    found = found_in(cut_at(BORDER, first, missing), [first, second], interpolated=[1]).unexplained
-    assert found[:, BORDER + 10 : -10].mean() > 0.9
-    assert found[:, 10 : BORDER - 10].mean() < 0.05
+    unexplained = found_in(cut_at(BORDER, first, missing), [first, second], interpolated=[1]).unexplained
+    assert unexplained[:, BORDER + 10 : -10].mean() > 0.9
+    assert unexplained[:, 10 : BORDER - 10].mean() < 0.05
 
 
 def test_a_source_that_was_resampled_leaves_more_over_than_others() -> None:
@@ -163,15 +163,15 @@ def test_images_of_a_triplet_that_are_all_given_explain_their_mosaic(width: int)
 
 def test_a_mosaic_that_is_wholly_of_another_image_of_a_triplet_is_not_explained() -> None:
     """There is no better ground to compare with; but no noise leaves the same share over of weak and strong detail."""
-    first, second, missing = (one.copy() for one in alike_planes(0.7))
+    first, second, missing = (plane.copy() for plane in alike_planes(0.7))
     fields = np.linspace(0.4, 1.6, SHAPE[0], dtype=np.float32)[:, np.newaxis]
-    planes = [120 + fields * (one - 120) for one in (first, second, missing)]
+    planes = [120 + fields * (plane - 120) for plane in (first, second, missing)]
     assert found_in(planes[2], planes[:2]).unexplained.mean() > 0.9
 
 
 def test_a_source_that_is_given_and_nowhere_to_be_seen_explains_nothing() -> None:
-    found = found_in(plane(9, 3), [plane(9, 1)])
-    assert found.unexplained.mean() > 0.98
+    likely = found_in(plane(9, 3), [plane(9, 1)])
+    assert likely.unexplained.mean() > 0.98
 
 
 @pytest.mark.parametrize("step", [8, 24, 60])
@@ -186,8 +186,8 @@ def test_a_step_of_tones_is_no_source_that_is_missing(step: float, contrast: flo
 
 def test_ground_without_texture_is_not_unexplained() -> None:
     first, second = plane(9, 1), plane(9, 2)
-    for one in (first, second):
-        one[:100, :100] = 90
+    for image in (first, second):
+        image[:100, :100] = 90
     assert not found_in(cut_at(BORDER, first, second), [first, second]).unexplained.any()
 
 
@@ -195,10 +195,10 @@ def test_a_source_is_followed_only_where_it_has_pixels() -> None:
     first, second = plane(9, 1), plane(9, 2)
     valid = np.broadcast_to(np.arange(SHAPE[1]) >= 90, SHAPE)
     mosaic = cut_at(BORDER, first, second)
-    found = found_in(mosaic, [first, np.where(valid, second, second[valid].mean())], {1: valid})
-    assert not (found.labels[~valid] == 1).any()
-    assert np.mean(borders(found)) == pytest.approx(BORDER, abs=2)
-    assert not found.unexplained.any()
+    likely = found_in(mosaic, [first, np.where(valid, second, second[valid].mean())], {1: valid})
+    assert not (likely.labels[~valid] == 1).any()
+    assert np.mean(borders(likely)) == pytest.approx(BORDER, abs=2)
+    assert not likely.unexplained.any()
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -208,9 +208,9 @@ def test_a_source_that_is_nowhere_true_is_told_by_the_ground_of_others(seed: int
     first, missing, other = (plane(25, number) for number in (seed, seed + 10, seed + 20))
     relief = np.clip(texture(SHAPE, 3.0, seed + 30), -1, 2)
     mosaic = np.rint(cut_at(BORDER, first, missing))
-    found = found_in(mosaic, [first, missing + 0.22 * 1.7**relief * (other - missing.mean())]).unexplained
-    assert found[:, BORDER + 20 : -10].mean() > 0.6
-    assert not found[:, : BORDER - 20].any()
+    unexplained = found_in(mosaic, [first, missing + 0.22 * 1.7**relief * (other - missing.mean())]).unexplained
+    assert unexplained[:, BORDER + 20 : -10].mean() > 0.6
+    assert not unexplained[:, : BORDER - 20].any()
     assert not found_in(mosaic, [first, missing + 0.2 * (other - missing.mean())]).unexplained.any()
 
 

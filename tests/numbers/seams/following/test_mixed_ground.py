@@ -37,11 +37,11 @@ def test_both_filters_are_told_though_no_ground_is_of_one(images: list[np.ndarra
     placed, weight = moved(images), ramp(first, last)
     mosaic = high_pass(weight * placed[0] + (1 - weight) * placed[1])
     fine = [high_pass(image) for image in images]
-    found = mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool))
+    mixed = mixed_ground(mosaic, fine, fine, np.ones((SIDE, SIDE), bool))
     inside = np.s_[16:-16, 16:-16]
-    assert np.square(mosaic - found.mosaic)[inside].sum() < 0.02 * np.square(mosaic[inside]).sum()
-    assert found.gain == pytest.approx(1, abs=0.08)
-    for (down, across), taps in zip(OFF, found.taps):
+    assert np.square(mosaic - mixed.mosaic)[inside].sum() < 0.02 * np.square(mosaic[inside]).sum()
+    assert mixed.gain == pytest.approx(1, abs=0.08)
+    for (down, across), taps in zip(OFF, mixed.taps):
         middle = np.array([(taps.sum(axis=axis) @ np.arange(-2, 3)) / taps.sum() for axis in (1, 0)])
         np.testing.assert_allclose(middle, (-down, -across), atol=0.12)
 
@@ -58,11 +58,11 @@ def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray],
     """A filter that is learned of one alone takes what mixing took."""
     placed, weight = moved(images), ramp(first, last)
     mosaic = weight * placed[0] + (1 - weight) * placed[1]
-    found = expected_of(mosaic, images)
+    expected_mosaic = expected_of(mosaic, images)
     for number, true in enumerate(placed):
-        own, expected = high_pass(found.shown[number]), high_pass(true)
-        assert np.square(own).sum() == pytest.approx(np.square(expected).sum(), rel=0.14)
-        assert np.corrcoef(own.ravel(), expected.ravel())[0, 1] > 0.98
+        shown, expected = high_pass(expected_mosaic.shown[number]), high_pass(true)
+        assert np.square(shown).sum() == pytest.approx(np.square(expected).sum(), rel=0.14)
+        assert np.corrcoef(shown.ravel(), expected.ravel())[0, 1] > 0.98
 
 
 @pytest.mark.parametrize("contrast", [1.0, 0.5])
@@ -77,7 +77,7 @@ def test_the_mean_of_images_of_unlike_contrast_keeps_what_they_have_in_common(co
     )
     mosaic = (first + second) / 2
     given = [first, (120 + contrast * (second - 120)).astype(np.float32)]
-    found = window_detail(mosaic, expected_of(mosaic, given), "coif3", 3).profile
-    own = [np.square(high_pass(one)).sum() for one in (mosaic, first, second)]
-    assert found.by_mixture == pytest.approx(own[0] / np.mean(own[1:]), abs=0.08)  # the strip is some of it
-    assert found.high < 0.9
+    profile = window_detail(mosaic, expected_of(mosaic, given), "coif3", 3).profile
+    energies = [np.square(high_pass(plane)).sum() for plane in (mosaic, first, second)]
+    assert profile.by_mixture == pytest.approx(energies[0] / np.mean(energies[1:]), abs=0.08)  # the strip is some of it
+    assert profile.high < 0.9

@@ -28,8 +28,8 @@ def gaussian(sigma: float) -> np.ndarray:
     """5 x 5 taps that add up to 1."""
     point = np.zeros((2 * REACH_PX + 1,) * 2)
     point[REACH_PX, REACH_PX] = 1
-    found: np.ndarray = ndimage.gaussian_filter(point, sigma, radius=REACH_PX, mode="constant")
-    return found / found.sum()
+    taps: np.ndarray = ndimage.gaussian_filter(point, sigma, radius=REACH_PX, mode="constant")
+    return taps / taps.sum()
 
 
 def tap(row: int = 0, column: int = 0) -> np.ndarray:
@@ -56,8 +56,8 @@ KERNELS = {
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_the_taps_are_those_that_were_applied(plane: np.ndarray, kernel: str, gain: float | None) -> None:
     made = ndimage.correlate(plane, KERNELS[kernel], mode="nearest")
-    found = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain)
-    assert np.abs(found - KERNELS[kernel]).max() < (0.02 if gain else 0.05)
+    fitted = fit_filter(high_pass(made), high_pass(plane), EVERYWHERE, gain)
+    assert np.abs(fitted - KERNELS[kernel]).max() < (0.02 if gain else 0.05)
 
 
 @pytest.mark.parametrize("kernel", ["nothing", "unsharp", "half a pixel, cubic", "blur 0.6 px"])
@@ -67,19 +67,19 @@ def test_ground_of_another_image_does_not_spoil_the_filter(plane: np.ndarray, ke
     beside = np.roll(plane, (2, 1), (0, 1))
     is_own = np.arange(SHAPE[1]) < 0.6 * SHAPE[1]
     made = ndimage.correlate(np.where(is_own, plane, beside), KERNELS[kernel], mode="nearest")
-    own, source = high_pass(made), high_pass(plane)
-    found = through_filter(own, source, EVERYWHERE)
+    filtered, source = high_pass(made), high_pass(plane)
+    result = through_filter(filtered, source, EVERYWHERE)
     part = np.s_[12:-12, 12 : int(0.6 * SHAPE[1]) - 12]
-    assert np.square(own - found)[part].mean() < 0.005 * np.square(own)[part].mean()
+    assert np.square(filtered - result)[part].mean() < 0.005 * np.square(filtered)[part].mean()
 
 
 def power_of(plane: np.ndarray, shown: np.ndarray) -> float:
     """Power of the filter between two planes, as it is learned."""
     taps = fit_filter(high_pass(shown.astype(np.float32)), high_pass(plane), EVERYWHERE, 1.0)
     assert taps is not None
-    found = filter_power([taps])
-    assert found is not None
-    return found
+    power = filter_power([taps])
+    assert power is not None
+    return power
 
 
 @pytest.mark.parametrize("beta", [0.0, 1.6, 3.0])

@@ -74,7 +74,7 @@ def test_copies_overviews_and_vrts_are_left_out_with_their_reason(paths: list[st
 
 @pytest.mark.parametrize("name", ["of.vrt", "of.tif"])
 def test_a_vrt_of_the_mosaic_is_left_out_whatever_it_is_called(paths: list[str], tmp_path: Path, name: str) -> None:
-    """Where only one orthoimage is, its pixels alone would not tell."""
+    """The pixels alone would not tell where only one orthoimage is."""
     path = str(tmp_path / name)
     gdal.Translate(path, paths[2], format="VRT", srcWin=[0, 0, 600, 600])
     kept, notices = told(paths[2], [path, *paths[:2]])
@@ -118,7 +118,7 @@ def triplet(make_raster: MakeRaster) -> dict[str, str]:
     scene = orthoimage((SIDE, SIDE), seed=4).astype(float)
     images = [np.clip(scene + rng.normal(0, 9, scene.shape), 1, 255).astype(np.uint8) for _ in range(3)]
     mosaic = np.where(np.arange(SIDE) < 600, images[0], images[1])
-    return {name: make_raster(f"{name}.tif", one) for name, one in zip(("a", "b", "c", "mosaic"), [*images, mosaic])}
+    return {name: make_raster(f"{name}.tif", data) for name, data in zip(("a", "b", "c", "mosaic"), [*images, mosaic])}
 
 
 @pytest.mark.slow
@@ -146,8 +146,8 @@ def test_an_image_that_was_resampled_into_the_mosaic_is_no_copy_of_it(make_raste
     given = ndimage.shift(second, (0, 0.5, -0.5), order=3, mode="mirror")
     mosaic = np.where(np.arange(SIDE) < 600, first, second)
     paths = [
-        make_raster(f"{name}.tif", np.clip(np.rint(one), 1, 255).astype(np.uint8))
-        for name, one in (("mosaic", mosaic), ("a", first), ("b", given))
+        make_raster(f"{name}.tif", np.clip(np.rint(plane), 1, 255).astype(np.uint8))
+        for name, plane in (("mosaic", mosaic), ("a", first), ("b", given))
     ]
     assert told(paths[0], paths[1:])[0] == ["a.tif", "b.tif"]
 
@@ -208,7 +208,7 @@ def canvas(make_raster: MakeRaster) -> list[str]:
     for image, (first, last) in zip(images, ((0, 600), (150, 768), (60, 760))):
         image[..., :first], image[..., last:] = 0, 0
         mosaic = np.where(image > 0, image, mosaic)
-    return [make_raster(f"{name}.tif", one, nodata=0) for name, one in zip(("mosaic", *"pqr"), (mosaic, *images))]
+    return [make_raster(f"{name}.tif", pixels, nodata=0) for name, pixels in zip(("mosaic", *"pqr"), (mosaic, *images))]
 
 
 def test_the_orthoimage_on_top_of_a_canvas_is_no_copy(canvas: list[str], tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Which rasters are taken for the sources of a mosaic, by their headers."""
+"""Rasters that are taken for the sources of a mosaic, by their headers."""
 from __future__ import annotations
 
 from dataclasses import replace
@@ -24,10 +24,10 @@ def test_headers_tell_what_can_not_be_a_source() -> None:
         "itself": replace(MOSAIC, is_mosaic=True),
     }
     rasters = [SOURCE, replace(SOURCE, key="b"), replace(SOURCE, key="finer", pixel_size=0.05)]
-    found = suitable_by_header(MOSAIC, [*rasters, *(replace(other, key=key) for key, other in others.items())])
-    assert [key for key, one in found.items() if one.is_suggested] == ["a", "b", "finer"]
-    told = {key: one.reason.template for key, one in found.items() if one.reason is not None}
-    assert told == {
+    suitable = suitable_by_header(MOSAIC, [*rasters, *(replace(other, key=key) for key, other in others.items())])
+    assert [key for key, standing in suitable.items() if standing.is_suggested] == ["a", "b", "finer"]
+    reasons = {key: standing.reason.template for key, standing in suitable.items() if standing.reason is not None}
+    assert reasons == {
         "apart": messages.APART_FROM_MOSAIC.template,
         "nowhere": messages.APART_FROM_MOSAIC.template,
         "heights": messages.OTHER_BANDS.template,
@@ -43,16 +43,16 @@ def test_headers_tell_what_can_not_be_a_source() -> None:
 
 def test_sources_that_were_all_converted_stay() -> None:
     moved = [replace(SOURCE, key=key, has_mosaic_system=False, pixel_type="16 bit") for key in "ab"]
-    assert all(one.is_suggested for one in suitable_by_header(MOSAIC, moved).values())
+    assert all(standing.is_suggested for standing in suitable_by_header(MOSAIC, moved).values())
 
 
 def test_what_covers_the_mosaic_is_left_out_unless_most_others_do() -> None:
     covering = [replace(MOSAIC, key=key) for key in ("copy", "edition")]
     rasters = [replace(SOURCE, key=key) for key in "abc"]
-    found = suitable_by_header(MOSAIC, [*rasters, *covering])
-    assert [key for key, one in found.items() if not one.is_suggested] == ["copy", "edition"]
-    assert {one.reason for one in found.values() if one.reason is not None} == {messages.COVERS_MOSAIC()}
-    assert all(one.is_suggested for one in suitable_by_header(MOSAIC, [*rasters[:2], *covering]).values())
+    suitable = suitable_by_header(MOSAIC, [*rasters, *covering])
+    assert [key for key, standing in suitable.items() if not standing.is_suggested] == ["copy", "edition"]
+    assert {suited.reason for suited in suitable.values() if suited.reason is not None} == {messages.COVERS_MOSAIC()}
+    assert all(standing.is_suggested for standing in suitable_by_header(MOSAIC, [*rasters[:2], *covering]).values())
 
 
 def test_one_mosaic_with_sources_is_likely_and_two_are_not() -> None:

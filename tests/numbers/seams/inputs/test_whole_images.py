@@ -42,20 +42,20 @@ def photos(make_raster: MakeRaster) -> list[str]:
 
 def parts_of(path: str, folder: Path, rows: int, columns: int, overlap: int) -> list[str]:
     """A raster cut in parts of so many pixels that overlap."""
-    opened, found = gdal.Open(path), []
+    opened, parts = gdal.Open(path), []
     for row in range(0, SIDE - overlap, rows - overlap):
         for column in range(0, max(SIDE - overlap, 1), columns - overlap):
-            found.append(str(folder / f"{Path(path).stem}_{row}_{column}.tif"))
+            parts.append(str(folder / f"{Path(path).stem}_{row}_{column}.tif"))
             place = [column, row, min(columns, SIDE - column), min(rows, SIDE - row)]
-            gdal.Translate(found[-1], opened, srcWin=place)
-    return found
+            gdal.Translate(parts[-1], opened, srcWin=place)
+    return parts
 
 
 def joined(mosaic: str, paths: Sequence[str]) -> list[tuple[str, ...]]:
     """The names of what is one."""
     raster = describe_mosaic(RasterRef(mosaic))
     sources, _ = gather_sources(map(RasterRef, paths), (), raster.wkt, raster.ref)
-    return [tuple(Path(path).name for path in one.ref.paths) for one in whole_images(raster, sources)[0]]
+    return [tuple(Path(path).name for path in image.ref.paths) for image in whole_images(raster, sources)[0]]
 
 
 @pytest.mark.slow
@@ -66,13 +66,13 @@ def test_a_scan_and_a_window_tell_the_same_of_photos_in_parts(
     mosaic, *whole = photos
     parts = [part for path in whole for part in parts_of(path, tmp_path, rows, columns, 40)]
     raster = describe_mosaic(RasterRef(mosaic))
-    told = []
+    results = []
     for paths in (whole, parts):
         block, _ = make_block(raster, map(RasterRef, paths))
         scanned = scan(block, ScanSettings(piece_m=10))
         extent = raster.grid.window_extent(PixelWindow(128, 128, 512, 512))
-        told.append((scanned, inspect_window(window_request(block, 1, extent, InspectionSettings()))))
-    (scanned, window), (of_parts, window_of_parts) = told
+        results.append((scanned, inspect_window(window_request(block, 1, extent, InspectionSettings()))))
+    (scanned, window), (of_parts, window_of_parts) = results
     assert [piece.piece.length_m for piece in of_parts.pieces] == [piece.piece.length_m for piece in scanned.pieces]
     assert [piece.kept for piece in of_parts.pieces] == [piece.kept for piece in scanned.pieces]
     assert {piece.verdict for piece in scanned.pieces} == {piece.verdict for piece in of_parts.pieces}
@@ -85,9 +85,9 @@ def test_a_scan_and_a_window_tell_the_same_of_photos_in_parts(
 def test_an_image_in_parts_is_read_as_its_pixels_are(photos: list[str], tmp_path: Path) -> None:
     parts = parts_of(photos[1], tmp_path, 300, 300, 20)
     whole, of_parts = OpenRaster(RasterRef(photos[1])), OpenRaster(RasterRef(parts[0], parts=tuple(parts[1:])))
-    expected, found = whole.read(whole.raster.whole), of_parts.read(of_parts.raster.whole)
-    np.testing.assert_array_equal(found.valid, expected.valid)
-    np.testing.assert_array_equal(found.bands, expected.bands)
+    expected, joined = whole.read(whole.raster.whole), of_parts.read(of_parts.raster.whole)
+    np.testing.assert_array_equal(joined.valid, expected.valid)
+    np.testing.assert_array_equal(joined.bands, expected.bands)
     assert of_parts.raster.grid == whole.raster.grid
 
 
@@ -130,7 +130,7 @@ def test_many_sources_over_all_of_a_mosaic_are_told_apart(make_raster: MakeRaste
     mosaic = np.choose(cell, images)
     paths = [make_raster(f"{number:02}.tif", image) for number, image in enumerate(images)]
     block, _ = make_block(describe_mosaic(RasterRef(make_raster("mosaic.tif", mosaic))), map(RasterRef, paths))
-    found = scan(block, ScanSettings(piece_m=10))
+    seams = scan(block, ScanSettings(piece_m=10))
     planted_m = 0.1 * side * (down - 1 + across - 1)
-    assert sum(piece.piece.length_m for piece in found.pieces) == pytest.approx(planted_m, rel=0.03)
-    assert {name for piece in found.pieces for name in (piece.left, piece.right)} == {Path(path).name for path in paths}
+    assert sum(piece.piece.length_m for piece in seams.pieces) == pytest.approx(planted_m, rel=0.03)
+    assert {name for piece in seams.pieces for name in (piece.left, piece.right)} == {Path(path).name for path in paths}

@@ -48,7 +48,7 @@ def test_tones_of_every_scale_pass_over_the_cut(scale_px: float) -> None:
 def test_fine_detail_is_that_of_one_image() -> None:
     first, second, weight = image(3), image(4), left_of_border()
     made = eased(first, second, weight, first, INSIDE, WHOLE)
-    fine = [one - ndimage.gaussian_filter(one, 2) for one in (made, weight * first + (1 - weight) * second)]
+    fine = [plane - ndimage.gaussian_filter(plane, 2) for plane in (made, weight * first + (1 - weight) * second)]
     assert np.abs(fine[0] - fine[1]).mean() < 0.15 * np.abs(fine[1]).mean()
 
 

@@ -1,4 +1,4 @@
-"""Which pieces of a scan's layer are cut anew, and which of them as one."""
+"""Pieces of a scan's layer that are cut anew, and which of them as one."""
 from __future__ import annotations
 
 from typing import Any
@@ -27,7 +27,7 @@ SOUND = feature(30, 40, "passed", "preserved")
 def test_what_is_wanted(what: str, count: int) -> None:
     pieces = given_pieces([feature(0, 10), PASSED, SOUND], FIELDS, what)
     assert [piece.is_wanted for piece in pieces].count(True) == count
-    assert not any(one.is_wanted for one in given_pieces([feature(0, 10)], FIELDS, what, lambda vertices: False))
+    assert not any(piece.is_wanted for piece in given_pieces([feature(0, 10)], FIELDS, what, lambda vertices: False))
 
 
 def test_a_piece_in_a_collection_is_one_too() -> None:
@@ -43,7 +43,7 @@ def test_pieces_that_follow_each_other_are_one_run() -> None:
     runs, unnamed = seam_runs(pieces, NUMBERS, 0.1)
     assert [(run.numbers, run.piece.length_m, run.sides) for run in runs] == [((1, 0), 30, (0, 1)), ((2,), 10, (0, 1))]
     assert (runs[0].kept, unnamed) == (pytest.approx(0.3), [])
-    assert [one.numbers for one in seam_runs(pieces, NUMBERS, 0.02)[0]] == [(1,), (0,), (2,)]  # 20 m are too long
+    assert [run.numbers for run in seam_runs(pieces, NUMBERS, 0.02)[0]] == [(1,), (0,), (2,)]  # 20 m are too long
 
 
 def test_a_part_of_a_run_lies_between_two_places() -> None:
@@ -55,7 +55,7 @@ def test_a_part_of_a_run_lies_between_two_places() -> None:
 def test_a_ring_is_cut_in_two_halves() -> None:
     row, _ = feature(0, 40)
     ring = ogr.CreateGeometryFromWkt("LINESTRING (0 0, 10 0, 10 10, 0 10, 0 0)")
-    halves = [one.piece for one in given_pieces([(row, bytes(ring.ExportToWkb()))], FIELDS, ALL)]
+    halves = [given.piece for given in given_pieces([(row, bytes(ring.ExportToWkb()))], FIELDS, ALL)]
     assert [halve.vertices.tolist() for halve in halves] == [[[0, 0], [10, 0], [10, 10]], [[10, 10], [0, 10], [0, 0]]]
     assert [(halve.station_m, halve.length_m) for halve in halves] == [(0, 20), (20, 20)]
 

@@ -27,15 +27,15 @@ PLACE = np.s_[:, 8:32, 16:56]
 def test_patches_lie_above_the_mosaic_where_they_are_opaque(dtype: type, bands: int, tmp_path: Path) -> None:
     below = (np.arange(bands * 64 * 96).reshape(bands, 64, 96) % 200 + 20).astype(dtype)
     mosaic = describe_mosaic(RasterRef(write_raster(tmp_path / "mosaic.tif", below)))
-    own = np.arange(bands) if len(mosaic.band_names) == bands else np.arange(len(mosaic.band_names))
-    made, inside = (below[PLACE] + 30).astype(dtype)[own], np.zeros((24, 40), bool)
+    positions = np.arange(bands) if len(mosaic.band_names) == bands else np.arange(len(mosaic.band_names))
+    made, inside = (below[PLACE] + 30).astype(dtype)[positions], np.zeros((24, 40), bool)
     inside[5:20, 8:30] = True
     path = str(tmp_path / "patch.tif")
     patch_file(mosaic, WINDOW, made, inside).tofile(path)
     expected = below.copy()
-    expected[PLACE][own] = np.where(inside, made, below[PLACE][own])
+    expected[PLACE][positions] = np.where(inside, made, below[PLACE][positions])
     patch = PlacedPatch(path, WINDOW)
-    for number, one in enumerate((patch, joined_patches(str(tmp_path / "joined.tif"), mosaic, [patch]))):
+    for number, layer in enumerate((patch, joined_patches(str(tmp_path / "joined.tif"), mosaic, [patch]))):
         mended = str(tmp_path / f"mended_{number}.vrt")
-        write_mended(mended, mosaic, [one])
+        write_mended(mended, mosaic, [layer])
         np.testing.assert_array_equal(gdal.Open(mended).ReadAsArray().reshape(below.shape), expected)

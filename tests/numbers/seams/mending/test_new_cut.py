@@ -16,8 +16,8 @@ def images(shift_px: int) -> list[np.ndarray]:
     ground = 120 + 20 * texture((ROWS, COLUMNS), 2.0, 1)
     other = ground.copy()
     other[3 * ROWS // 4 :] = np.roll(ground, shift_px, axis=1)[3 * ROWS // 4 :]
-    return [np.asarray(one + 3 * texture((ROWS, COLUMNS), 0.8, seed), np.float32)
-            for one, seed in ((ground, 2), (other, 3))]  # fmt: skip
+    return [np.asarray(plane + 3 * texture((ROWS, COLUMNS), 0.8, seed), np.float32)
+            for plane, seed in ((ground, 2), (other, 3))]  # fmt: skip
 
 
 @pytest.mark.parametrize("shift_px", [3, 8])

@@ -43,20 +43,20 @@ class Blend:
         inside: tuple[slice, slice] | None = None,
     ) -> WindowDetail:
         """Detail of the mosaic against its sources, or of another mosaic or by other labels."""
-        own = self.made if mosaic is None else mosaic
+        made = self.made if mosaic is None else mosaic
         labels = self.labels if labels is None else labels
-        hard = np.where(labels < len(self.planes), np.choose(labels % len(self.planes), self.planes), own)
+        hard = np.where(labels < len(self.planes), np.choose(labels % len(self.planes), self.planes), made)
         hard = hard.astype(np.float32)
         shown = {i: plane.astype(np.float32) for i, plane in enumerate(self.planes) if (labels == i).any()}
         expected = ExpectedMosaic(hard, hard, labels, shown, shown)
-        detail = window_detail(own.astype(np.float32), expected, WAVELET, LEVELS)
+        detail = window_detail(made.astype(np.float32), expected, WAVELET, LEVELS)
         return detail if inside is None else detail.judged_inside(*inside)
 
     def profile(self, mosaic: np.ndarray | None = None) -> SeamProfile:
         """Profile of the whole window."""
-        found = self.detail(mosaic).profile
-        assert found is not None
-        return found
+        measured = self.detail(mosaic).profile
+        assert measured is not None
+        return measured
 
     def truth(self, near: float = 0, far: float = STRIP_PX, level: int = 1) -> float:
         """Energy of the sources' details mixed as the mosaic mixes them, over that of the source that is followed,
@@ -118,9 +118,9 @@ def blend(
 def spread(table: Rows, values: np.ndarray, side: int | tuple[int, int]) -> np.ndarray:
     """What a table says by bin and cell, (..., bins, rows, columns); ``values`` (..., rows of the table)."""
     rows, columns = (side, side) if isinstance(side, int) else side
-    found = np.zeros((*values.shape[:-1], len(EDGES_PX), rows, columns))
-    np.add.at(found, (..., table.bin, table.row, table.column), values)
-    return found
+    sums = np.zeros((*values.shape[:-1], len(EDGES_PX), rows, columns))
+    np.add.at(sums, (..., table.bin, table.row, table.column), values)
+    return sums
 
 
 def _depth(inside: np.ndarray) -> np.ndarray:

@@ -38,11 +38,11 @@ def test_what_is_unknown_takes_no_part_nor_do_its_neighbours() -> None:
     energies = np.zeros((64, 80))
     energies[16:40, 48:72] = 1e6  # of the gap itself
     energies[13, 50] = energies[30, 45] = 1e6  # 5 px beside it
-    found = of_marked(marked(energies), labels)
-    assert found.mm[0].sum() == 0
+    sums = of_marked(marked(energies), labels)
+    assert sums.mm[0].sum() == 0
     grown = np.zeros(SHAPE, bool)
     grown[32 - 8 : 80 + 8, 96 - 8 : 144 + 8] = True
-    assert found.area[0].sum() == (~grown).sum()
+    assert sums.area[0].sum() == (~grown).sum()
     energies[10, 50] = 1.0  # 12 px beside it
     assert of_marked(marked(energies), labels).mm[0].sum() == pytest.approx(1)
 
@@ -50,9 +50,9 @@ def test_what_is_unknown_takes_no_part_nor_do_its_neighbours() -> None:
 def test_the_border_of_what_is_unknown_is_no_seam() -> None:
     labels = np.zeros(SHAPE, np.uint8)
     labels[:, 64:96] = UNKNOWN
-    found = seam_geometry(labels)
+    geometry = seam_geometry(labels)
     assert not seam_samples(labels)[0].any()
-    assert set(np.unique(found.bins)) == {FARTHEST, len(EDGES_PX)}
+    assert set(np.unique(geometry.bins)) == {FARTHEST, len(EDGES_PX)}
     labels[:, 96:] = 1  # two sources, and between them ground that neither explains
     assert not seam_samples(labels)[0].any()
 

@@ -82,7 +82,7 @@ def test_no_interval_is_too_wide_to_say_anything() -> None:
 
 @pytest.mark.parametrize("width", [0, 33])
 def test_each_measure_alone_is_sure_enough_to_judge(width: int) -> None:
-    """Where one of them says nothing, the other would hide it."""
+    """A measure that says nothing would be hidden by the other."""
     made = blend(width)
     detail = made.detail(afterwards(made, 3))
     for measure, most in ((energy_of(detail), 1.5), (mixture_of(detail).kept, 1.2)):
@@ -125,9 +125,9 @@ def test_rows_of_another_piece_say_nothing_of_this_one() -> None:
     for part in (2, 0, 1):
         back.add(detail.mixture.chosen(cut == part), piece[cut == part])
     back.add(MixtureTable.empty(LEVELS), piece[:0])
-    one, other = forth.result(), back.result()
-    assert one.kept.value[0] < 0.75
-    assert one.kept.value[1] == pytest.approx(1, abs=0.03)
+    forwards, other = forth.result(), back.result()
+    assert forwards.kept.value[0] < 0.75
+    assert forwards.kept.value[1] == pytest.approx(1, abs=0.03)
     for name in ("value", "low", "high"):
-        assert getattr(other.kept, name) == pytest.approx(getattr(one.kept, name), rel=1e-6)
-    assert other.feather_widths_px == pytest.approx(one.feather_widths_px, abs=1e-3)
+        assert getattr(other.kept, name) == pytest.approx(getattr(forwards.kept, name), rel=1e-6)
+    assert other.feather_widths_px == pytest.approx(forwards.feather_widths_px, abs=1e-3)

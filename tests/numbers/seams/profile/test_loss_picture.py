@@ -28,8 +28,8 @@ def same_everywhere(hard: np.ndarray, labels: np.ndarray) -> Blend:
 
 
 def kept_of(made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None) -> np.ndarray:
-    found = picture_of(made, mosaic, labels)
-    return found.kept
+    picture = picture_of(made, mosaic, labels)
+    return picture.kept
 
 
 def smoothed(cells: np.ndarray) -> np.ndarray:
@@ -59,21 +59,21 @@ def test_it_is_what_loops_over_pywavelets_say() -> None:
     made = blend(0)
     mosaic = made.hard - 0.5 * np.where(made.distance < 10, texture(made.hard.shape, 1.2, 5) * 8, 0)
     expected = smoothed(energies(mosaic)) / smoothed(energies(made.hard))
-    found = kept_of(made, mosaic)
-    assert found.dtype == np.float32
-    assert found.shape == (CELLS, CELLS)
-    np.testing.assert_allclose(found, expected, rtol=5e-3)
+    kept = kept_of(made, mosaic)
+    assert kept.dtype == np.float32
+    assert kept.shape == (CELLS, CELLS)
+    np.testing.assert_allclose(kept, expected, rtol=5e-3)
     assert expected.min() < 0.95 or expected.max() > 1.05
 
 
 def test_a_hard_cut_is_even_and_a_feather_a_line_along_the_seam() -> None:
     assert abs(kept_of(blend(0)) - 1).max() < 1e-3
     made = blend(33)
-    found = kept_of(made)
+    kept = kept_of(made)
     distance = made.distance.reshape(CELLS, LOSS_CELL_PX, CELLS, LOSS_CELL_PX).mean(axis=(1, 3))
-    assert (found[distance < 4] < 0.8).all()
-    assert np.median(found[distance < 4]) == pytest.approx(made.truth(0, 12), abs=0.1)
-    assert abs(found[distance > 48] - 1).max() < 0.1
+    assert (kept[distance < 4] < 0.8).all()
+    assert np.median(kept[distance < 4]) == pytest.approx(made.truth(0, 12), abs=0.1)
+    assert abs(kept[distance > 48] - 1).max() < 0.1
 
 
 @pytest.mark.parametrize("place", [150, 203, 256, 311])
@@ -94,14 +94,14 @@ def test_of_images_that_lost_detail_themselves_each_shows_its_own_loss(first: fl
     """One was blurred before it was cut, and the other is byte for byte what it was."""
     made = blend(0)
     left = np.where(made.labels == 0, first, second)
-    found, far = kept_of(made, 120 + (made.hard - 120) * left), made.distance[4::8, 4::8] > 48
+    kept, far = kept_of(made, 120 + (made.hard - 120) * left), made.distance[4::8, 4::8] > 48
     of_first = made.labels[4::8, 4::8] == 0
     for where, amplitude in ((of_first & far, first), (~of_first & far, second)):
-        assert np.median(np.minimum(found[where], 1)) == pytest.approx(amplitude**2, abs=0.05)
+        assert np.median(np.minimum(kept[where], 1)) == pytest.approx(amplitude**2, abs=0.05)
 
 
 def test_ground_that_compression_left_rough_is_not_called_lost() -> None:
-    """Where some cells lose all and others nothing, what is shown is more than their scatter."""
+    """Cells that lose all beside others that lose nothing show more than their scatter."""
     made = blend(0)
     rng = np.random.default_rng(12)
     left = np.exp(0.35 * rng.standard_normal((SIDE // 8, SIDE // 8))).repeat(8, axis=0).repeat(8, axis=1)
@@ -117,27 +117,27 @@ def test_nothing_of_one_edge_shows_at_the_other() -> None:
     hard = 120 + 10 * rng.standard_normal((SIDE, SIDE))
     mosaic = np.where(np.arange(SIDE) < 24, 120 + 0.7 * (hard - 120), hard)
     labels = np.broadcast_to((np.arange(SIDE) >= 4), (SIDE, SIDE)).astype(np.uint8)
-    found = kept_of(same_everywhere(hard, labels), mosaic)
-    assert (found[:, 0] < 0.6).all()
-    assert abs(found[:, -1] - 1).max() < 0.02
+    kept = kept_of(same_everywhere(hard, labels), mosaic)
+    assert (kept[:, 0] < 0.6).all()
+    assert abs(kept[:, -1] - 1).max() < 0.02
 
 
 def test_what_no_source_explains_is_not_told() -> None:
     made = blend(33)
     labels = made.labels.copy()
     labels[:96, :96] = UNKNOWN
-    found = kept_of(made, labels=labels)
-    assert np.isnan(found[:12, :12]).all()
-    assert not np.isnan(found[14:, 14:]).any()
-    np.testing.assert_allclose(found[30:, 30:], kept_of(made)[30:, 30:], rtol=0.05)
+    kept = kept_of(made, labels=labels)
+    assert np.isnan(kept[:12, :12]).all()
+    assert not np.isnan(kept[14:, 14:]).any()
+    np.testing.assert_allclose(kept[30:, 30:], kept_of(made)[30:, 30:], rtol=0.05)
 
 
 def test_of_what_was_read_around_a_window_nothing_is_shown() -> None:
     made = blend(33)
     inside = np.s_[128:384, 96:352]
-    whole, found = picture_of(made), picture_of(made, inside=inside)
-    np.testing.assert_array_equal(found.kept, whole.kept[16:48, 12:44])
-    row, column = found.seam.T.astype(int) * 2
+    whole, inner = picture_of(made), picture_of(made, inside=inside)
+    np.testing.assert_array_equal(inner.kept, whole.kept[16:48, 12:44])
+    row, column = inner.seam.T.astype(int) * 2
     assert len(row) > 200
     assert made.distance[row + 128, column + 96].max() <= 3
 
@@ -146,7 +146,7 @@ def test_without_ground_to_compare_with_there_is_none_and_it_can_cross_processes
     made = blend(33)
     striped = (np.arange(SIDE)[:, np.newaxis] // 40 % 2 + np.zeros((1, SIDE))).astype(np.uint8)
     assert picture_of(made, labels=striped) is None
-    found = picture_of(made)
-    again = pickle.loads(pickle.dumps(found))
-    np.testing.assert_array_equal(again.kept, found.kept if found else None)
+    picture = picture_of(made)
+    again = pickle.loads(pickle.dumps(picture))
+    np.testing.assert_array_equal(again.kept, picture.kept if picture else None)
     assert again.cell_px == LOSS_CELL_PX

@@ -22,39 +22,39 @@ def beside(made: Blend, changed: np.ndarray) -> SeamProfile:
 
 @pytest.mark.parametrize("width", [0, 13, 33, 100])
 def test_of_a_feather_both_say_the_same(width: int) -> None:
-    found = blend(width).profile()
-    assert found.measure is Measure.BOTH
-    assert found.by_energy == pytest.approx(found.by_mixture, abs=0.05)
-    assert min(found.by_energy, found.by_mixture) <= found.kept[0] <= max(found.by_energy, found.by_mixture)
+    profile = blend(width).profile()
+    assert profile.measure is Measure.BOTH
+    assert profile.by_energy == pytest.approx(profile.by_mixture, abs=0.05)
+    assert min(profile.by_energy, profile.by_mixture) <= profile.kept[0] <= max(profile.by_energy, profile.by_mixture)
 
 
 @pytest.mark.parametrize("sigma", [0.4, 0.5])
 def test_a_blur_along_the_seam_alone_is_seen_by_the_energy(sigma: float) -> None:
     made = blend(0)
-    found = beside(made, ndimage.gaussian_filter(made.made, sigma))
-    assert found.measure is Measure.ENERGY
-    assert found.by_mixture == pytest.approx(1, abs=0.02)
-    assert found.kept[0] == found.by_energy
-    assert found.high < 0.8
-    assert found.feather_width_px == pytest.approx(0, abs=1)
+    profile = beside(made, ndimage.gaussian_filter(made.made, sigma))
+    assert profile.measure is Measure.ENERGY
+    assert profile.by_mixture == pytest.approx(1, abs=0.02)
+    assert profile.kept[0] == profile.by_energy
+    assert profile.high < 0.8
+    assert profile.feather_width_px == pytest.approx(0, abs=1)
 
 
 def test_a_blur_on_top_of_a_feather_takes_more_than_the_mixture() -> None:
     made = blend(33)
-    found = beside(made, ndimage.gaussian_filter(made.made, 0.5))
-    assert found.measure is Measure.ENERGY
-    assert found.by_mixture == pytest.approx(made.truth(), abs=0.04)
-    assert found.high < found.by_mixture
+    profile = beside(made, ndimage.gaussian_filter(made.made, 0.5))
+    assert profile.measure is Measure.ENERGY
+    assert profile.by_mixture == pytest.approx(made.truth(), abs=0.04)
+    assert profile.high < profile.by_mixture
 
 
 @pytest.mark.parametrize("side", [3, 5])
 @pytest.mark.parametrize("width", [0, 33])
 def test_a_median_filter_is_not_called_a_mixture(side: int, width: int) -> None:
     made = blend(width)
-    found = beside(made, ndimage.median_filter(made.made, side))
-    assert found.measure is Measure.ENERGY
-    assert found.kept[0] == found.by_energy
-    assert found.high < 0.5
+    profile = beside(made, ndimage.median_filter(made.made, side))
+    assert profile.measure is Measure.ENERGY
+    assert profile.kept[0] == profile.by_energy
+    assert profile.high < 0.5
 
 
 @pytest.mark.parametrize("side", [128, 256, 512])
@@ -62,25 +62,25 @@ def test_a_median_filter_is_not_called_a_mixture(side: int, width: int) -> None:
 def test_the_mean_of_two_images_all_over_the_window_is_seen_by_the_mixture(side: int, in_common: float) -> None:
     """The ground around has lost as much, and small windows have none at all."""
     mean = blend(0, side=side, in_common=in_common).with_mosaic_of(np.full((side, side), 0.5))
-    found = mean.profile()
-    assert found.measure is Measure.MIXTURE
-    assert found.kept[0] == found.by_mixture == pytest.approx((1 + in_common) / 2, abs=0.04)
-    assert found.low < mean.truth() < found.high
-    assert found.by_energy is None or found.by_energy > 0.9
-    widths = [one.far_px - one.near_px for one in found.bins if one.level == 1]
-    assert found.feather_width_px >= min(2 * sum(widths), 0.85 * 2 * EDGES_PX[-3])
+    profile = mean.profile()
+    assert profile.measure is Measure.MIXTURE
+    assert profile.kept[0] == profile.by_mixture == pytest.approx((1 + in_common) / 2, abs=0.04)
+    assert profile.low < mean.truth() < profile.high
+    assert profile.by_energy is None or profile.by_energy > 0.9
+    widths = [bin_.far_px - bin_.near_px for bin_ in profile.bins if bin_.level == 1]
+    assert profile.feather_width_px >= min(2 * sum(widths), 0.85 * 2 * EDGES_PX[-3])
 
 
 def test_detail_that_came_along_the_seam_hides_no_mixture() -> None:
     """Twice as much as the images have; one time in five the energies still say too much."""
     made = blend(33)
-    found = [
+    profiles = [
         beside(made, made.made + np.random.default_rng(seed).normal(0, 16, made.labels.shape)) for seed in range(2, 7)
     ]
-    assert np.median([one.kept[0] for one in found]) == pytest.approx(made.truth(), abs=0.06)
-    for one in found:
-        assert one.by_mixture == pytest.approx(made.truth(), abs=0.06)
-        assert one.high < 0.9
+    assert np.median([profile.kept[0] for profile in profiles]) == pytest.approx(made.truth(), abs=0.06)
+    for profile in profiles:
+        assert profile.by_mixture == pytest.approx(made.truth(), abs=0.06)
+        assert profile.high < 0.9
 
 
 @pytest.mark.parametrize("other_years", [10.0, 25.0, 60.0])
@@ -88,27 +88,27 @@ def test_detail_that_came_along_the_seam_hides_no_mixture() -> None:
 def test_a_hard_cut_of_images_of_different_years_keeps_all(other_years: float, seed: int) -> None:
     """The step between them is added detail, and none that was kept."""
     made = blend(0, other_years=other_years, seed=seed)
-    found = made.profile()
-    assert found.measure is Measure.BOTH
-    assert found.kept == pytest.approx((1, 1, 1), abs=0.01)
-    assert found.by_energy == pytest.approx(1, abs=0.01)
-    assert found.by_mixture == pytest.approx(1, abs=0.01)
-    assert found.low < 1 < found.high
-    assert found.added_beside > 0.1
+    profile = made.profile()
+    assert profile.measure is Measure.BOTH
+    assert profile.kept == pytest.approx((1, 1, 1), abs=0.01)
+    assert profile.by_energy == pytest.approx(1, abs=0.01)
+    assert profile.by_mixture == pytest.approx(1, abs=0.01)
+    assert profile.low < 1 < profile.high
+    assert profile.added_beside > 0.1
     near = made.detail().cells.chosen(made.detail().cells.bin < EDGES_PX.index(STRIP_PX))
     assert near.mm[0].sum() > 1.01 * near.cc[0].sum()  # what it would keep with its edge
 
 
 def kept(value: float, low: float, high: float) -> Kept:
-    return Kept(*(np.array([one]) for one in (value, low, high)))
+    return Kept(*(np.array([number]) for number in (value, low, high)))
 
 
 NOTHING = kept(np.nan, np.nan, np.nan)
 
 
 def judged(energy: Kept, mixture: Kept) -> tuple[float, Measure]:
-    found, share = together(energy, mixture)
-    return float(found.value[0]), Measure.of(float(share[0]))
+    kept, share = together(energy, mixture)
+    return float(kept.value[0]), Measure.of(float(share[0]))
 
 
 def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
@@ -122,12 +122,12 @@ def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
 def test_a_soft_brush_is_no_mixture_whatever_the_tones(sigma: float, gain: float) -> None:
     """A blur along a seam fits a feather of its width, of which only the weights tell that it has too little."""
     made = blend(0)
-    found = beside(made, ndimage.gaussian_filter(made.made, sigma))
+    untoned = beside(made, ndimage.gaussian_filter(made.made, sigma))
     toned = made.profile(gain * np.where(made.distance < BAND_PX, ndimage.gaussian_filter(made.made, sigma), made.made))
-    for one in (found, toned):
-        assert one.measure is Measure.ENERGY
-        assert one.high < 0.2
-    assert toned.kept[0] == pytest.approx(found.kept[0], abs=0.01)
+    for profile in (untoned, toned):
+        assert profile.measure is Measure.ENERGY
+        assert profile.high < 0.2
+    assert toned.kept[0] == pytest.approx(untoned.kept[0], abs=0.01)
 
 
 def test_energies_that_no_seam_has_do_not_judge() -> None:
@@ -139,10 +139,10 @@ def test_energies_that_no_seam_has_do_not_judge() -> None:
 
 def test_where_they_agree_each_weighs_by_its_precision() -> None:
     energy, mixture = kept(0.8, 0.64, 1.0), kept(0.9, 0.81, 1.0)  # one twice as wide as the other, on the logarithm
-    found, share = together(energy, mixture)
+    both, share = together(energy, mixture)
     expected = np.log(0.9 / 0.81) ** 2 / (np.log(0.9 / 0.81) ** 2 + np.log(0.8 / 0.64) ** 2)
     assert share[0] == pytest.approx(expected)
-    for end, first, second in zip(found, energy, mixture):
+    for end, first, second in zip(both, energy, mixture):
         assert np.log(end[0]) == pytest.approx(expected * np.log(first[0]) + (1 - expected) * np.log(second[0]))
 
 
@@ -150,11 +150,11 @@ def test_a_window_without_ground_is_measured_by_its_mixture() -> None:
     """A window of 128 px, with nothing 32 px from all seams."""
     for width in (0, 33):
         made = blend(width, side=128)
-        found = made.profile()
-        assert found.by_energy is None
-        assert found.measure is Measure.MIXTURE
-        assert found.kept[0] == pytest.approx(made.truth(), abs=0.05)
-        assert found.low < made.truth() < found.high
+        profile = made.profile()
+        assert profile.by_energy is None
+        assert profile.measure is Measure.MIXTURE
+        assert profile.kept[0] == pytest.approx(made.truth(), abs=0.05)
+        assert profile.low < made.truth() < profile.high
 
 
 def test_a_seam_beside_the_window_is_none_of_its() -> None:
@@ -171,9 +171,9 @@ def test_what_is_read_around_a_window_is_ground_and_is_not_judged() -> None:
     """One half of the seam is feathered, the other one, in which the window lies, is not."""
     hard, soft = blend(0), blend(33)
     half = replace(hard, weights=np.where(np.arange(SIDE)[:, np.newaxis] < SIDE // 2, soft.weights, hard.weights))
-    found = half.detail(inside=(slice(SIDE // 2 + 32, SIDE - 32), slice(128, 384))).profile
-    assert found.kept[0] == pytest.approx(1, abs=0.03)
-    assert found.feather_width_px == pytest.approx(0, abs=1)
+    profile = half.detail(inside=(slice(SIDE // 2 + 32, SIDE - 32), slice(128, 384))).profile
+    assert profile.kept[0] == pytest.approx(1, abs=0.03)
+    assert profile.feather_width_px == pytest.approx(0, abs=1)
     other = half.detail(inside=(slice(32, SIDE // 2 - 32), slice(128, 384))).profile
     assert other.kept[0] < 0.7
 
@@ -182,5 +182,5 @@ def test_what_is_read_around_a_window_is_ground_and_is_not_judged() -> None:
 def test_of_a_mosaic_without_fine_detail_nothing_is_said_to_be_kept(sigma: float) -> None:
     """All of it blurred and rounded to 8 bit: what is left of the finest detail is rounding."""
     made = blend(60)
-    found = made.profile(np.rint(ndimage.gaussian_filter(made.made, sigma)))
-    assert found.low < made.truth()
+    profile = made.profile(np.rint(ndimage.gaussian_filter(made.made, sigma)))
+    assert profile.low < made.truth()

@@ -22,16 +22,16 @@ def linear(width: float) -> np.ndarray:
 
 def shares_of(made: Blend, mosaic: np.ndarray | None = None) -> np.ndarray:
     """alpha by distance, the mean of both sides."""
-    own = [one for one in made.profile(mosaic).bins if one.level == 1 and one.mixture is not None]
-    assert [one.near_px for one in own] == list(EDGES_PX[:MIXED_BINS])
-    return np.array([one.mixture for one in own], float)
+    finest = [bin_ for bin_ in made.profile(mosaic).bins if bin_.level == 1 and bin_.mixture is not None]
+    assert [bin_.near_px for bin_ in finest] == list(EDGES_PX[:MIXED_BINS])
+    return np.array([bin_.mixture for bin_ in finest], float)
 
 
 def true_shares(made: Blend) -> np.ndarray:
     """The weight of whatever is not followed, by distance."""
-    own = np.take_along_axis(made.weights, made.labels[np.newaxis].astype(np.intp), 0)[0]
+    followed = np.take_along_axis(made.weights, made.labels[np.newaxis].astype(np.intp), 0)[0]
     ends = zip(EDGES_PX[:MIXED_BINS], EDGES_PX[1:])
-    return np.array([1 - own[(made.distance >= near) & (made.distance < far)].mean() for near, far in ends])
+    return np.array([1 - followed[(made.distance >= near) & (made.distance < far)].mean() for near, far in ends])
 
 
 AFTERWARDS: dict[str, Change] = {
@@ -53,9 +53,9 @@ def test_the_mixture_is_the_feather_itself(width: int, ramp: str, change: str) -
     made = blend(width, ramp)
     mosaic = AFTERWARDS[change](made.made)
     np.testing.assert_allclose(shares_of(made, mosaic), true_shares(made), atol=0.04)
-    found = made.profile(mosaic)
-    assert found.feather_width_px == pytest.approx(WIDTHS[ramp] * width, rel=0.1, abs=2)
-    assert found.by_mixture == pytest.approx(made.truth(), abs=0.03)
+    profile = made.profile(mosaic)
+    assert profile.feather_width_px == pytest.approx(WIDTHS[ramp] * width, rel=0.1, abs=2)
+    assert profile.by_mixture == pytest.approx(made.truth(), abs=0.03)
 
 
 @pytest.mark.parametrize("change", AFTERWARDS)
@@ -63,18 +63,18 @@ def test_the_mixture_is_the_feather_itself(width: int, ramp: str, change: str) -
 def test_a_narrow_feather_is_told_from_a_cut_whatever_came_after(seed: int, change: str) -> None:
     """How much of the cut's edge is left says how narrow it is, as a share of what the sources have left."""
     made = blend(13, side=256, seed=seed, other_years=5.0 * seed)
-    found = made.profile(AFTERWARDS[change](made.made))
-    assert found.by_mixture == pytest.approx(made.truth(), abs=0.05)
-    assert 8 < found.feather_width_px < 16
+    profile = made.profile(AFTERWARDS[change](made.made))
+    assert profile.by_mixture == pytest.approx(made.truth(), abs=0.05)
+    assert 8 < profile.feather_width_px < 16
 
 
 @pytest.mark.parametrize("other_years", [0.0, 25.0])
 @pytest.mark.parametrize("change", AFTERWARDS)
 def test_a_hard_cut_mixes_nothing(change: str, other_years: float) -> None:
     made = blend(0, other_years=other_years)
-    found = made.profile(AFTERWARDS[change](made.made))
-    assert found.by_mixture == pytest.approx(1, abs=0.01)
-    assert found.feather_width_px == pytest.approx(0, abs=1)
+    profile = made.profile(AFTERWARDS[change](made.made))
+    assert profile.by_mixture == pytest.approx(1, abs=0.01)
+    assert profile.feather_width_px == pytest.approx(0, abs=1)
 
 
 @pytest.mark.slow
@@ -90,11 +90,11 @@ def test_kept_by_mixture_is_what_pywavelets_says_of_the_sources(width: int, ramp
 def test_the_mean_of_two_images_keeps_what_they_have_in_common(in_common: float) -> None:
     made = blend(0, in_common=in_common)
     mean = made.with_mosaic_of(np.full(made.labels.shape, 0.5))
-    found = mean.profile()
-    assert found.by_mixture == pytest.approx((1 + in_common) / 2, abs=0.03)
+    profile = mean.profile()
+    assert profile.by_mixture == pytest.approx((1 + in_common) / 2, abs=0.03)
     # Nobody knows which of two halves is followed.
     either = [mean.truth(), replace(mean, labels=1 - mean.labels).truth()]
-    assert found.by_mixture == pytest.approx(harmonic_mean(either), abs=0.01)
+    assert profile.by_mixture == pytest.approx(harmonic_mean(either), abs=0.01)
     assert shares_of(mean) == pytest.approx(0.5, abs=0.03)
 
 
@@ -103,16 +103,16 @@ def test_a_feather_that_lies_on_one_side_of_the_border_is_found_there() -> None:
     made = blend(0)
     inside = np.where(made.labels == 1, made.distance, 0)
     one_sided = made.with_mosaic_of(np.where(made.labels == 1, np.clip(inside / 40, 0, 1), 0))
-    found = one_sided.profile()
-    assert found.feather_width_px == pytest.approx(0.9 * 40 / 0.8, rel=0.1)
+    profile = one_sided.profile()
+    assert profile.feather_width_px == pytest.approx(0.9 * 40 / 0.8, rel=0.1)
     # Beside the border the other source is followed more than half, and its detail is what can be kept.
-    assert found.by_mixture == pytest.approx(one_sided.truth(), abs=0.07)
+    assert profile.by_mixture == pytest.approx(one_sided.truth(), abs=0.07)
 
 
 def test_three_sources_are_three_mixtures() -> None:
     made = blend(33, count=3)
-    found = made.profile()
-    assert found.by_mixture == pytest.approx(made.truth(), abs=0.04)
+    profile = made.profile()
+    assert profile.by_mixture == pytest.approx(made.truth(), abs=0.04)
     beside = made.detail().mixture
     pairs = set(zip(beside.source.tolist(), beside.other.tolist()))
     assert pairs == {(0, 1), (1, 0), (0, 2), (2, 0), (1, 2), (2, 1)}

@@ -58,8 +58,8 @@ def seams_of(
     valid: np.ndarray | None = None,
 ) -> LoneSeams:
     table = table_of(plane, pieces, grid, bands, valid)
-    found = lone_stretches(table, pieces, range(len(pieces)), PieceIndex(pieces, grid), grid.ground_sample_distance)
-    return LoneSeams(found, [piece.seam_id for piece in pieces])
+    stretches = lone_stretches(table, pieces, range(len(pieces)), PieceIndex(pieces, grid), grid.ground_sample_distance)
+    return LoneSeams(stretches, [piece.seam_id for piece in pieces])
 
 
 def lone_mosaic(
@@ -69,10 +69,10 @@ def lone_mosaic(
     """Ground whose contrast changes from place to place; ``in_common``: share of variance that both sources show."""
     shape = rows, SHAPE[1]
     contrast = 12 * np.exp(uneven * ndimage.gaussian_filter(texture(shape, 3.0, seed), 12, mode="wrap"))
-    ground, one, other = (texture(shape, 1.2, seed + number) for number in (1, 2, 3))
+    ground, first_detail, other = (texture(shape, 1.2, seed + number) for number in (1, 2, 3))
     first, second = (
-        np.asarray(120 + contrast * (in_common**0.5 * ground + (1 - in_common) ** 0.5 * own), np.float32)
-        for own in (one, other)
+        np.asarray(120 + contrast * (in_common**0.5 * ground + (1 - in_common) ** 0.5 * detail), np.float32)
+        for detail in (first_detail, other)
     )
     row = np.arange(rows)
     border = SEAM_COLUMN + SEAM_SHAPE_PX * np.sin(row / 150 + seed)

@@ -67,5 +67,5 @@ def test_a_foreign_record_is_measured_again(tmp_path: Path, foreign: str) -> Non
     record = files.load("block 0 0")
     assert record is not None
     files.save("block 0 0", FOREIGN[foreign](record))
-    found, _ = scanned(request, output, is_last=True)
-    assert [piece.kept for piece in found.pieces] == [piece.kept for piece in expected.pieces]
+    result, _ = scanned(request, output, is_last=True)
+    assert [piece.kept for piece in result.pieces] == [piece.kept for piece in expected.pieces]

@@ -41,9 +41,9 @@ from tests.numbers.synthetic import placed_wavedec, texture
 
 
 def whole(seams: LoneSeams) -> LoneKept:
-    found = seams.kept()
-    assert found is not None
-    return found
+    kept = seams.kept()
+    assert kept is not None
+    return kept
 
 
 def strip_energy(plane: np.ndarray, distance: np.ndarray) -> float:
@@ -67,17 +67,17 @@ def test_a_feather_keeps_what_pywavelets_says(width_px: int, in_common: float) -
     mosaic = lone_mosaic(seed=1, in_common=in_common, uneven=0.3)
     feathered = mosaic.blended(width_px)
     true = strip_energy(feathered, mosaic.distance) / strip_energy(mosaic.blended(0), mosaic.distance)
-    found, hard = whole(mosaic.seams(feathered)), whole(mosaic.seams(mosaic.blended(0)))
-    assert found.low <= true <= found.high
-    assert found.kept / hard.kept == pytest.approx(true, abs=0.05)
-    assert found.tells_loss
+    feathered_kept, hard = whole(mosaic.seams(feathered)), whole(mosaic.seams(mosaic.blended(0)))
+    assert feathered_kept.low <= true <= feathered_kept.high
+    assert feathered_kept.kept / hard.kept == pytest.approx(true, abs=0.05)
+    assert feathered_kept.tells_loss
     assert not hard.tells_loss
 
 
 def test_a_hard_cut_holds_one(made: LoneMosaic) -> None:
-    found = whole(made.seams(made.blended(0)))
-    assert found.low <= 1 <= found.high
-    assert found.band_width_px == 0
+    kept = whole(made.seams(made.blended(0)))
+    assert kept.low <= 1 <= kept.high
+    assert kept.band_width_px == 0
 
 
 @pytest.mark.parametrize("width_px", [0, 48])
@@ -92,9 +92,9 @@ def test_a_hard_cut_holds_one(made: LoneMosaic) -> None:
     ],
 )
 def test_what_came_over_the_whole_mosaic_changes_nothing(made: LoneMosaic, width_px: int, aftermath) -> None:
-    found = whole(made.seams(np.asarray(aftermath(made.blended(width_px)), np.float32)))
-    assert found.tells_loss is bool(width_px)
-    assert found.low <= 1
+    kept = whole(made.seams(np.asarray(aftermath(made.blended(width_px)), np.float32)))
+    assert kept.tells_loss is bool(width_px)
+    assert kept.low <= 1
 
 
 def test_the_band_is_as_wide_as_the_feather_takes_a_tenth() -> None:
@@ -108,8 +108,8 @@ def test_the_band_is_as_wide_as_the_feather_takes_a_tenth() -> None:
 
 def test_a_blurred_source_is_no_loss_along_the_seam(made: LoneMosaic) -> None:
     blurred = ndimage.gaussian_filter(made.second, 0.8)
-    found = whole(made.seams(np.where(made.distance > 0, blurred, made.first)))
-    assert found.low <= 1 <= found.high
+    kept = whole(made.seams(np.where(made.distance > 0, blurred, made.first)))
+    assert kept.low <= 1 <= kept.high
 
 
 def test_a_seam_led_along_smooth_ground_is_no_loss() -> None:
@@ -123,21 +123,21 @@ def test_a_seam_led_along_smooth_ground_is_no_loss() -> None:
     bands = np.stack([plane, plane, np.where(fallow, plane, 0.7 * plane)])
     share = strip_energy(plane, across) / (np.abs(across) < 8).sum() * plane.size / strip_energy(plane, 0 * across)
     assert share < 0.6
-    found = whole(seams_of(plane, pieces, grid, bands))
-    assert found.low <= 1 <= found.high
-    assert whole(seams_of(plane, pieces, grid)).kept < found.kept  # the colour tells
+    kept = whole(seams_of(plane, pieces, grid, bands))
+    assert kept.low <= 1 <= kept.high
+    assert whole(seams_of(plane, pieces, grid)).kept < kept.kept  # the colour tells
 
 
 def test_without_colour_more_has_to_be_lost(made: LoneMosaic) -> None:
     plane = made.blended(48)
-    three, one = (whole(made.seams(plane, bands)) for bands in (None, plane[np.newaxis]))
-    assert one.kept == pytest.approx(three.kept, abs=0.01)
-    assert one.high == pytest.approx(np.exp(COLOURLESS) * three.high, rel=0.02)
+    three, grey = (whole(made.seams(plane, bands)) for bands in (None, plane[np.newaxis]))
+    assert grey.kept == pytest.approx(three.kept, abs=0.01)
+    assert grey.high == pytest.approx(np.exp(COLOURLESS) * three.high, rel=0.02)
 
 
 @pytest.mark.slow
 def test_a_wide_feather_is_compared_with_what_lies_beyond() -> None:
-    """Where there is enough seam to tell."""
+    """The seam is long enough to tell."""
     mosaic = lone_mosaic(seed=1, rows=4096, uneven=0.2)
     wide, narrow, hard = (mosaic.seams(mosaic.blended(width)) for width in (120, 48, 0))
     assert (wide.range, narrow.range, hard.range) == (1, 0, 0)
@@ -159,53 +159,53 @@ def test_intervals_of_pieces_cover_the_truth() -> None:
             for width in (0, 40)
         ]
         for width, energies in zip((0, 40), by_row):
-            found = mosaic.seams(mosaic.blended(width)).by_piece()
-            for one, piece in zip(found, mosaic.pieces):
-                if one is not None:
+            by_piece = mosaic.seams(mosaic.blended(width)).by_piece()
+            for kept, piece in zip(by_piece, mosaic.pieces):
+                if kept is not None:
                     rows = slice(*sorted(int(SHAPE[0] - y) // 2 for y in piece.vertices[[0, -1], 1]))
-                    inside.append(one.low <= energies[rows].sum() / by_row[0][rows].sum() <= one.high)
+                    inside.append(kept.low <= energies[rows].sum() / by_row[0][rows].sum() <= kept.high)
     assert len(inside) > 40
     assert np.mean(inside) >= 0.93
 
 
 @pytest.mark.slow
 def test_a_sound_piece_is_never_reduced_by_a_coin_toss() -> None:
-    told = []
+    verdicts = []
     for seed in range(4):
         mosaic = lone_mosaic(128, 20 + seed)
-        told += [
-            one.verdict for one in judge_pieces(mosaic.seams(mosaic.blended(0)), mosaic.pieces, 1.0)
+        verdicts += [
+            piece.verdict for piece in judge_pieces(mosaic.seams(mosaic.blended(0)), mosaic.pieces, 1.0)
         ]
-    lossy = sum(verdict in (Verdict.REDUCED, Verdict.SIGNIFICANT) for verdict in told)
-    assert lossy <= 0.03 * len(told)
+    lossy = sum(verdict in (Verdict.REDUCED, Verdict.SIGNIFICANT) for verdict in verdicts)
+    assert lossy <= 0.03 * len(verdicts)
 
 
 def test_a_feather_is_significant_and_a_hard_cut_preserved(made: LoneMosaic) -> None:
     seams = made.seams(made.blended(48))
     feathered = judge_pieces(seams, made.pieces, 1.0)
-    assert Verdict.PRESERVED not in {one.verdict for one in feathered}
+    assert Verdict.PRESERVED not in {piece.verdict for piece in feathered}
     stretches = judge_stretches(seams, feathered, 1.0)
-    assert {one.verdict for one in stretches} == {Verdict.SIGNIFICANT}
+    assert {piece.verdict for piece in stretches} == {Verdict.SIGNIFICANT}
     sound = made.seams(made.blended(0))
     hard = judge_pieces(sound, made.pieces, 1.0)
-    assert {one.verdict for one in hard} <= {Verdict.PRESERVED, Verdict.NOT_COMPARABLE}
-    assert {one.verdict for one in judge_stretches(sound, hard, 1.0)} == {Verdict.PRESERVED}
+    assert {piece.verdict for piece in hard} <= {Verdict.PRESERVED, Verdict.NOT_COMPARABLE}
+    assert {piece.verdict for piece in judge_stretches(sound, hard, 1.0)} == {Verdict.PRESERVED}
 
 
 def test_short_pieces_have_no_verdict_and_are_told_together() -> None:
     """A piece never says what only the seam around it tells."""
     mosaic = lone_mosaic(piece_px=32)
     seams = mosaic.seams(mosaic.blended(32))
-    told = judge_pieces(seams, mosaic.pieces, 1.0)
-    assert [piece.verdict for piece in told].count(Verdict.NOT_COMPARABLE) > 0.5 * len(told)
-    for piece in told:
+    judged = judge_pieces(seams, mosaic.pieces, 1.0)
+    assert [piece.verdict for piece in judged].count(Verdict.NOT_COMPARABLE) > 0.5 * len(judged)
+    for piece in judged:
         assert piece.low is not None
         assert piece.high is not None
         if piece.verdict is Verdict.SIGNIFICANT:
             assert piece.high <= max(2 * piece.low, MAX_SIGNIFICANT_KEPT)
-    stretches = judge_stretches(seams, told, 1.0)
+    stretches = judge_stretches(seams, judged, 1.0)
     spans = [(each.piece.station_m, each.piece.station_m + each.piece.length_m) for each in stretches]
-    for piece in told:
+    for piece in judged:
         if piece.verdict is Verdict.NOT_COMPARABLE:
             middle = piece.piece.station_m + piece.piece.length_m / 2
             assert any(first < middle < last for first, last in spans)
@@ -225,15 +225,15 @@ def test_a_lonely_short_piece_says_how_much_seam_is_needed() -> None:
     needed = seams.judgeable_px
     assert needed is not None
     assert 64 <= needed < 2048
-    for one in judge_pieces(seams, mosaic.pieces, 0.25):
-        if one.verdict is Verdict.NOT_COMPARABLE:
-            assert one.low is not None
-            assert f"{100 * one.low:.0f}" in str(one.reason)
+    for piece in judge_pieces(seams, mosaic.pieces, 0.25):
+        if piece.verdict is Verdict.NOT_COMPARABLE:
+            assert piece.low is not None
+            assert f"{100 * piece.low:.0f}" in str(piece.reason)
 
 
 def test_more_seam_gives_narrower_intervals(made: LoneMosaic) -> None:
     seams = made.seams(made.blended(48))
-    pieces = [one.high / one.low for one in seams.by_piece() if one is not None]
+    pieces = [stretch.high / stretch.low for stretch in seams.by_piece() if stretch is not None]
     half = seams.kept(range(len(made.pieces) // 2))
     assert half is not None
     assert whole(seams).high / whole(seams).low < half.high / half.low < np.median(pieces)
@@ -351,16 +351,16 @@ def test_brightons_feather_shows_and_its_hard_cut_does_not(data_folder: Path, na
     valid = (bands != 0).any(axis=0)
     grid = Grid(left, top, size, size, columns, rows)
     source = ogr.Open(str(folder / "seamlines.gpkg"))
-    lines = [bytes(one.GetGeometryRef().ExportToWkb()) for one in source.GetLayerByName("seamlines")]
+    lines = [bytes(row.GetGeometryRef().ExportToWkb()) for row in source.GetLayerByName("seamlines")]
     pieces = cut_in_pieces([_Sided(seam.vertices) for seam in find_seams(lines, size)], 25.0, grid)
     changed = aftermath(bands, np.random.default_rng(0))
-    found = whole(seams_of(brightness(changed), pieces, grid, changed, valid))
+    kept = whole(seams_of(brightness(changed), pieces, grid, changed, valid))
     if name == "hardseam":
-        assert found.low <= 1 <= found.high
+        assert kept.low <= 1 <= kept.high
     else:
-        assert found.high < 1
-        assert found.low <= 0.59 <= found.high  # against the hard cut, as it is
-        assert 20 < found.band_width_px < 60
+        assert kept.high < 1
+        assert kept.low <= 0.59 <= kept.high  # against the hard cut, as it is
+        assert 20 < kept.band_width_px < 60
 
 
 class _Sided:

@@ -105,8 +105,8 @@ def test_another_process_finds_the_same(files: dict[str, str]) -> None:
 from tests.numbers.seams.scan.test_scan_fingerprint import taken
 print(taken({files!r}))
 """
-    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert found.stdout.strip() == taken(files)
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert process.stdout.strip() == taken(files)
 
 
 @pytest.mark.release

@@ -40,9 +40,9 @@ def written(path: Path, results: dict[str, bytes] = RESULTS) -> Path:
 
 def reopened(path: Path, fingerprint: str = PRINT) -> tuple[dict[str, bytes], Message | None]:
     journal, notice = open_journal(path, fingerprint)
-    found = contents(journal)
+    records = contents(journal)
     journal.close()
-    return found, notice
+    return records, notice
 
 
 def sentence(notice: Message | None) -> str | None:
@@ -60,8 +60,8 @@ def test_what_was_saved_is_there(path: Path) -> None:
     assert journal.files.load("never") is None
     journal.save("again block 0 2", b"lacks something")
     journal.close()
-    found, notice = reopened(path)
-    assert found == {**RESULTS, "block 0 0": b"anew", "again block 0 2": b"lacks something"}
+    records, notice = reopened(path)
+    assert records == {**RESULTS, "block 0 0": b"anew", "again block 0 2": b"lacks something"}
     assert str(notice) == "The scan continues where it stopped; blocks that are done already: 3."
     assert notice.level is INFO
 
@@ -78,8 +78,8 @@ def test_what_was_saved_is_there(path: Path) -> None:
     ],
 )
 def test_what_changed_is_said_and_nothing_of_the_other_scan_is_kept(path: Path, other: str, what: str) -> None:
-    found, notice = reopened(written(path), other)
-    assert found == {}
+    records, notice = reopened(written(path), other)
+    assert records == {}
     assert str(notice) == f"The scan starts from the beginning, as {what} changed since it stopped."
     assert notice.level is WARNING
     assert sentence(reopened(path)[1]) == messages.SCAN_ANEW.template  # the other one's is the journal's now
@@ -173,12 +173,12 @@ def test_killed_at_random_moments_it_has_all_that_was_told_to_be_done(path: Path
         writer = start(path)
         time.sleep(rng.uniform(0, 0.08))
         writer.send_signal(signal.SIGKILL)
-        told = writer.communicate()[0].split()
-        found, notice = reopened(path)
-        assert len(found) >= (int(told[-1]) if told else 0)
+        numbers = writer.communicate()[0].split()
+        records, notice = reopened(path)
+        assert len(records) >= (int(numbers[-1]) if numbers else 0)
         assert sentence(notice) in (None, messages.SCAN_GOES_ON.template)
-        assert found == {str(n): str(n).encode() * (1 + n % 30_000) for n in range(len(found))}
-    assert found
+        assert records == {str(n): str(n).encode() * (1 + n % 30_000) for n in range(len(records))}
+    assert records
 
 
 def test_a_journal_by_somebody_else_names_no_file(tmp_path: Path) -> None:

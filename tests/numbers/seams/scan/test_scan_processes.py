@@ -15,7 +15,7 @@ from seam_inspector.plugin.imagery.record_store import RecordFiles
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 
-from tests.numbers.seams.scan.whole_scan_lives import request_of, told
+from tests.numbers.seams.scan.whole_scan_lives import plain_values, request_of
 from tests.numbers.synthetic import orthoimage, write_raster
 
 pytestmark = pytest.mark.slow
@@ -43,15 +43,15 @@ def scanned(request: ScanRequest, loss: Path, executor: Executor, ahead: int) ->
         result = scan.result(str(loss), executor=executor, ahead=ahead)
         scan.finish()
     assert result is not None
-    return [*told(result), loss.read_bytes()]
+    return [*plain_values(result), loss.read_bytes()]
 
 
 @pytest.fixture(scope="module")
 def by_threads(request_: ScanRequest, tmp_path_factory: pytest.TempPathFactory) -> list[object]:
     with ThreadPoolExecutor(2) as executor:
-        found = scanned(request_, tmp_path_factory.mktemp("threads") / "loss.tif", executor, 4)
-    assert len(found[0]) > 20  # type: ignore[arg-type]  # pieces
-    return found
+        result = scanned(request_, tmp_path_factory.mktemp("threads") / "loss.tif", executor, 4)
+    assert len(result[0]) > 20  # type: ignore[arg-type]  # pieces
+    return result
 
 
 def test_processes_give_the_same_bytes_as_threads(
@@ -97,7 +97,7 @@ def test_a_process_killed_while_outputs_are_made_costs_its_blocks_only(
         result = scan.result(str(loss), executor=executor, ahead=2)
         scan.finish()
     assert result is not None
-    assert [*told(result), loss.read_bytes()] == by_threads
+    assert [*plain_values(result), loss.read_bytes()] == by_threads
     assert measured + blocks < executor.tasks < measured + 2 * blocks  # each once
 
 
@@ -129,4 +129,4 @@ def test_what_workers_measure_that_see_no_folder_is_kept_and_put_together_here(
         scan.finish()
     assert executor.tasks == measured
     assert result is not None
-    assert [*told(result), loss.read_bytes()] == by_threads
+    assert [*plain_values(result), loss.read_bytes()] == by_threads

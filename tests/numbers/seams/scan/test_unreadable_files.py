@@ -124,23 +124,23 @@ def test_relative_paths_are_found_from_another_folder(files: Path, monkeypatch: 
     block = open_block("mosaic.tif", ["north.tif", "south.tif"])
     assert RasterRef("mosaic.tif", parts=("north.tif",)).paths == (str(files / "mosaic.tif"), str(files / "north.tif"))
     assert RasterRef("/vsicurl/none").path == "/vsicurl/none"
-    found = scan(block, executor=Elsewhere())
-    assert found.seam_metres == pytest.approx(COLUMNS / 10, rel=0.02)
+    result = scan(block, executor=Elsewhere())
+    assert result.seam_metres == pytest.approx(COLUMNS / 10, rel=0.02)
 
 
 @pytest.mark.slow
 def test_what_can_not_be_read_is_told_and_not_called_unexplained(files: Path) -> None:
     """The first of its two blocks."""
     spoiled(files / "mosaic.tif", 2)
-    found = scan(block_of(files))
-    told = [str(notice) for notice in found.notices]
-    assert any("mosaic.tif is damaged" in one or "pixels of mosaic.tif can't be read" in one for one in told)
-    assert any("of the mosaic could not be read, for example around" in one for one in told)
-    assert float(found.told["unread"]) == pytest.approx(BLOCK_PX / COLUMNS, abs=0.01)
-    x, y = map(float, found.told["unread_at"].split())
+    result = scan(block_of(files))
+    notices = [str(notice) for notice in result.notices]
+    assert any("mosaic.tif is damaged" in text or "pixels of mosaic.tif can't be read" in text for text in notices)
+    assert any("of the mosaic could not be read, for example around" in text for text in notices)
+    assert float(result.told["unread"]) == pytest.approx(BLOCK_PX / COLUMNS, abs=0.01)
+    x, y = map(float, result.told["unread_at"].split())
     assert 500000 < x < 500000 + BLOCK_PX / 10
     assert 4999961 < y < 5000000
-    assert found.told["unexplained"] == "0.0000"
+    assert result.told["unexplained"] == "0.0000"
     along = scan(block_of(files), seamlines=files / "seam.geojson")
     assert float(along.told["unread"]) > 0
     alone = scan(open_block(files / "mosaic.tif"), seamlines=files / "seam.geojson")
@@ -159,8 +159,8 @@ def test_a_sheet_of_which_nothing_is_known_leaves_the_decision_open(files: Path)
          "verdict": "preserved", "geometry": f"LINESTRING ({10 * place} 0, {10 * place + 10} 0)"}
         for place in range(60)
     ]
-    unmeasured = [{**one, "kept_1": None, "verdict": "not_comparable", "geometry": one["geometry"].replace(" 0", " 99")}
-                  for one in good[:5]]
+    unmeasured = [{**row, "kept_1": None, "verdict": "not_comparable", "geometry": row["geometry"].replace(" 0", " 99")}
+                  for row in good[:5]]
     rules = limit_rules()
     assert decide(make_delivery({"good": good}, ""), rules).accepted
     for rows in ([], unmeasured):

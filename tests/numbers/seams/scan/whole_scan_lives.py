@@ -51,7 +51,7 @@ def scanned(
     return began, result
 
 
-def told(result: ScanResult) -> list[object]:
+def plain_values(result: ScanResult) -> list[object]:
     """All that becomes a layer, in plain values."""
     pieces = [
         (piece.piece.vertices.tolist(), piece.left, piece.right, piece.kept, piece.low, piece.high, piece.band_width_m,
@@ -77,7 +77,7 @@ def main(loss: str, seed: str, lives: str, *files: str) -> None:
             os._exit(0)
         os.waitpid(child, 0)
     _, result = scanned(request, Path(loss))
-    sys.stdout.write("\n".join(map(repr, told(result))) + "\n")
+    sys.stdout.write("\n".join(map(repr, plain_values(result))) + "\n")
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_
 
 @pytest.fixture
 def panel(desk: Desk) -> Iterator[ImagesPanel]:
-    """Of a desk with one window that is inspected and selected."""
+    """The panel of a desk with one window that is inspected and selected."""
     desk.set(desk.inputs())
     desk.session.select([desk.add()])
     made = ImagesPanel(desk.session)

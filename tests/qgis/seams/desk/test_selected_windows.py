@@ -15,42 +15,42 @@ from tests.qgis.seams.desk.session_desk import Desk, settle
 
 
 @pytest.fixture
-def told(desk: Desk) -> Iterator[SelectedWindows]:
+def selection(desk: Desk) -> Iterator[SelectedWindows]:
     made = SelectedWindows(QgsMapCanvas(), desk.session)
     yield made
     made.close()
     assert not made._canvas.expressionContextScope().hasVariable(SELECTED)
 
 
-def known(told: SelectedWindows) -> set[str]:
-    return set(told._canvas.expressionContextScope().variable(SELECTED))
+def known(selection: SelectedWindows) -> set[str]:
+    return set(selection._canvas.expressionContextScope().variable(SELECTED))
 
 
 def keys(layer: QgsVectorLayer, *features: int | QgsFeature) -> set[str]:
     return {f"{layer.id()} {feature}" for feature in features}
 
 
-def test_the_map_knows_the_selection_before_it_is_drawn_again(desk: Desk, told: SelectedWindows) -> None:
-    assert known(told) == set()
+def test_the_map_knows_the_selection_before_it_is_drawn_again(desk: Desk, selection: SelectedWindows) -> None:
+    assert known(selection) == set()
     layer = desk.use(windows(SHARP, BLURRED))
     first, second = (feature.id() for feature in layer.getFeatures())
     settle(0.02)
     layer.selectByIds([first])
-    assert known(told) == keys(layer, first)
+    assert known(selection) == keys(layer, first)
     desk.session.select([second, first])
-    assert known(told) == keys(layer, first, second)
+    assert known(selection) == keys(layer, first, second)
     layer.startEditing()
     layer.deleteFeature(first)
     settle(0.02)
-    assert known(told) == keys(layer, second)
+    assert known(selection) == keys(layer, second)
     layer.rollBack()
     other = desk.use(windows(SHARP, BLURRED))
     other.selectByIds([second])
     settle(0.02)
-    assert known(told) == keys(other, second)
+    assert known(selection) == keys(other, second)
     desk.session.set_inputs(replace(desk.session.inputs, windows=""))
     settle(0.02)
-    assert known(told) == set()
+    assert known(selection) == set()
 
 
 def test_no_style_looks_into_the_layer(repository: Path) -> None:

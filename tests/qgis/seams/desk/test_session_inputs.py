@@ -47,7 +47,7 @@ def test_the_inputs_come_back_with_the_project(desk: Desk, tmp_path: Path) -> No
 
 
 def test_a_copy_of_the_mosaic_hides_no_loss_from_a_window(desk: Desk, tmp_path: Path) -> None:
-    """As it hides none from a scan."""
+    """A scan is not misled by it either."""
     copy = tmp_path / "overview.vrt"
     gdal.Translate(str(copy), desk.mosaic.source())
     layer = desk.raster(copy)

@@ -15,8 +15,8 @@ ACROSS = PixelWindow(BLURRED[0] + 8, BLURRED[1] + 8, 64, 64)
 
 
 def test_curves_follow_the_mouse_and_end_with_it(desk: Desk) -> None:
-    session, told = desk.session, []
-    session.liveChanged.connect(lambda: told.append(session.live))
+    session, emitted = desk.session, []
+    session.liveChanged.connect(lambda: emitted.append(session.live))
     assert session.live is None
     for window in (BLURRED_WINDOW, ACROSS):
         session.hover(window, is_live=True)
@@ -26,10 +26,10 @@ def test_curves_follow_the_mouse_and_end_with_it(desk: Desk) -> None:
     assert [list(clip.curves) for clip in clips] == [["luminance"]] * 3
     session.leave()
     assert session.live is None
-    assert told[-1] is None
-    count = len(told)
+    assert emitted[-1] is None
+    count = len(emitted)
     settle(0.3)
-    assert len(told) == count
+    assert len(emitted) == count
     assert session.windows() == []
     assert desk.messages == []
 

@@ -37,8 +37,8 @@ class Listener:
     def take(self, *names: str) -> list[tuple[list[str], list[int]]]:
         """The verdicts and the selection at each of these signals so far, which are forgotten."""
         settle()
-        told, self.told = self.told, []
-        return [(list(rows.values()), selected) for name, rows, selected in told if name in names]
+        calls, self.told = self.told, []
+        return [(list(rows.values()), selected) for name, rows, selected in calls if name in names]
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""Which windows are to be inspected again, whatever was changed, undone or saved since."""
+"""Windows that are to be inspected again, whatever was changed, undone or saved since."""
 from __future__ import annotations
 
 from dataclasses import replace
@@ -33,9 +33,9 @@ def test_another_input_makes_inspected_windows_stale(desk: Desk, change: dict[st
 
 def test_windows_are_still_stale_when_one_comes_back_to_their_layer(desk: Desk) -> None:
     desk.add()
-    own, sources = desk.layer().id(), desk.session.inputs.sources
+    layer_id, sources = desk.layer().id(), desk.session.inputs.sources
     desk.session.set_inputs(replace(desk.session.inputs, sources=sources[:1]))
-    for other in ("", own):
+    for other in ("", layer_id):
         desk.session.set_inputs(replace(desk.session.inputs, windows=other))
     assert desk.rows()[1].stale
     desk.session.set_inputs(replace(desk.session.inputs, sources=sources))

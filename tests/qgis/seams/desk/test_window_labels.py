@@ -55,7 +55,7 @@ def box(xmin: float, ymin: float, xmax: float, ymax: float) -> QgsRectangle:
 def labels(
     windows: QgsVectorLayer, extent: QgsRectangle, selected: list[int], crs: str = "EPSG:2180"
 ) -> dict[int, QgsRectangle]:
-    """Where the labels of windows are on the map, by the windows' numbers."""
+    """Places of the labels of windows on the map, by the windows' numbers."""
     windows.selectByIds([feature.id() for feature in windows.getFeatures() if feature["window_id"] in selected])
     settings = QgsMapSettings()
     settings.setLayers([windows])

@@ -57,11 +57,11 @@ def measured(request: BlockRequest) -> BlockScan:
 
 
 @lru_cache(maxsize=4)
-def images(shape: tuple[int, int] = SHAPE, count: int = 2, own: float = 9.0) -> tuple[np.ndarray, ...]:
+def images(shape: tuple[int, int] = SHAPE, count: int = 2, detail_dn: float = 9.0) -> tuple[np.ndarray, ...]:
     """Images of one ground, each with fine detail of its own, (rows, columns) 8 bit without the value 0."""
     contrast = np.exp(0.3 * ndimage.gaussian_filter(texture(shape, 3.0, 7), 12, mode="wrap"))
     ground = 120 + 22 * texture(shape, 3.0, 40)
-    return tuple(as_bytes(ground + own * contrast * texture(shape, 0.8, seed)) for seed in range(1, count + 1))
+    return tuple(as_bytes(ground + detail_dn * contrast * texture(shape, 0.8, seed)) for seed in range(1, count + 1))
 
 
 def as_bytes(values: np.ndarray) -> np.ndarray:
@@ -84,8 +84,8 @@ def blended(first: np.ndarray, second: np.ndarray, weight: np.ndarray) -> np.nda
 def scene(folder: Path, mosaic: np.ndarray, given: Sequence[np.ndarray], nodata: int | None = NODATA) -> Scene:
     """A scene as files on one grid."""
     ref = RasterRef(write_raster(folder / "mosaic.tif", mosaic, nodata=nodata))
-    refs = [RasterRef(write_raster(folder / f"source_{number}.tif", one, nodata=nodata))
-            for number, one in enumerate(given)]
+    refs = [RasterRef(write_raster(folder / f"source_{number}.tif", pixels, nodata=nodata))
+            for number, pixels in enumerate(given)]
     return Scene(describe_mosaic(ref), tuple(Source(ref, describe(ref).extent) for ref in refs))
 
 

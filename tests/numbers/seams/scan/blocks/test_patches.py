@@ -19,8 +19,8 @@ WAVELET, LEVELS = "coif3", 3
 PER_SIDE = SIDE // SQUARE_PX
 
 
-def look_at(one: Scene) -> SquareLook:
-    return look_at_squares(one.pixels(), WAVELET, LEVELS)
+def look_at(case: Scene) -> SquareLook:
+    return look_at_squares(case.pixels(), WAVELET, LEVELS)
 
 
 @pytest.mark.parametrize("change", ["gain", "sharpened", "noise"])
@@ -33,11 +33,11 @@ def test_what_was_done_to_the_whole_mosaic_does_not_mislead(tmp_path: Path, chan
         made += 0.6 * (made - ndimage.uniform_filter(made, 3, mode="wrap"))
     else:
         made += 5 * np.random.default_rng(1).standard_normal(SHAPE)
-    found = look_at(scene(tmp_path, as_bytes(made), given))
-    right = found.source == np.repeat([[0, 1]], PER_SIDE // 2, axis=1)
-    assert right[~found.doubtful].all()
+    look = look_at(scene(tmp_path, as_bytes(made), given))
+    right = look.source == np.repeat([[0, 1]], PER_SIDE // 2, axis=1)
+    assert right[~look.doubtful].all()
     assert right.mean() > 0.95
-    assert change == "noise" or not found.doubtful.any()
+    assert change == "noise" or not look.doubtful.any()
 
 
 def test_what_the_mosaic_s_jpeg_rounded_anew_is_no_other_image(tmp_path: Path) -> None:
@@ -51,8 +51,8 @@ def test_what_the_mosaic_s_jpeg_rounded_anew_is_no_other_image(tmp_path: Path) -
     first, second = (as_bytes(128 + 30 * texture(SHAPE, 2.4, seed)) for seed in (1, 2))
     given = [compressed(first), compressed(second, 3)]
     made = compressed(blended(*given, beside(SIDE / 2)))
-    found = look_at(scene(tmp_path, made, given))
-    right = found.source == np.repeat([[0, 1]], PER_SIDE // 2, axis=1)
+    look = look_at(scene(tmp_path, made, given))
+    right = look.source == np.repeat([[0, 1]], PER_SIDE // 2, axis=1)
     assert right.mean() > 0.95
 
 
@@ -75,13 +75,13 @@ def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Pat
 @pytest.mark.parametrize("width", [0.0, 66.0])
 def test_images_of_a_triplet_are_not_taken_for_one_that_is_missing(tmp_path: Path, width: float) -> None:
     """They have most of their fine detail in common; what the missing one leaves over is told by the best ground."""
-    first, second, missing = images(count=3, own=6.0)
+    first, second, missing = images(count=3, detail_dn=6.0)
     common = 8 * texture(SHAPE, 0.8, 60)
-    first, second, missing = (as_bytes(one + common) for one in (first, second, missing))
+    first, second, missing = (as_bytes(plane + common) for plane in (first, second, missing))
     made = blended(blended(first, second, beside(SIDE / 4)), missing, beside(5 * SIDE / 8, width))
-    found = look_at(scene(tmp_path, made, [first, second]))
-    west, east = found.source[:, :4], found.source[:, 6:]
+    look = look_at(scene(tmp_path, made, [first, second]))
+    west, east = look.source[:, :4], look.source[:, 6:]
     assert (west == np.repeat([[0, 1]], 2, axis=1)).mean() > 0.95
     assert (east == UNKNOWN).mean() > 0.95
-    assert not found.doubtful[:, 6:].any()
+    assert not look.doubtful[:, 6:].any()
     assert set(np.unique(look_at(scene(tmp_path, made, [first, second, missing])).source)) == {0, 1, 2}

@@ -35,9 +35,9 @@ def true_labels() -> np.ndarray:
 
 def by_cell(cells: CellTable, name: str) -> np.ndarray:
     """Sums of level 1 over all bins, (rows, columns) of the mosaic's cells."""
-    found = np.zeros((SIDE // CELL_PX, SIDE // CELL_PX))
-    np.add.at(found, (cells.row, cells.column), getattr(cells, name)[0])
-    return found
+    sums = np.zeros((SIDE // CELL_PX, SIDE // CELL_PX))
+    np.add.at(sums, (cells.row, cells.column), getattr(cells, name)[0])
+    return sums
 
 
 INSIDE = np.s_[1:-1, 1:-1]
@@ -65,9 +65,9 @@ def test_the_same_request_gives_the_same_bytes(hard: Scene) -> None:
 def test_blocks_side_by_side_measure_as_one(tmp_path: Path) -> None:
     """A part in full density is the same wherever blocks begin."""
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM, 33)), given)
-    whole = measured(one.request(density="full")).cells
-    request = one.request(density="full")
+    case = scene(tmp_path, blended(*given, beside(SEAM, 33)), given)
+    whole = measured(case.request(density="full")).cells
+    request = case.request(density="full")
     parts = [measured(replace(request, window=PixelWindow(column, row, 512, 512))).cells
              for row in (0, 512) for column in (0, 512)]
     joined = CellTable.joined(parts)
@@ -87,8 +87,8 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     hole = np.s_[640 : 640 + side, 384 : 384 + side]
     made[hole] = NODATA
     request = scene(tmp_path, made, given).request(density=density)
-    found = measured(replace(request, window=PixelWindow(128, 128, 768, 768)))
-    cells = found.cells
+    result = measured(replace(request, window=PixelWindow(128, 128, 768, 768)))
+    cells = result.cells
     assert len(cells)
     strip = EDGES_PX.index(8)
     beyond = cells.chosen((cells.bin >= strip) & (cells.cc[0] > 0.05 * cells.cc[0].max()))  # but for the cut's edge
@@ -97,43 +97,43 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     assert near.mm[0].sum() / near.cc[0].sum() > 0.98
     first = (640 - 128) // LABEL_PX, (384 - 128) // LABEL_PX
     count = side // LABEL_PX
-    assert (found.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()
+    assert (result.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()
 
 
 def test_a_source_that_is_gone_costs_no_more_than_itself(tmp_path: Path) -> None:
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
-    Path(one.sources[1].ref.path).unlink()
-    found = scan_block(one.request())
-    assert [one.sources[1].ref.name in str(notice) for notice in found.notices] == [True]
+    case = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    Path(case.sources[1].ref.path).unlink()
+    result = scan_block(case.request())
+    assert [case.sources[1].ref.name in str(notice) for notice in result.notices] == [True]
     left = SEAM // LABEL_PX
-    assert (found.labels[: SIDE // LABEL_PX, :left - 4] == 0).all()
-    assert (found.labels[: SIDE // LABEL_PX, left + 40 :] == UNKNOWN).mean() > 0.9
+    assert (result.labels[: SIDE // LABEL_PX, :left - 4] == 0).all()
+    assert (result.labels[: SIDE // LABEL_PX, left + 40 :] == UNKNOWN).mean() > 0.9
 
 
 @pytest.mark.parametrize("broken", ["gone", "cut off"])
 def test_a_mosaic_that_cannot_be_read_is_told_and_nothing_is_raised(tmp_path: Path, broken: str) -> None:
     given = images((256, 256))
-    one = scene(tmp_path, given[0], given)
-    path = Path(one.mosaic.ref.path)
+    case = scene(tmp_path, given[0], given)
+    path = Path(case.mosaic.ref.path)
     if broken == "gone":
         path.unlink()
     else:
         path.write_bytes(path.read_bytes()[:3000])
-    found = scan_block(one.request())
-    assert len(found.notices) == 1
-    assert one.mosaic.ref.name in str(found.notices[0])
-    assert (found.labels == UNKNOWN).all()
+    result = scan_block(case.request())
+    assert len(result.notices) == 1
+    assert case.mosaic.ref.name in str(result.notices[0])
+    assert (result.labels == UNKNOWN).all()
 
 
 def test_only_what_is_wanted_is_measured_densely(hard: Scene) -> None:
     wanted = np.zeros((UNITS, UNITS), bool)
     wanted[:8, 10:14] = True
-    found = scan_block(hard.request(wanted=wanted))
-    assert (found.dense == wanted).all()
-    cells = found.cells
+    result = scan_block(hard.request(wanted=wanted))
+    assert (result.dense == wanted).all()
+    cells = result.cells
     assert (cells.row < 16).all()
     assert ((cells.column >= 20) & (cells.column < 28)).all()
     rows = 8 * UNIT_PX // LABEL_PX
-    assert (found.labels[:rows, 80:112] == true_labels()[:rows, 80:112]).mean() > 0.998
-    assert (np.delete(found.labels[:rows], np.s_[80:112], axis=1) == UNKNOWN).all()
+    assert (result.labels[:rows, 80:112] == true_labels()[:rows, 80:112]).mean() > 0.998
+    assert (np.delete(result.labels[:rows], np.s_[80:112], axis=1) == UNKNOWN).all()

@@ -1,4 +1,4 @@
-"""Which parts of a mosaic its seamlines call for."""
+"""Parts of a mosaic that its seamlines call for."""
 from __future__ import annotations
 
 import tracemalloc
@@ -37,16 +37,16 @@ def points_along(places: list[tuple[float, float]]) -> np.ndarray:
 
 def near(places: list[tuple[float, float]], reach_px: float) -> np.ndarray:
     """Units of the mosaic that reach within a distance, along an axis, of a line; (rows, columns) bool."""
-    found = np.zeros((BLOCKS.rows * UNITS, BLOCKS.columns * UNITS), bool)
+    squares = np.zeros((BLOCKS.rows * UNITS, BLOCKS.columns * UNITS), bool)
     for column, row in points_along(places):
         first, last = (np.floor((np.array([row, column]) + by) / UNIT_PX).astype(int) for by in (-reach_px, reach_px))
         first = np.maximum(first, 0)
         has_pixels = row - reach_px < ROWS and column - reach_px < COLUMNS  # the last units reach beyond the mosaic
         if has_pixels and (last >= 0).all():
-            found[first[0] : last[0] + 1, first[1] : last[1] + 1] = True
-    found[-(-ROWS // UNIT_PX) :] = False
-    found[:, -(-COLUMNS // UNIT_PX) :] = False
-    return found
+            squares[first[0] : last[0] + 1, first[1] : last[1] + 1] = True
+    squares[-(-ROWS // UNIT_PX) :] = False
+    squares[:, -(-COLUMNS // UNIT_PX) :] = False
+    return squares
 
 
 def dense_of(squares: SeamSquares, blocks: BlockGrid = BLOCKS) -> np.ndarray:

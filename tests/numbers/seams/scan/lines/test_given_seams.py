@@ -53,7 +53,7 @@ def northward(seam: SidedSeam) -> tuple[str | None, str | None]:
     return (seam.left, seam.right) if seam.vertices[-1, 1] > seam.vertices[0, 1] else (seam.right, seam.left)
 
 
-def told(given: GivenSeams) -> str:
+def notices_of(given: GivenSeams) -> str:
     return " ".join(map(str, given.notices))
 
 
@@ -79,7 +79,7 @@ def test_overlaps_are_told_and_have_no_seam() -> None:
     given = given_seams(
         [box(0, 0, 110, 200, source="a"), box(100, 0, 250, 200, source="b"), box(250, 0, 400, 200, source="c")], GRID
     )
-    assert "overlap in 1 places of 2000.0 m2 in all;" in told(given)
+    assert "overlap in 1 places of 2000.0 m2 in all;" in notices_of(given)
     assert [northward(seam) for seam in given.seams] == [("b", "c")]
 
 
@@ -107,7 +107,7 @@ def test_polygons_that_cross_themselves_are_repaired() -> None:
     crossed = given_seams([eight, box(100, 0, 400, 200, source="b")], GRID)
     assert length(given.seams[0]) == pytest.approx(200)
     assert sum(map(length, crossed.seams)) == pytest.approx(200)
-    assert "outline crosses itself, repaired: 1" in told(crossed)
+    assert "outline crosses itself, repaired: 1" in notices_of(crossed)
 
 
 def test_polygons_without_names_have_seams_without() -> None:
@@ -115,7 +115,7 @@ def test_polygons_without_names_have_seams_without() -> None:
     assert {(seam.left, seam.right) for seam in given.seams} == {(None, None)}
     assert [round(length(seam)) for seam in given.seams] == [300, 110, 90], "each of two polygons, and no third one"
     assert given.cells == ()
-    assert "names no orthoimages" in told(given)
+    assert "names no orthoimages" in notices_of(given)
 
 
 def test_polygons_with_dates_alone_are_called_by_them() -> None:
@@ -131,7 +131,7 @@ def test_polygons_with_dates_alone_are_called_by_them() -> None:
     assert [northward(seam) for seam in given.seams] == [("2016-07-04", "2016-07-04"), ("2016-07-04", "2016-08-11")]
     assert given.dates == {"2016-07-04": "2016-07-04", "2016-08-11": "2016-08-11"}
     assert given.cells == ()
-    assert "'SDATE'" in told(given)
+    assert "'SDATE'" in notices_of(given)
 
 
 def test_dates_beside_names_are_kept_and_name_nothing() -> None:
@@ -174,7 +174,7 @@ def test_one_broken_feature_costs_itself_alone() -> None:
         [broken, nowhere, box(0, 0, 100, 200, source="a"), ({}, None), box(100, 0, 400, 200, source="b")], GRID
     )
     assert len(given.seams) == 1
-    assert "can't be read, left out: 2" in told(given)
+    assert "can't be read, left out: 2" in notices_of(given)
 
 
 def test_what_lies_elsewhere_takes_no_part() -> None:
@@ -243,8 +243,8 @@ def test_shapefiles_cut_each_name_of_a_polygon_s_field(tmp_path: Path, name: str
 @pytest.mark.parametrize("names", PAIRED, ids="/".join)
 def test_shapefiles_cut_each_pair_of_a_line_s_fields(tmp_path: Path, names: tuple[str, str]) -> None:
     written = written_names(tmp_path, *names)
-    found = seam_fields([dict.fromkeys(written, "x")])
-    assert written in ([found.left, found.right], [found.left_date, found.right_date])
+    fields = seam_fields([dict.fromkeys(written, "x")])
+    assert written in ([fields.left, fields.right], [fields.left_date, fields.right_date])
 
 
 def written_names(folder: Path, *names: str) -> list[str]:
@@ -267,8 +267,8 @@ def test_a_field_can_be_chosen() -> None:
 
 def features_of(path: Path, layer: str = "") -> list[SeamFeature]:
     dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR)
-    found = dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
-    return [(dict(row.items()), bytes(row.GetGeometryRef().ExportToIsoWkb())) for row in found]
+    rows = dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
+    return [(dict(row.items()), bytes(row.GetGeometryRef().ExportToIsoWkb())) for row in rows]
 
 
 MOSAIC_ELEMENTS = """<?xml version="1.0" encoding="UTF-8"?>

@@ -34,28 +34,28 @@ def on_outline(folder: Path, outline: Corners) -> Scene:
     return scene(folder, made, given)
 
 
-def halves(one: Scene, outline: Corners, kind: int, **fields: str) -> list[SeamFeature]:
+def halves(case: Scene, outline: Corners, kind: int, **fields: str) -> list[SeamFeature]:
     """The parts west and east of the seam: as polygons, or closed lines as QGIS's "Polygons to lines" makes them."""
-    whole = geometry(one, outline)
+    whole = geometry(case, outline)
     made = []
     for left, right in ((-9, SEAM), (SEAM, SIDE + 9)):
-        part = whole.Intersection(geometry(one, [(left, -9), (right, -9), (right, SIDE + 9), (left, SIDE + 9)]))
+        part = whole.Intersection(geometry(case, [(left, -9), (right, -9), (right, SIDE + 9), (left, SIDE + 9)]))
         made.append((fields, bytes(ogr.ForceTo(part, kind).ExportToWkb())))
     return made
 
 
-def geometry(one: Scene, corners: Corners) -> ogr.Geometry:
+def geometry(case: Scene, corners: Corners) -> ogr.Geometry:
     ring, polygon = ogr.Geometry(ogr.wkbLinearRing), ogr.Geometry(ogr.wkbPolygon)
     for column, row in [*corners, corners[0]]:
-        ring.AddPoint_2D(*one.mosaic.grid.to_map(column, row))
+        ring.AddPoint_2D(*case.mosaic.grid.to_map(column, row))
     polygon.AddGeometry(ring)
     return polygon
 
 
-def requested(one: Scene, features: Sequence[SeamFeature]) -> tuple[ScanRequest, str]:
+def requested(case: Scene, features: Sequence[SeamFeature]) -> tuple[ScanRequest, str]:
     """The scan, and what is told."""
-    given = given_seams(features, one.mosaic.grid, paths=[source.ref.path for source in one.sources])
-    request, notices = scan_request(one.mosaic, one.sources, ScanSettings(piece_m=100.0), given)
+    given = given_seams(features, case.mosaic.grid, paths=[source.ref.path for source in case.sources])
+    request, notices = scan_request(case.mosaic, case.sources, ScanSettings(piece_m=100.0), given)
     return request, " ".join(map(str, notices))
 
 
@@ -68,47 +68,47 @@ def metres(request: ScanRequest) -> float:
 def test_outlines_as_lines_give_the_seams_of_the_polygons(
     tmp_path: Path, outline: Corners, with_sources: bool
 ) -> None:
-    one = on_outline(tmp_path, outline)
-    one = one if with_sources else replace(one, sources=())
-    lines, told = requested(one, halves(one, outline, ogr.wkbLineString))
-    polygons, _ = requested(one, halves(one, outline, ogr.wkbPolygon))
+    case = on_outline(tmp_path, outline)
+    case = case if with_sources else replace(case, sources=())
+    lines, notices = requested(case, halves(case, outline, ogr.wkbLineString))
+    polygons, _ = requested(case, halves(case, outline, ogr.wkbPolygon))
     assert metres(lines) == pytest.approx(metres(polygons), rel=0.03)
     assert bool(lines.sources) == with_sources, "an outline doesn't lie on two orthoimages"
-    assert "along the border of its pixels" in told
+    assert "along the border of its pixels" in notices
 
 
 def test_a_small_hole_beside_a_line_is_no_border(tmp_path: Path) -> None:
     given = images((SIDE, SIDE))
     made = blended(*given, beside(SEAM, 0, (SIDE, SIDE)))
     made[100:130, SEAM : SEAM + 30] = 0
-    one = scene(tmp_path, made, given)
-    request, _ = requested(one, line(one))
-    assert metres(request) == pytest.approx(SIDE * one.mosaic.ground_sample_distance)
+    case = scene(tmp_path, made, given)
+    request, _ = requested(case, line(case))
+    assert metres(request) == pytest.approx(SIDE * case.mosaic.ground_sample_distance)
 
 
-def line(one: Scene, **fields: str) -> list[SeamFeature]:
+def line(case: Scene, **fields: str) -> list[SeamFeature]:
     """The seam as a line."""
     path = ogr.Geometry(ogr.wkbLineString)
     for row in (0, SIDE):
-        path.AddPoint_2D(*one.mosaic.grid.to_map(SEAM, row))
+        path.AddPoint_2D(*case.mosaic.grid.to_map(SEAM, row))
     return [(fields, bytes(path.ExportToWkb()))]
 
 
 @pytest.mark.parametrize("names", [("a.tif", "a.tif"), ("source_0.tif", "Source_0"), ("source_0", "x/source_0.jp2")])
 def test_a_line_with_one_image_on_both_sides_is_no_seam(tmp_path: Path, names: tuple[str, str]) -> None:
-    one = on_outline(tmp_path, WHOLE)
-    features = line(one, left="source_0.tif", right="source_1.tif")
-    within = line(one, left=names[0], right=names[1])
-    within = [(fields, bytes(moved(wkb, one).ExportToWkb())) for fields, wkb in within if wkb is not None]
-    request, _ = requested(one, [*features, *within])
-    assert metres(request) == pytest.approx(SIDE * one.mosaic.ground_sample_distance)
+    case = on_outline(tmp_path, WHOLE)
+    features = line(case, left="source_0.tif", right="source_1.tif")
+    within = line(case, left=names[0], right=names[1])
+    within = [(fields, bytes(moved(wkb, case).ExportToWkb())) for fields, wkb in within if wkb is not None]
+    request, _ = requested(case, [*features, *within])
+    assert metres(request) == pytest.approx(SIDE * case.mosaic.ground_sample_distance)
     with pytest.raises(SeamlineError, match="separates two orthoimages"):
-        requested(one, within)
+        requested(case, within)
 
 
-def moved(wkb: bytes, one: Scene) -> ogr.Geometry:
+def moved(wkb: bytes, case: Scene) -> ogr.Geometry:
     """A line 100 px to the right."""
     path = ogr.CreateGeometryFromWkb(wkb)
     for number in range(path.GetPointCount()):
-        path.SetPoint_2D(number, path.GetX(number) + 100 * one.mosaic.grid.pixel_width, path.GetY(number))
+        path.SetPoint_2D(number, path.GetX(number) + 100 * case.mosaic.grid.pixel_width, path.GetY(number))
     return path

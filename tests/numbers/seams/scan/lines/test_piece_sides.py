@@ -30,12 +30,12 @@ def seam(*places: tuple[float, float], left: Side = None, right: Side = None) ->
 def with_sides(pieces: list[SeamPiece], numbers: dict[str, int] | None = None) -> list[SeamPiece]:
     whole = np.pad(labels(), 300, constant_values=-1)
     shown = sources_beside(pieces, lambda columns, rows: whole[rows + 300, columns + 300], GRID, 4)
-    return [sided(piece, own, numbers or {}) for piece, own in zip(pieces, shown.tolist())]
+    return [sided(piece, seen, numbers or {}) for piece, seen in zip(pieces, shown.tolist())]
 
 
 def sides(piece: SeamPiece, numbers: dict[str, int] | None = None) -> tuple[Side, Side]:
-    (found,) = with_sides([piece], numbers)
-    return found.left, found.right
+    (sided_piece,) = with_sides([piece], numbers)
+    return sided_piece.left, sided_piece.right
 
 
 def test_the_labels_beside_a_piece_are_its_sides() -> None:
@@ -57,22 +57,22 @@ def test_names_that_are_exchanged_are_set_right_and_others_stay() -> None:
 def test_names_are_found_among_files() -> None:
     files = ["/data/19FD5606Ax00020_16371.tif", "/data/19FD5606Ax00020_16372.TIF", "DJI_0025_ortho.tif"]
     names = ["19FD5606Ax00020_16371", "16372", r"C:\flight\dji_0025_ORTHO.jp2", "0025", "http://x.pl/id/16372", "ortho"]
-    found, missing = source_numbers(names, files)
-    assert found == dict(zip(names, (0, 1, 2, 2, 1, 2)))
+    numbers, missing = source_numbers(names, files)
+    assert numbers == dict(zip(names, (0, 1, 2, 2, 1, 2)))
     assert missing is None
 
 
 def test_names_that_mean_no_file_or_several_are_told() -> None:
-    found, missing = source_numbers(["19FD", "A", "b", "a_2"], ["19FD_1.tif", "19FD_2.tif", "b.tif"])
-    assert found == {"b": 2}
+    numbers, missing = source_numbers(["19FD", "A", "b", "a_2"], ["19FD_1.tif", "19FD_2.tif", "b.tif"])
+    assert numbers == {"b": 2}
     assert missing.values == {"count": 3, "names": "19FD, A, a_2"}
     assert source_numbers(["a"], [])[1] is None
 
 
 def test_folders_tell_files_of_one_name_apart() -> None:
     paths = ["/flight/A/o.tif", "/flight/B/o.tif", "/flight/B/p.tif"]
-    found, missing = source_numbers(["A/o.tif", r"..\\b\\O", "/elsewhere/p.tif", "o.tif"], paths)
-    assert found == {"A/o.tif": 0, r"..\\b\\O": 1, "/elsewhere/p.tif": 2}
+    numbers, missing = source_numbers(["A/o.tif", r"..\\b\\O", "/elsewhere/p.tif", "o.tif"], paths)
+    assert numbers == {"A/o.tif": 0, r"..\\b\\O": 1, "/elsewhere/p.tif": 2}
     assert missing is None
     assert meant_sources(["o.tif", "x/o.tif", "q"], paths) == {"o.tif": {0, 1}, "x/o.tif": {0, 1}, "q": set()}
     assert names_apart(paths) == ["A/o.tif", "B/o.tif", "p.tif"]

@@ -71,8 +71,8 @@ def test_pieces_together_are_the_seam(seed: int, count: int, piece_m: float) -> 
     assert len(pieces) == 1 or piece_m * 2 / 3 <= lengths[0] <= piece_m * 1.5
     for piece in pieces:
         assert metres(piece.vertices) == pytest.approx(piece.length_m, abs=1e-6)
-    for one, other in zip(pieces, pieces[1:]):
-        np.testing.assert_array_equal(one.vertices[-1], other.vertices[0])
+    for piece, other in zip(pieces, pieces[1:]):
+        np.testing.assert_array_equal(piece.vertices[-1], other.vertices[0])
 
 
 def test_lengths_are_metres_on_the_ground_where_the_map_has_degrees() -> None:
@@ -94,8 +94,8 @@ def test_what_leaves_the_mosaic_is_cut_off_and_told() -> None:
         x, y = piece.vertices.T
         assert GRID.left <= x.min() < x.max() <= GRID.left + 2000
         assert GRID.top - 1500 <= y.min() < y.max() <= GRID.top
-    told = cut_off([line], pieces, GRID)
-    assert str(told).startswith("310 m of the 2780 m")
+    notice = cut_off([line], pieces, GRID)
+    assert str(notice).startswith("310 m of the 2780 m")
 
 
 @given(st.integers(0, 10_000))

@@ -109,7 +109,7 @@ def test_islands_below_600_px_are_gone_and_larger_ones_have_a_ring() -> None:
     labels[120:160, 30:60] = 2
     labels[60:66, 97:103] = 2  # on the seam
     labels[80:84, 150:154] = -1
-    ring, seam = sorted(traced(labels), key=lambda one: one.right, reverse=True)
+    ring, seam = sorted(traced(labels), key=lambda line: line.right, reverse=True)
     assert (ring.left, ring.right) == (0, 2)
     np.testing.assert_array_equal(ring.vertices[0], ring.vertices[-1])
     np.testing.assert_allclose(pixels(ring, labels).min(axis=0), [120, 480], atol=4)
@@ -146,14 +146,14 @@ def test_the_tiles_that_labels_come_in_do_not_show(side: int) -> None:
     whole = traced(labels, max(labels.shape))
     in_tiles = traced(labels, side)
     assert len(in_tiles) == len(whole) > 10
-    for one, other in zip(whole, in_tiles):
-        np.testing.assert_array_equal(one.vertices, other.vertices)
-        assert (one.left, one.right) == (other.left, other.right)
+    for seam, other in zip(whole, in_tiles):
+        np.testing.assert_array_equal(seam.vertices, other.vertices)
+        assert (seam.left, seam.right) == (other.left, other.right)
 
 
 @pytest.fixture(scope="module")
 def brighton(data_folder: Path) -> np.ndarray:
-    """Which source each pixel is from, -1 outside."""
+    """The source that each pixel is from, -1 outside."""
     path = data_folder / "seams" / "brighton" / "source_label.tif"
     return read_pixels(str(path), 0, 0, 3423, 2987)[0].astype(np.int16) - 1
 
@@ -168,10 +168,10 @@ def test_seams_of_brighton_lie_where_the_true_ones_do(
         labels = estimated(labels, seed, right_near, right_far)
     grid = Grid(576665.77, 5188204.05, 0.03, 0.03, 3423, 2987)
     seams = trace_seams(labels, grid)
-    true, found = points_between(brighton), points_along([seam.vertices for seam in seams], grid)
-    for apart in (distances(found, true), distances(true, found)):
+    true, traced_points = points_between(brighton), points_along([seam.vertices for seam in seams], grid)
+    for apart in (distances(traced_points, true), distances(true, traced_points)):
         assert (apart * 0.03 <= 0.3).mean() >= 0.95
         assert (apart * 0.03 <= 0.6).mean() >= 0.99
-    length = len(found) * 0.5 * 0.03
+    length = len(traced_points) * 0.5 * 0.03
     assert 255 < length < 280  # 372 m along the stairs
     assert len(seams) < 26

@@ -25,8 +25,8 @@ def borders_of(labels: np.ndarray, side: int = 64) -> list[SourceBorder]:
 
 
 def polygons(labels: np.ndarray) -> dict[int, ogr.Geometry]:
-    found = polygons_of(borders_of(labels))
-    return {one.source: ogr.CreateGeometryFromWkb(one.wkb) for one in found}
+    outlines = polygons_of(borders_of(labels))
+    return {outline.source: ogr.CreateGeometryFromWkb(outline.wkb) for outline in outlines}
 
 
 def points(geometry: ogr.Geometry) -> list[tuple[float, ...]]:
@@ -53,7 +53,7 @@ def patches(seed: int) -> np.ndarray:
 
 
 def test_a_hole_is_in_the_part_around_it() -> None:
-    """Which stands within an angular one of the same source that is open to the left: a ray to the right meets that
+    """The hole stands within an angular one of the same source that is open to the left: a ray to the right meets that
     one twice."""
     labels = np.zeros((120, 160), np.int16)
     labels[10:110, 20:140] = 1
@@ -68,14 +68,14 @@ def test_a_hole_is_in_the_part_around_it() -> None:
 
 @pytest.mark.parametrize("labels", [quarters(), estimated(quarters(), 1), patches(1), patches(2)])
 def test_polygons_part_the_mosaic_without_gaps_and_overlaps(labels: np.ndarray) -> None:
-    found = polygons(labels)
+    shapes = polygons(labels)
     together = ogr.Geometry(ogr.wkbMultiPolygon)
-    for geometry in found.values():
+    for geometry in shapes.values():
         assert geometry.IsValid()
         for i in range(geometry.GetGeometryCount()):
             together.AddGeometry(geometry.GetGeometryRef(i))
     whole = together.UnionCascaded()
-    total = sum(geometry.GetArea() for geometry in found.values())
+    total = sum(geometry.GetArea() for geometry in shapes.values())
     assert whole.GetArea() == pytest.approx(total, rel=1e-9)  # no overlap
     parts = [whole.GetGeometryRef(i) for i in range(whole.GetGeometryCount())]
     parts = parts if whole.GetGeometryType() == ogr.wkbMultiPolygon else [whole]
@@ -87,14 +87,14 @@ def test_polygons_part_the_mosaic_without_gaps_and_overlaps(labels: np.ndarray) 
 
 def test_areas_islands_and_holes_are_those_of_the_labels() -> None:
     labels = quarters()
-    found = polygons(labels)
-    assert sorted(found) == [0, 1, 2, 3, 4]
-    for source, geometry in found.items():
+    shapes = polygons(labels)
+    assert sorted(shapes) == [0, 1, 2, 3, 4]
+    for source, geometry in shapes.items():
         assert geometry.GetArea() == pytest.approx((labels == source).sum() * 4, rel=0.03)
         assert geometry.GetGeometryName() == "MULTIPOLYGON"
-    assert found[1].GetGeometryCount() == 2  # its quarter and what it has inside the island
-    assert [found[4].GetGeometryRef(0).GetGeometryCount(), found[0].GetGeometryRef(0).GetGeometryCount()] == [2, 2]
-    assert found[3].GetGeometryRef(0).GetGeometryCount() == 2
+    assert shapes[1].GetGeometryCount() == 2  # its quarter and what it has inside the island
+    assert [shapes[4].GetGeometryRef(0).GetGeometryCount(), shapes[0].GetGeometryRef(0).GetGeometryCount()] == [2, 2]
+    assert shapes[3].GetGeometryRef(0).GetGeometryCount() == 2
 
 
 def test_borders_are_the_seams() -> None:
@@ -102,7 +102,7 @@ def test_borders_are_the_seams() -> None:
     borders = borders_of(labels)
     seams = seams_of(borders_of(labels, 512))
     assert [seam.vertices.tolist() for seam in seams_of(borders)] == [seam.vertices.tolist() for seam in seams]
-    corners = {one.source: set(points(ogr.CreateGeometryFromWkb(one.wkb))) for one in polygons_of(borders)}
+    corners = {outline.source: set(points(ogr.CreateGeometryFromWkb(outline.wkb))) for outline in polygons_of(borders)}
     for seam in seams:
         for side in (seam.left, seam.right):
             assert {tuple(vertex) for vertex in seam.vertices.tolist()} <= corners[side]

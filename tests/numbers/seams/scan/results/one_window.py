@@ -25,12 +25,12 @@ def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]
     columns = made.labels.argmax(axis=1).astype(float)
     vertices = np.column_stack([grid.left + columns * grid.pixel_width, grid.top - (rows + 0.5) * grid.pixel_height])
     cuts = np.linspace(0, SIDE - 1, count + 1).astype(int)
-    found = []
+    pieces = []
     for first, last in zip(cuts, cuts[1:]):
-        own = vertices[first : last + 1]
-        length = float(np.hypot(*np.diff(own, axis=0).T).sum())
-        found.append(SeamPiece(1, sum(one.length_m for one in found), length, own, 0, 1))
-    return found
+        part = vertices[first : last + 1]
+        length = float(np.hypot(*np.diff(part, axis=0).T).sum())
+        pieces.append(SeamPiece(1, sum(piece.length_m for piece in pieces), length, part, 0, 1))
+    return pieces
 
 
 def sums_of(pieces: list[SeamPiece], grid: Grid = GRID) -> PieceSums:

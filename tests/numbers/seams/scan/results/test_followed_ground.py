@@ -42,9 +42,9 @@ def halves(rows: int = 40, columns: int = 40) -> np.ndarray:
 
 
 def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
-    (one,) = ground_of(halves()).unseen
-    assert one.metres == pytest.approx(40 * UNIT_PX * GSD)
-    assert (one.x, one.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
+    (border,) = ground_of(halves()).unseen
+    assert border.metres == pytest.approx(40 * UNIT_PX * GSD)
+    assert (border.x, border.y) == (pytest.approx(20 * UNIT_PX * GSD, abs=4), pytest.approx(-20 * UNIT_PX * GSD, abs=4))
 
 
 @pytest.mark.parametrize("covering", [LACKING, EMPTY])
@@ -52,10 +52,10 @@ def test_a_border_without_a_seam_is_told_with_its_length_and_place() -> None:
 def test_a_strip_between_two_sources_hides_their_border(covering: int, width: int) -> None:
     units = halves()
     units[:, 20 : 20 + width] = covering
-    found = ground_of(units)
-    assert sum(one.metres for one in found.unseen) == pytest.approx(40 * UNIT_PX * GSD, rel=0.05)
-    assert bool(found.hidden) == (covering == LACKING)
-    assert (found.empty > 0) == (covering == EMPTY)
+    ground = ground_of(units)
+    assert sum(border.metres for border in ground.unseen) == pytest.approx(40 * UNIT_PX * GSD, rel=0.05)
+    assert bool(ground.hidden) == (covering == LACKING)
+    assert (ground.empty > 0) == (covering == EMPTY)
 
 
 def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:
@@ -69,16 +69,16 @@ def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:
 def test_what_was_not_read_is_told() -> None:
     units = halves(200, 200)
     units[:, 50:] = NOT_LOOKED
-    found = ground_of(units)
-    assert found.unseen == []
-    assert found.looked == pytest.approx(50 / 200)
+    ground = ground_of(units)
+    assert ground.unseen == []
+    assert ground.looked == pytest.approx(50 / 200)
 
 
 def test_a_border_in_ground_that_was_not_read_is_told_as_that() -> None:
     units = halves()
     units[:, 18:22] = NOT_LOOKED
-    found = ground_of(units)
-    assert (found.unseen, found.looked) == ([], pytest.approx(36 / 40))
+    ground = ground_of(units)
+    assert (ground.unseen, ground.looked) == ([], pytest.approx(36 / 40))
 
 
 def metres(result: ScanResult, name: str) -> float:
@@ -125,10 +125,10 @@ def test_a_strip_so_narrow_that_its_sides_are_told_is_measured_and_fails(tmp_pat
 @pytest.mark.parametrize("given", [False, True])
 @pytest.mark.parametrize("feather", [0, 33])
 def test_a_sound_mosaic_and_a_feathered_one_hide_nothing(tmp_path: Path, given: bool, feather: int) -> None:
-    one = scene(tmp_path, blended(*images(), beside(SEAM, feather)), images())
-    told = result_of(tmp_path, one, (given_seam(one, SEAM),) if given else ()).told
+    case = scene(tmp_path, blended(*images(), beside(SEAM, feather)), images())
+    facts = result_of(tmp_path, case, (given_seam(case, SEAM),) if given else ()).told
     aside = "mosaic_files", "source_files", "metres", "system", *ScanSettings().told
-    seen = {name: text for name, text in told.items() if name not in aside}
+    seen = {name: text for name, text in facts.items() if name not in aside}
     assert seen == {"seams": "given" if given else "found", "unexplained": "0.0000"} | (
         {"unchanged_metres": "0.0"} if given else {}
     )
@@ -139,9 +139,9 @@ def test_an_outline_with_a_collar_hides_nothing(tmp_path: Path) -> None:
     made = blended(*images(), beside(SEAM))
     row, column = np.indices(made.shape)
     made[(row < 40) | (column < 90) | (column + row > 1800) | (row - column > 700)] = NODATA
-    told = result_of(tmp_path, scene(tmp_path, made, images())).told
-    assert "unseen_metres" not in told
-    assert "nodata_inside" not in told
+    facts = result_of(tmp_path, scene(tmp_path, made, images())).told
+    assert "unseen_metres" not in facts
+    assert "nodata_inside" not in facts
 
 
 WIDE = (1024, 2560)
@@ -156,24 +156,24 @@ def of_three(folder: Path) -> Scene:
 
 @pytest.mark.slow
 def test_a_seam_that_is_left_out_of_the_seamlines_is_seen(tmp_path: Path) -> None:
-    one = of_three(tmp_path)
-    whole: tuple[SidedSeam, ...] = given_seam(one, 700), given_seam(one, 1700)
-    assert metres(result_of(tmp_path, one, whole), "unseen") == 0
-    lacking = result_of(tmp_path, one, whole[:1])
+    case = of_three(tmp_path)
+    whole: tuple[SidedSeam, ...] = given_seam(case, 700), given_seam(case, 1700)
+    assert metres(result_of(tmp_path, case, whole), "unseen") == 0
+    lacking = result_of(tmp_path, case, whole[:1])
     assert metres(lacking, "unseen") == pytest.approx(WIDE[0] * GSD, rel=0.1)
     assert metres(lacking, "unchanged") == 0
 
 
 @pytest.mark.slow
 def test_a_line_that_is_no_seam_is_no_seam(tmp_path: Path) -> None:
-    one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
-    named = given_seam(one, SEAM), given_seam(one, SEAM + 300, "source_0.tif", "source_1.tif")
-    assert metres(result_of(tmp_path, one, named), "unchanged") == pytest.approx(SIDE_M, rel=0.01)
-    unnamed = result_of(tmp_path, one, (given_seam(one, SEAM), given_seam(one, SEAM + 300)))
+    case = scene(tmp_path, blended(*images(), beside(SEAM)), images())
+    named = given_seam(case, SEAM), given_seam(case, SEAM + 300, "source_0.tif", "source_1.tif")
+    assert metres(result_of(tmp_path, case, named), "unchanged") == pytest.approx(SIDE_M, rel=0.01)
+    unnamed = result_of(tmp_path, case, (given_seam(case, SEAM), given_seam(case, SEAM + 300)))
     assert (metres(unnamed, "unchanged"), unnamed.seam_metres) == (0, pytest.approx(SIDE_M, rel=0.01))
     assert [notice.values["metres"] for notice in unnamed.notices] == [pytest.approx(SIDE_M, rel=0.01)]
 
 
 def test_a_line_beside_its_seam_is_its_line(tmp_path: Path) -> None:
-    one = scene(tmp_path, blended(*images(), beside(SEAM)), images())
-    assert metres(result_of(tmp_path, one, (given_seam(one, SEAM + 30),)), "unchanged") == 0
+    case = scene(tmp_path, blended(*images(), beside(SEAM)), images())
+    assert metres(result_of(tmp_path, case, (given_seam(case, SEAM + 30),)), "unchanged") == 0

@@ -33,13 +33,13 @@ PIECE_M = 25.0
 GSD = 0.1
 
 
-def request_of(one: Scene, seams: tuple[SidedSeam, ...] = (), **settings: object) -> ScanRequest:
+def request_of(case: Scene, seams: tuple[SidedSeam, ...] = (), **settings: object) -> ScanRequest:
     given = GivenSeams(seams, (), ()) if seams else None
-    return scan_request(one.mosaic, one.sources, ScanSettings(**settings), given)[0]  # type: ignore[arg-type]
+    return scan_request(case.mosaic, case.sources, ScanSettings(**settings), given)[0]  # type: ignore[arg-type]
 
 
-def result_of(folder: Path, one: Scene, seams: tuple[SidedSeam, ...] = (), **settings: object) -> ScanResult:
-    return scanned(request_of(one, seams, **settings), folder / "loss.tif")[1]
+def result_of(folder: Path, case: Scene, seams: tuple[SidedSeam, ...] = (), **settings: object) -> ScanResult:
+    return scanned(request_of(case, seams, **settings), folder / "loss.tif")[1]
 
 
 def picture(folder: Path) -> np.ndarray:
@@ -48,9 +48,9 @@ def picture(folder: Path) -> np.ndarray:
     return np.asarray(dataset.ReadAsArray())
 
 
-def distance_px(result: ScanResult, one: Scene, column: float) -> float:
+def distance_px(result: ScanResult, case: Scene, column: float) -> float:
     """The largest of any vertex from a seam along a column."""
-    grid = one.mosaic.grid
+    grid = case.mosaic.grid
     columns = [(piece.piece.vertices[:, 0] - grid.left) / grid.pixel_width for piece in result.pieces]
     return float(np.abs(np.concatenate(columns) - column).max())
 
@@ -58,8 +58,8 @@ def distance_px(result: ScanResult, one: Scene, column: float) -> float:
 @pytest.mark.parametrize("density", ["seams", "full"])
 def test_a_hard_cut_has_no_failed_metre(tmp_path: Path, density: str) -> None:
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
-    result = result_of(tmp_path, one, density=density)
+    case = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    result = result_of(tmp_path, case, density=density)
     assert result.seam_metres == pytest.approx(SIDE * GSD, rel=0.02)
     assert result.failed_metres == 0
     assert {piece.verdict for piece in result.pieces} == {Verdict.PRESERVED}
@@ -67,18 +67,18 @@ def test_a_hard_cut_has_no_failed_metre(tmp_path: Path, density: str) -> None:
     assert all(piece.low < 1 < piece.high for piece in result.pieces)
     assert all(piece.band_width_m == 0 for piece in result.pieces)
     assert all(0 <= piece.visibility < 0.5 for piece in result.pieces)
-    assert distance_px(result, one, SEAM) < 2
+    assert distance_px(result, case, SEAM) < 2
 
 
 @pytest.mark.parametrize("density", ["seams", "full"])
 def test_a_feathered_mosaic_fails_along_its_seam(tmp_path: Path, density: str) -> None:
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM, FEATHER_PX)), given)
-    result = result_of(tmp_path, one, density=density)
+    case = scene(tmp_path, blended(*given, beside(SEAM, FEATHER_PX)), given)
+    result = result_of(tmp_path, case, density=density)
     assert result.seam_metres == pytest.approx(SIDE * GSD, rel=0.02)
     assert all(piece.high < 1 for piece in result.pieces)
     assert {piece.verdict for piece in result.pieces} <= {Verdict.SIGNIFICANT, Verdict.REDUCED}
-    assert distance_px(result, one, SEAM) < 3
+    assert distance_px(result, case, SEAM) < 3
     widths = [piece.band_width_m for piece in result.pieces]
     assert np.median(widths) == pytest.approx(0.6 * FEATHER_PX * GSD, rel=0.4)
     assert all(0.7 < piece.visibility < 2 for piece in result.pieces)
@@ -124,10 +124,10 @@ def test_what_was_done_to_the_whole_mosaic_is_no_loss_and_hides_none(
 
 def test_pieces_name_both_sources_and_polygons_cover_the_mosaic(tmp_path: Path) -> None:
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
-    result = result_of(tmp_path, one)
-    names = [source.ref.name for source in one.sources]
-    grid = one.mosaic.grid
+    case = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    result = result_of(tmp_path, case)
+    names = [source.ref.name for source in case.sources]
+    grid = case.mosaic.grid
     for piece in result.pieces:
         (x, y), (_, last) = piece.piece.vertices[[0, -1]]
         left, right = (piece.left, piece.right) if last > y else (piece.right, piece.left)
@@ -142,10 +142,10 @@ def test_a_seam_along_the_border_of_two_blocks_is_found_by_looking_again(tmp_pat
     """The patches of either block alone are of one source."""
     shape = (384, 2560)
     given = images(shape)
-    one = scene(tmp_path, blended(*given, beside(BLOCK_PX + 1, FEATHER_PX, shape)), given)
-    result = result_of(tmp_path, one)
+    case = scene(tmp_path, blended(*given, beside(BLOCK_PX + 1, FEATHER_PX, shape)), given)
+    result = result_of(tmp_path, case)
     assert result.seam_metres == pytest.approx(shape[0] * GSD, rel=0.03)
-    assert distance_px(result, one, BLOCK_PX + 1) < 3
+    assert distance_px(result, case, BLOCK_PX + 1) < 3
     assert all(piece.high < 1 for piece in result.pieces)
     loss = picture(tmp_path)[0]
     beside_border = loss[:, [BLOCK_PX // 32 - 1, BLOCK_PX // 32]]
@@ -169,9 +169,9 @@ def test_a_raster_that_is_rewritten_while_it_is_scanned_is_told_and_all_is_measu
     tmp_path: Path, which: str
 ) -> None:
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
-    request = request_of(one)
-    path = Path(one.mosaic.ref.path if which == "mosaic" else one.sources[1].ref.path)
+    case = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    request = request_of(case)
+    path = Path(case.mosaic.ref.path if which == "mosaic" else case.sources[1].ref.path)
     with whole_scan(request, tmp_path / "loss.tif") as scan, ThreadPoolExecutor(1) as executor:
         for number, _ in enumerate(scan.steps(executor, 2)):
             if number:
@@ -203,16 +203,16 @@ def test_bad_places_come_first_among_the_worst(tmp_path: Path) -> None:
     result = result_of(tmp_path, scene(tmp_path, made, given), piece_m=12.0)
     first = result.worst[0].window
     assert first.row + first.height / 2 > SIDE / 2
-    assert [one.window_id for one in result.worst] == list(range(1, len(result.worst) + 1))
+    assert [window.window_id for window in result.worst] == list(range(1, len(result.worst) + 1))
 
 
 UTM_SCALE = 0.9996
-"""Of lengths on the map where the scene lies, on the central meridian of its zone (Snyder 1987)."""
+"""Scale of lengths on the map where the scene lies, on the central meridian of its zone (Snyder 1987)."""
 
 
-def given_seam(one: Scene, column: float, left: str | None = None, right: str | None = None) -> SidedSeam:
+def given_seam(case: Scene, column: float, left: str | None = None, right: str | None = None) -> SidedSeam:
     """From top to bottom."""
-    grid = one.mosaic.grid
+    grid = case.mosaic.grid
     xs = [grid.left + column * grid.pixel_width] * 2
     return SidedSeam(np.column_stack([xs, [grid.top, grid.top - grid.rows * grid.pixel_height]]), left, right)
 
@@ -220,24 +220,24 @@ def given_seam(one: Scene, column: float, left: str | None = None, right: str | 
 @pytest.mark.parametrize("width", [0, FEATHER_PX])
 def test_given_seams_are_judged_as_those_that_are_found(tmp_path: Path, width: int) -> None:
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM, width)), given)
-    found = result_of(tmp_path, one)
-    told = result_of(tmp_path, one, (given_seam(one, SEAM),))
-    assert told.seam_metres == pytest.approx(SIDE * GSD / UTM_SCALE)
-    assert np.mean([piece.least_kept for piece in told.pieces]) == pytest.approx(
-        np.mean([piece.least_kept for piece in found.pieces]), abs=0.04
+    case = scene(tmp_path, blended(*given, beside(SEAM, width)), given)
+    traced = result_of(tmp_path, case)
+    along_given = result_of(tmp_path, case, (given_seam(case, SEAM),))
+    assert along_given.seam_metres == pytest.approx(SIDE * GSD / UTM_SCALE)
+    assert np.mean([piece.least_kept for piece in along_given.pieces]) == pytest.approx(
+        np.mean([piece.least_kept for piece in traced.pieces]), abs=0.04
     )
-    assert {piece.verdict for piece in told.pieces} <= (
+    assert {piece.verdict for piece in along_given.pieces} <= (
         {Verdict.PRESERVED} if not width else {Verdict.SIGNIFICANT, Verdict.REDUCED}
     )
-    names = [source.ref.name for source in one.sources]
-    assert {(piece.right, piece.left) for piece in told.pieces} == {tuple(names)}  # walked downwards
+    names = [source.ref.name for source in case.sources]
+    assert {(piece.right, piece.left) for piece in along_given.pieces} == {tuple(names)}  # walked downwards
 
 
 def test_the_picture_of_given_seams_names_sources_everywhere(tmp_path: Path) -> None:
     given = images()
-    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
-    result_of(tmp_path, one, (given_seam(one, SEAM),))
+    case = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    result_of(tmp_path, case, (given_seam(case, SEAM),))
     source = picture(tmp_path)[3]
     assert (source[:, : SEAM // 32] == 1).all()
     assert (source[:, SEAM // 32 + 1 :] == 2).all()

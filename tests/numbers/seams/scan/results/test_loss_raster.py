@@ -35,13 +35,13 @@ def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> N
     """Energy over that which ground of the same energy has."""
     table = blend(width).detail().cells
     (finest, *_) = grounds(table)
-    mm, cc = (spread(table, one[0], COUNT).sum(axis=0) for one in (table.mm, table.cc))
+    mm, cc = (spread(table, sums[0], COUNT).sum(axis=0) for sums in (table.mm, table.cc))
     expected = mm / (cc * finest.amplitude(cc / CELL_PX**2))
-    found = pixels_of(width, CELL_PX)[KEPT]
-    assert found.shape == (BLOCK_PX // CELL_PX, BLOCK_PX // CELL_PX)
-    assert found[:COUNT, :COUNT] == pytest.approx(expected, rel=0.01, abs=0.003)
-    assert (found[COUNT:] == NODATA).all()
-    assert (found[:, COUNT:] == NODATA).all()
+    pixels = pixels_of(width, CELL_PX)[KEPT]
+    assert pixels.shape == (BLOCK_PX // CELL_PX, BLOCK_PX // CELL_PX)
+    assert pixels[:COUNT, :COUNT] == pytest.approx(expected, rel=0.01, abs=0.003)
+    assert (pixels[COUNT:] == NODATA).all()
+    assert (pixels[:, COUNT:] == NODATA).all()
 
 
 GEOTRANSFORM: GeoTransform = (400000.0, 0.25, 0.0, 5500000.0, 0.0, -0.25)
@@ -66,8 +66,8 @@ def written(path: Path, mosaic: Raster, cell_px: int = 32) -> np.ndarray:
     with loss_raster(str(path), mosaic, cell_px) as raster:
         for row in range(2):
             for column in range(3):
-                own = np.s_[:, row * side : (row + 1) * side, column * side : (column + 1) * side]
-                raster.write(row, column, everything[own])
+                block = np.s_[:, row * side : (row + 1) * side, column * side : (column + 1) * side]
+                raster.write(row, column, everything[block])
         raster.close(["one.tif", "zwei ö.tif", "three.tif"])
     return everything[:, :rows, :columns]
 
@@ -101,10 +101,10 @@ def test_overviews_are_means_but_for_the_numbers_of_sources(tmp_path: Path, mosa
     assert max(dataset.RasterXSize, dataset.RasterYSize) > 256
     kept, source = (dataset.GetRasterBand(number + 1) for number in (KEPT, SOURCE))
     assert kept.GetOverviewCount() == source.GetOverviewCount() == 1
-    found = kept.GetOverview(0).ReadAsArray()
+    overview = kept.GetOverview(0).ReadAsArray()
     even = np.s_[40:80, 40:80]  # where nothing lacks
     wanted = expected[KEPT].astype(float)[80:160, 80:160].reshape(40, 2, 40, 2).mean(axis=(1, 3))
-    assert found[even] == pytest.approx(wanted, abs=1e-5)
+    assert overview[even] == pytest.approx(wanted, abs=1e-5)
     assert set(np.unique(source.GetOverview(0).ReadAsArray())) <= {NODATA, 1, 2, 3}
 
 
@@ -141,9 +141,9 @@ def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
         each = spread(cells, getattr(cells, name)[0], COUNT).sum(axis=0)
         return each.reshape(side, cell_px // CELL_PX, side, -1).sum(axis=(1, 3))
 
-    found = pixels_of(33, cell_px)[:, :side, :side]
+    pixels = pixels_of(33, cell_px)[:, :side, :side]
     mm, cc, mc = map(summed, ("mm", "cc", "mc"))
-    assert found[CONTRAST] == pytest.approx(np.sqrt(mm / cc), rel=1e-4)
-    assert found[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
+    assert pixels[CONTRAST] == pytest.approx(np.sqrt(mm / cc), rel=1e-4)
+    assert pixels[ADDED] == pytest.approx(np.maximum(1 - mc**2 / (mm * cc), 0), abs=1e-4)
     mixture = np.linspace(0, 1, COUNT**2).reshape(side, cell_px // CELL_PX, side, -1).mean(axis=(1, 3))
-    assert found[MIXTURE] == pytest.approx(mixture, abs=1e-5)
+    assert pixels[MIXTURE] == pytest.approx(mixture, abs=1e-5)

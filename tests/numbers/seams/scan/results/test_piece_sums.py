@@ -25,21 +25,21 @@ def test_a_seam_of_one_piece_keeps_what_its_window_keeps(width: int, seed: int) 
     made = blend(width, seed=seed)
     detail = made.detail()
     expected = detail.profile
-    (found,) = profiles_of(detail, pieces_of(made))
-    assert found.profile.kept == pytest.approx(expected.kept, rel=0.01)
-    assert (found.profile.low, found.profile.high) == pytest.approx((expected.low, expected.high), rel=0.03)
-    assert found.profile.band_width_px == pytest.approx(expected.band_width_px, abs=2)
-    assert found.profile.feather_width_px == pytest.approx(expected.feather_width_px, abs=1)
-    assert found.profile.added_beside == pytest.approx(expected.added_beside, abs=0.02)
-    assert found.profile.measure is expected.measure
-    assert found.profile.lost == pytest.approx(expected.lost, rel=0.05, abs=2000)
+    (measured,) = profiles_of(detail, pieces_of(made))
+    assert measured.profile.kept == pytest.approx(expected.kept, rel=0.01)
+    assert (measured.profile.low, measured.profile.high) == pytest.approx((expected.low, expected.high), rel=0.03)
+    assert measured.profile.band_width_px == pytest.approx(expected.band_width_px, abs=2)
+    assert measured.profile.feather_width_px == pytest.approx(expected.feather_width_px, abs=1)
+    assert measured.profile.added_beside == pytest.approx(expected.added_beside, abs=0.02)
+    assert measured.profile.measure is expected.measure
+    assert measured.profile.lost == pytest.approx(expected.lost, rel=0.05, abs=2000)
 
 
 def test_one_half_feathered_shows_in_its_pieces_only() -> None:
     hard, soft = blend(0), blend(33)
     half = np.arange(SIDE)[:, np.newaxis] < SIDE // 2
     made = replace(hard, weights=np.where(half, soft.weights, hard.weights))
-    parts = [one.profile for one in profiles_of(made.detail(), pieces_of(hard, 4))]
+    parts = [strip.profile for strip in profiles_of(made.detail(), pieces_of(hard, 4))]
     assert max(part.kept[0] for part in parts[:2]) < 0.85
     assert min(part.kept[0] for part in parts[2:]) > 0.93
     assert [part.feather_width_px > 10 for part in parts] == [True, True, False, False]
@@ -57,18 +57,18 @@ def test_blocks_add_up_in_any_order() -> None:
         return detail.cells.within(place), detail.mixture.within(place)
 
     parts = [part(upper, left) for upper in (True, False) for left in (True, False)]
-    found = []
+    profiles = []
     for order in ([(detail.cells, detail.mixture)], parts, parts[::-1]):
         sums = sums_of(pieces)
         for cells, mixture in order:
             sums.add(cells, mixture, ground, WINDOW)
-        found.append([profile.profile for profile in sums.profiles()])
-    for others in found[1:]:
-        for one, other in zip(found[0], others):
-            assert other.kept == pytest.approx(one.kept, rel=1e-6)
-            assert other.low == pytest.approx(one.low, rel=1e-3)
-            assert other.high == pytest.approx(one.high, rel=1e-3)
-            assert other.feather_width_px == pytest.approx(one.feather_width_px, rel=1e-3)
+        profiles.append([profile.profile for profile in sums.profiles()])
+    for others in profiles[1:]:
+        for expected, other in zip(profiles[0], others):
+            assert other.kept == pytest.approx(expected.kept, rel=1e-6)
+            assert other.low == pytest.approx(expected.low, rel=1e-3)
+            assert other.high == pytest.approx(expected.high, rel=1e-3)
+            assert other.feather_width_px == pytest.approx(expected.feather_width_px, rel=1e-3)
 
 
 MOSAIC = Raster(RasterRef("mosaic.tif"), SIDE, SIDE, None, "", ("band_1",), "uint8")
@@ -85,9 +85,9 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     sums = sums_of(pieces_of(made))
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW, grey)
     grey, brightest = sums.grey
-    (found,) = visibilities(sums.profiles(), grey, white_grey(MOSAIC, brightest))
-    assert found == pytest.approx(expected, rel=0.03, abs=0.03)
-    assert (found > 1) == (width > 0)
+    (visibility,) = visibilities(sums.profiles(), grey, white_grey(MOSAIC, brightest))
+    assert visibility == pytest.approx(expected, rel=0.03, abs=0.03)
+    assert (visibility > 1) == (width > 0)
 
 
 def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> None:
@@ -96,9 +96,9 @@ def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> No
     beside = replace(detail, cells=detail.cells.chosen(detail.cells.bin < EDGES_PX.index(24)))
     assert grounds(beside.cells) == [None] * LEVELS
     mixture = detail.mixture.chosen(detail.mixture.bin < EDGES_PX.index(24))
-    (found,) = profiles_of(replace(beside, mixture=mixture), pieces_of(made))
-    assert found.profile.measure is Measure.MIXTURE
-    assert found.profile.kept[0] == pytest.approx(made.truth(), abs=0.05)
+    (measured,) = profiles_of(replace(beside, mixture=mixture), pieces_of(made))
+    assert measured.profile.measure is Measure.MIXTURE
+    assert measured.profile.kept[0] == pytest.approx(made.truth(), abs=0.05)
     (nothing,) = profiles_of(replace(beside, mixture=MixtureTable.empty(LEVELS)), pieces_of(made))
     assert nothing.profile is None
 
@@ -108,7 +108,7 @@ def test_a_line_far_off_the_seam_does_not_take_its_loss_over() -> None:
     detail = made.detail()
     (piece,) = pieces_of(made)
     moved = [replace(piece, vertices=piece.vertices + (by * GRID.pixel_width, 0)) for by in (30.0, 90.0)]
-    near, far = (profiles_of(detail, [one])[0].profile for one in moved)
+    near, far = (profiles_of(detail, [piece])[0].profile for piece in moved)
     assert near.kept[0] == pytest.approx(profiles_of(detail, [piece])[0].profile.kept[0], abs=0.1)
     assert far is None
 
@@ -119,10 +119,10 @@ def test_a_line_far_off_the_seam_does_not_take_its_loss_over() -> None:
 ])  # fmt: skip
 def test_a_piece_along_even_ground_is_not_measured(grain: float, grey: float, is_measured: bool) -> None:
     made = blend(33)
-    found = profiles_of(made.detail(), pieces_of(made))
-    (piece,) = without_even(found, np.array([grain]), np.array([grey]))
+    profiles = profiles_of(made.detail(), pieces_of(made))
+    (piece,) = without_even(profiles, np.array([grain]), np.array([grey]))
     assert (piece.profile is not None) == is_measured
-    assert piece.area_px == found[0].area_px
+    assert piece.area_px == profiles[0].area_px
 
 
 def test_the_fit_is_that_of_the_strip() -> None:
@@ -130,7 +130,7 @@ def test_the_fit_is_that_of_the_strip() -> None:
     detail = made.detail()
     table = detail.cells
     strip = table.bin < EDGES_PX.index(STRIP_PX)
-    (found,) = profiles_of(detail, pieces_of(made))
-    mm, cc, mc = (float(one[0, strip].sum()) for one in (table.mm, table.cc, table.mc))
-    assert found.fit == pytest.approx(mc**2 / (mm * cc), rel=1e-4)
-    assert found.area_px == pytest.approx(table.area[0, strip].sum())
+    (measured,) = profiles_of(detail, pieces_of(made))
+    mm, cc, mc = (float(sums[0, strip].sum()) for sums in (table.mm, table.cc, table.mc))
+    assert measured.fit == pytest.approx(mc**2 / (mm * cc), rel=1e-4)
+    assert measured.area_px == pytest.approx(table.area[0, strip].sum())

@@ -35,13 +35,13 @@ def piece(column: float = 500, row: float = 500, length_m: float = 25.0, seam_id
 
 
 def profile(kept: float, low: float, high: float, width_px: float = 0.0) -> StripProfile:
-    one = ProfileBin(1, 0, 2, kept, np.nan, np.nan, np.nan, 500.0)
-    return StripProfile(SeamProfile((kept, kept, kept), low, high, width_px, 0.0, (one,)), 4000.0, 0.9, 1.0)
+    beside = ProfileBin(1, 0, 2, kept, np.nan, np.nan, np.nan, 500.0)
+    return StripProfile(SeamProfile((kept, kept, kept), low, high, width_px, 0.0, (beside,)), 4000.0, 0.9, 1.0)
 
 
 def judged(kept: float | None, *place: float, **of_piece: float) -> JudgedPiece:
-    found = StripProfile(None, 0.0, 0.0, 0.0) if kept is None else profile(kept, 0.9 * kept, 1.1 * kept)
-    return judge_piece(PieceFigures(piece(*place, **of_piece), found), ("a.tif", "b.tif"), GSD)  # type: ignore[arg-type]
+    strip = StripProfile(None, 0.0, 0.0, 0.0) if kept is None else profile(kept, 0.9 * kept, 1.1 * kept)
+    return judge_piece(PieceFigures(piece(*place, **of_piece), strip), ("a.tif", "b.tif"), GSD)  # type: ignore[arg-type]
 
 
 @pytest.fixture(scope="module")
@@ -56,21 +56,21 @@ def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
     (0.6, 0.45, 0.88, Verdict.REDUCED),
 ])
 def test_a_verdict_follows_kept_and_its_interval(kept: float, low: float, high: float, verdict: Verdict) -> None:
-    found = judge_piece(PieceFigures(piece(), profile(kept, low, high, 8.0)), ("a.tif", None), GSD)
-    assert found.verdict == verdict
-    assert (found.least_kept, found.low, found.high) == (kept, low, high)
-    assert found.band_width_m == pytest.approx(8.0 * GSD)
+    result = judge_piece(PieceFigures(piece(), profile(kept, low, high, 8.0)), ("a.tif", None), GSD)
+    assert result.verdict == verdict
+    assert (result.least_kept, result.low, result.high) == (kept, low, high)
+    assert result.band_width_m == pytest.approx(8.0 * GSD)
     is_doubtful = verdict == Verdict.NOT_COMPARABLE or kept == 0.6  # may be significant
-    assert (found.reason is not None) == is_doubtful
-    assert (found.left, found.right) == ("a.tif", None)
+    assert (result.reason is not None) == is_doubtful
+    assert (result.left, result.right) == ("a.tif", None)
 
 
 def test_a_piece_that_was_not_measured_says_why() -> None:
     long, short = judged(None), judged(None, length_m=2.0)
-    for found in (long, short):
-        assert found.verdict == Verdict.NOT_COMPARABLE
-        assert found.kept is found.low is found.high is found.band_width_m is found.least_kept is None
-        assert found.visibility is None
+    for result in (long, short):
+        assert result.verdict == Verdict.NOT_COMPARABLE
+        assert result.kept is result.low is result.high is result.band_width_m is result.least_kept is None
+        assert result.visibility is None
     assert str(long.reason) != str(short.reason)
     assert "2" in str(short.reason)
 
@@ -86,13 +86,13 @@ def test_metres_are_counted_by_what_pieces_count_as() -> None:
 def test_ground_without_detail_has_nothing_to_lose() -> None:
     """Only where nothing could be measured, and where the orthoimages show hardly more than noise."""
     nothing, measured = StripProfile(None, 0.0, 0.0, 0.0), profile(0.5, 0.45, 0.55)
-    for found, grain, state in (
+    for strip, grain, state in (
         (nothing, 0.5 / 255, PieceState.NO_DETAIL), (nothing, 4 / 255, PieceState.NOT_MEASURED),
         (nothing, None, PieceState.NOT_MEASURED), (measured, 0.5 / 255, PieceState.FAILED),
     ):
-        one = judge_piece(PieceFigures(piece(), found, grain=grain), ("a.tif", "b.tif"), GSD)
-        assert one.state is state
-        assert (one.verdict is Verdict.NOT_COMPARABLE) == (state is not PieceState.FAILED)
+        result = judge_piece(PieceFigures(piece(), strip, grain=grain), ("a.tif", "b.tif"), GSD)
+        assert result.state is state
+        assert (result.verdict is Verdict.NOT_COMPARABLE) == (state is not PieceState.FAILED)
 
 
 def everywhere(window: PixelWindow) -> bool:
@@ -101,24 +101,24 @@ def everywhere(window: PixelWindow) -> bool:
 
 def windows(mosaic: Raster, *pieces: JudgedPiece, count: int = 50,
             is_valid: Callable[[PixelWindow], bool] | None = everywhere) -> list[PixelWindow]:
-    return [one.window for one in worst_windows(pieces, mosaic, count, 3, is_valid)]
+    return [placed.window for placed in worst_windows(pieces, mosaic, count, 3, is_valid)]
 
 
 def test_the_least_kept_come_first_each_around_its_piece(mosaic: Raster) -> None:
     places = {0.9: (400, 400), 0.5: (2500, 500), 0.7: (1500, 1900)}
     pieces = [judged(kept, *place) for kept, place in places.items()]
-    found = worst_windows(pieces, mosaic, 50, 3, everywhere)
-    assert [one.window_id for one in found] == [1, 2, 3]
-    for one, kept in zip(found, (0.5, 0.7, 0.9)):
-        assert one.window.column + one.window.width / 2 == pytest.approx(places[kept][0], abs=1)
-        assert one.window.row + one.window.height / 2 == pytest.approx(places[kept][1], abs=1)
-        assert one.station_m == pytest.approx(112.5)
-        assert one.window.width == one.window.height == 512  # the power of two beyond 100 m
+    worst = worst_windows(pieces, mosaic, 50, 3, everywhere)
+    assert [placed.window_id for placed in worst] == [1, 2, 3]
+    for placed, kept in zip(worst, (0.5, 0.7, 0.9)):
+        assert placed.window.column + placed.window.width / 2 == pytest.approx(places[kept][0], abs=1)
+        assert placed.window.row + placed.window.height / 2 == pytest.approx(places[kept][1], abs=1)
+        assert placed.station_m == pytest.approx(112.5)
+        assert placed.window.width == placed.window.height == 512  # the power of two beyond 100 m
 
 
 def test_of_windows_that_share_more_than_half_only_the_worse_stays(mosaic: Raster) -> None:
-    found = windows(mosaic, judged(0.6, 1000, 1000), judged(0.5, 1100, 1000), judged(0.7, 1600, 1000))
-    assert [one.column + one.width // 2 for one in found] == [1100, 1600]
+    kept_windows = windows(mosaic, judged(0.6, 1000, 1000), judged(0.5, 1100, 1000), judged(0.7, 1600, 1000))
+    assert [window.column + window.width // 2 for window in kept_windows] == [1100, 1600]
 
 
 def test_beside_missing_pixels_a_window_is_moved_or_made_smaller(mosaic: Raster) -> None:

@@ -50,7 +50,7 @@ def test_nothing_on_the_map_tells_what_was_found(judged: QgsVectorLayer) -> None
     assert judged.mapTipTemplate() == ""
     labels = judged.labeling().settings()
     assert labels.getLabelExpression().expression() == '"window_id"'
-    assert not any(word in told for told in _expressions(labels) for word in ("verdict", "kept", "ratio"))
+    assert not any(word in expression for expression in _expressions(labels) for word in ("verdict", "kept", "ratio"))
     assert "y_max(@seen)" in labels.geometryGenerator  # in a corner, not on the seam that is judged
     show_verdicts(judged)
     assert (judged.renderer().dump(), judged.mapTipTemplate()) == before

@@ -49,8 +49,8 @@ def is_drawn(chart: ProfileChart, distance_m: float, kept: float, colour: QColor
     return any(near(image.pixelColor(x, y + off), colour) for off in (-1, 0, 1))
 
 
-def near(one: QColor, other: QColor) -> bool:
-    return max(abs(a - b) for a, b in zip(one.getRgb()[:3], other.getRgb()[:3])) < 60
+def near(colour: QColor, other: QColor) -> bool:
+    return max(abs(a - b) for a, b in zip(colour.getRgb()[:3], other.getRgb()[:3])) < 60
 
 
 def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(panel: ProfilePanel) -> None:
@@ -108,7 +108,7 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
 
 
 @pytest.mark.parametrize(
-    ("selected", "found", "pending", "words"),
+    ("selected", "name", "pending", "words"),
     [
         ([], None, False, ""),  # which the curves' place says, as the next ones
         ([2], None, False, ""),
@@ -121,7 +121,7 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
     ],
 )
 def test_words_where_there_is_no_profile(
-    panel: ProfilePanel, session: ProfileSession, selected: list[int], found: str | None, pending: bool, words: str
+    panel: ProfilePanel, session: ProfileSession, selected: list[int], name: str | None, pending: bool, words: str
 ) -> None:
     little = Explained(None)
     little.has_seam = True
@@ -130,7 +130,7 @@ def test_words_where_there_is_no_profile(
         "curve": replace(result(), explanation=None), "no seam": result(Explained(None)), "little": result(little),
         "reason": replace(result(), explanation=None, judgement=nothing), None: None,
     }  # fmt: skip
-    session.results = {1: results[found]} if results[found] is not None else {}
+    session.results = {1: results[name]} if results[name] is not None else {}
     session.is_measuring = pending
     session.select(selected)
     settle()
