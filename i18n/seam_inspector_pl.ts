@@ -11777,5 +11777,15 @@
         <source>{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It hides losses, so remove it from the sources.</source>
         <translation>{name} pokazuje to, co inne źródła, z mniejszą ilością szczegółów, jak rozmyta ortofotomapa albo średnia ortoobrazów. Ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
+        <source>Several of a model file, an RPC file and a photo&apos;s orientation are given; choose one of them.</source>
+        <translation>Podano kilka spośród: plik modelu, plik RPC i orientacja zdjęcia; wybierz jedno z nich.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
+        <source>Angles of {name} reach {angle:.6g} and are taken as degrees; if they are in {unit}, set their unit.</source>
+        <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; jeśli ich jednostką jest {unit}, ustaw ją.</translation>
+    </message>
 </context>
 </TS>

@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5101, 1, 0),
-    "plugin/seams/measure": Measures(17925, 1, 0),
+    "plugin/seams/measure": Measures(18050, 1, 0),
     "plugin/seams": Measures(13994, 0, 1),
     "plugin/acceptance": Measures(5736, 1, 0),
     "plugin/toolkit": Measures(4743, 0, 0),
@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5604, 0, 0),
     "plugin": Measures(369, 1, 1),
     "python": Measures(1075, 0, 0),
-    "tests": Measures(48898, 0, 0),
+    "tests": Measures(48919, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 
