@@ -23,7 +23,7 @@ NOT_IN_ONE_SYSTEM = Message("{name} lies in another reference system than {first
 NO_SEAM_TO_DECIDE_ON = Message("There is no seam to decide on: no sheet has any.")
 SCAN_OF_ANOTHER = Message("The scan is of another mosaic than {name}; give the block that was scanned.")
 LOT_WITHOUT_PLAN = Message("A lot size or seed is for a plan of sampling, and '{rules}' has none; leave both out.")
-NO_LAYER_OF_SEAMS = Message("{path} has no layer of seams written by a scan; give the GeoPackage of a scan.")
+NO_LAYER_OF_SEAMS = Message("{path} does not exist or has no seams of a scan; give the GeoPackage of a scan.")
 OTHER_ENDING = Message("'{output}' is written as {ending}; give {path} that ending.")
 HOLDS_OTHER_DATA = Message(
     "'{output}' would be written over {path}, which holds other data than such a run writes; choose another file."

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy.special import ndtr, ndtri
 from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
@@ -41,6 +41,7 @@ def test_the_range_covers_where_neighbours_are_alike() -> None:
 
 @at_most(15)
 @given(VALUES, VALUES, st.floats(0.01, 100))
+@example([0.05, 0.2, 0.25, 0.35, 0.4], [0.05, 0.1, 0.15, 0.2, 0.4], 1.0)
 def test_the_unit_of_a_measure_does_not_matter(visible: list[float], invisible: list[float], factor: float) -> None:
     places = alone(len(visible), len(invisible))
     threshold = best_threshold(np.array(visible), np.array(invisible), places)

@@ -268,7 +268,7 @@ def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: N
     """The best threshold and its 95 % interval, from the spread of the thresholds of resampled neighbourhoods.
 
     Of the values or, where those are likelier to be normal, of their logarithms. Few neighbourhoods tell their spread
-    badly: therefore Student's distribution. No measure is negative, so no end is.
+    badly: therefore Student's distribution. No measure is negative, so none of them is.
     """
     kinds = [visible, invisible]
     values = np.concatenate(kinds)
@@ -280,7 +280,8 @@ def best_threshold(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: N
     count = max(neighbourhoods.fewest, 1.5)
     reach = spread * float(critical_t(0.95, max(DEGREES_OF_FREEDOM * (count - 1), 1)))
     low, high = (float(middle * np.exp(end) if is_skewed else middle + end) for end in (-reach, reach))
-    return Interval(float(middle), max(low, min(0.0, float(values.min()))), high)
+    least = min(0.0, float(values.min()))
+    return Interval(*(max(value, least) for value in (float(middle), low, high)))
 
 
 def _thresholds(kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
