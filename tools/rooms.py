@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5101, 1, 0),
-    "plugin/seams/measure": Measures(18050, 1, 0),
+    "plugin/seams/measure": Measures(18051, 1, 0),
     "plugin/seams": Measures(13994, 0, 1),
     "plugin/acceptance": Measures(5736, 1, 0),
     "plugin/toolkit": Measures(4743, 0, 0),
