@@ -19,7 +19,7 @@ from qgis.PyQt.QtGui import QFont, QIcon, QKeyEvent, QKeySequence, QPaintEvent, 
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
-from ....toolkit.desk.widgets import rich_tip
+from ....toolkit.desk.widgets import rich_tip, single_shot
 from ....toolkit.painting import painting
 from ....toolkit.translation import tr
 from .window_columns import ALIGNED_LEFT, COLUMNS, WINDOW_ID, TableColumn, used_columns, verdict_chip
@@ -157,6 +157,7 @@ _GIVING_WAY = (
 """Columns without room, the first that go first; verdict, loss and observer always stay."""
 _BEFORE_CAUSES = _GIVING_WAY[:3]  # that go before causes are cut short
 _CAUSE_LETTERS = 12  # that causes have beyond their heading then
+_FIT_MS = 100  # from a change on, so that many at once cost one look at all rows
 
 
 class WindowsTable(QTableView):
@@ -171,6 +172,7 @@ class WindowsTable(QTableView):
         self._windows = windows
         self._used = frozenset[str]()  # names of the columns that hold something
         self._allowed: frozenset[str] | None = None  # those that tell nothing; None: all may be seen
+        self._fit_soon = single_shot(self, self.fit, _FIT_MS)
         self.setModel(windows)
         self.setItemDelegate(ReadableItems(self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -301,6 +303,8 @@ class WindowsTable(QTableView):
         """Paint the rows that changed, and no others as Qt 5 does."""
         if self._used != used_columns(self._windows.all_windows()):
             self.fit()
+        elif not self._fit_soon.isActive():  # words may be longer, as causes that are told after the verdict
+            self._fit_soon.start()
         top = self.rowViewportPosition(first.row())
         bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
         self.viewport().update(0, top, self.viewport().width(), bottom - top)
