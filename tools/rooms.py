@@ -33,7 +33,7 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5101, 1, 0),
+    "plugin/imagery": Measures(5102, 1, 0),
     "plugin/seams/measure": Measures(18051, 1, 0),
     "plugin/seams": Measures(13998, 0, 1),
     "plugin/acceptance": Measures(5736, 1, 0),

@@ -9,7 +9,7 @@ import threading
 import weakref
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from typing import Any, TypeVar
 
@@ -176,7 +176,8 @@ class ReadingLanes:
         """Close all files, in their threads, as a large one takes its time: when what was asked for has been read."""
         with self._lock:
             for lane in {*self._lane_of.values()}:
-                lane.submit(lambda: _pool().close())
+                with suppress(RuntimeError):  # closed meanwhile: its thread closes them as it ends
+                    lane.submit(lambda: _pool().close())
             self._lane_of.clear()
 
     def close(self) -> None:

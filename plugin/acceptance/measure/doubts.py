@@ -22,7 +22,7 @@ COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "s
 """What makes figures of one layer differ from those of another."""
 
 Doubt = tuple[Message, Message]  # why a delivery can't be accepted as it is given, and what would decide it
-_Named = tuple[Sequence[str], Callable[..., Message], Message]
+_Named = tuple[Sequence[str], "Callable[..., Message]", Message]
 
 
 def against_any(delivery: Delivery) -> Iterator[Doubt]:

@@ -5,7 +5,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Callable, Optional, TypeVar
+from typing import Any, Callable, TypeVar
 
 from qgis.core import (
     QgsFeatureSink,
@@ -42,7 +42,7 @@ from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS
 from .sheet_layer import SHEET_COLUMNS, sheet_features
 
 Value = TypeVar("Value")
-Proof = Callable[[Sequence[str], Sequence[Raster]], tuple[Sequence[str], Optional[Prover]]]
+Proof = Callable[["Sequence[str]", "Sequence[Raster]"], "tuple[Sequence[str], Prover | None]"]
 """From the paths of the orthoimages that were scanned, and the mosaics, to those that are listed, and who proves
 failures by them; None for nobody."""
 
