@@ -414,7 +414,7 @@
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="136"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="137"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -444,7 +444,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="378"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="379"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -689,17 +689,17 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="316"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="205"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="203"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -909,7 +909,7 @@
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/under_mouse.py" line="56"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="57"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
@@ -1004,22 +1004,22 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="136"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="137"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="144"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="145"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="146"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="147"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="149"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="150"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
@@ -1034,7 +1034,7 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="123"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="124"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -1054,7 +1054,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="206"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="204"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -3607,7 +3607,7 @@
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="146"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3616,27 +3616,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="170"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="169"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="191"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="217"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="216"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4014,12 +4014,12 @@
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="240"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="240"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="239"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4133,7 +4133,7 @@
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="142"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="143"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
@@ -4243,17 +4243,17 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="203"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="202"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="204"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="203"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="243"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="242"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
@@ -5028,17 +5028,17 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="165"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="178"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="179"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
@@ -5505,7 +5505,7 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="339"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="337"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -8051,7 +8051,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="213"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="212"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -9694,7 +9694,7 @@
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="168"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
         <source>Main cause in the whole window: {cause}.</source>
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
@@ -11714,7 +11714,7 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="346"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="347"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
@@ -11734,7 +11734,7 @@
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="200"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="198"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>

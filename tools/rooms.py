@@ -33,13 +33,13 @@ class Measures:
 
 
 BOUNDS = {
-    "plugin/imagery": Measures(5102, 1, 0),
-    "plugin/seams/measure": Measures(18051, 1, 0),
+    "plugin/imagery": Measures(5102, 0, 0),
+    "plugin/seams/measure": Measures(18050, 1, 0),
     "plugin/seams": Measures(13998, 0, 1),
-    "plugin/acceptance": Measures(5736, 1, 0),
+    "plugin/acceptance": Measures(5735, 1, 0),
     "plugin/toolkit": Measures(4743, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
-    "plugin/radiometry": Measures(2047, 0, 0),
+    "plugin/radiometry": Measures(2048, 0, 0),
     "plugin/resolution": Measures(3185, 0, 0),
     "plugin/photos": Measures(3510, 0, 0),
     "plugin/sensors": Measures(5604, 0, 0),

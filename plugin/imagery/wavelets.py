@@ -103,12 +103,12 @@ def clip_curves(
     pairs = list(combinations(range(mixed), 2))
     products = component_products(bands, wavelet, levels, pairs)
     pixels = bands[0].size
-    own, cross = np.split(products.components, [len(bands)])
-    curves = [_curve(energies, total, pixels) for energies, total in zip(own, products.totals)]
+    squares, cross = np.split(products.components, [len(bands)])
+    curves = [_curve(energies, total, pixels) for energies, total in zip(squares, products.totals)]
     if not mixed:
         return curves, products.coarse
     doubled = np.array([2 * weights[i] * weights[j] for i, j in pairs])
-    energies = weights**2 @ own[:mixed] + doubled @ cross
+    energies = weights**2 @ squares[:mixed] + doubled @ cross
     bands_energy = weights**2 @ products.totals[:mixed]
     if energies.min() <= products.least_share * bands_energy:  # the bands cancel each other, or all are smooth
         mixture = np.tensordot(weights, bands[:mixed].astype(np.float64), axes=1)

@@ -199,6 +199,7 @@ class CheckRadiometry(RasterListAlgorithm):
             raise SettingsError(messages.VALUE_RANGE_BAD())
         return low, high
 
+
 def _save_report(path: Path, decision: RadiometricDecision, unseen: Iterable[Message], rules: RuleSet) -> None:
     from .report import save_radiometry_report
 

@@ -22,9 +22,8 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import geometry_on, same_system, system_name
 from . import messages
 from .delivery import SheetState
-from .overlapping_sheets import overlapping_otherwise
+from .overlapping_sheets import AT_ONCE, overlapping_otherwise
 
-_AT_ONCE = 1 << 22  # pixels
 _LEAST_MISSING = 1e-9  # of an outline: less is rounding
 _READ = 0.9  # of the time: the rest is to compare sheets where they overlap
 _MOSTLY = 0.5  # of an outline
@@ -259,7 +258,7 @@ def _invalid_pixels(
     if surely > _MOSTLY * inside:
         return surely
     count = 0
-    for window in opened.blocks(whole, _AT_ONCE):
+    for window in opened.blocks(whole, AT_ONCE):
         tell((window.row * whole.width + window.column) / (whole.width * whole.height))
         absent = _absent(opened, window)
         invalid = absent if absent is not None and absent.all() else opened.read(window).invalid

@@ -11,7 +11,7 @@ from ...imagery.grids import PixelWindow
 from ...imagery.raster_pool import RasterPool
 from ...imagery.rasters import Raster
 
-_AT_ONCE = 1 << 22  # pixels that are compared at once
+AT_ONCE = 1 << 22  # pixels that are read at once
 _LEAST_PX = 2.0  # of an overlap: what is narrower comes of outlines that are drawn on the ground, not on pixels
 _MOST_ASIDE = 0.05  # of a pixel, that grids may lie beside each other
 _LOOKED_AT = 1 << 27  # pixels of which a file is asked at once whether it has any
@@ -64,7 +64,7 @@ def _differ(raster: Raster, other: Raster, pool: RasterPool) -> bool:
             return bool(first.stored_share(window) or second.stored_share(window.moved_by(-columns, -rows)))
 
         parts = filter(has_any, first.blocks(shared, _LOOKED_AT))
-        for window in filter(has_any, (window for part in parts for window in first.blocks(part, _AT_ONCE))):
+        for window in filter(has_any, (window for part in parts for window in first.blocks(part, AT_ONCE))):
             mine, theirs = first.read(window), second.read(window.moved_by(-columns, -rows))
             valid = mine.valid & theirs.valid
             if (_differ_much if is_lossy else _differ_at_all)(mine.bands, theirs.bands, valid):

@@ -82,6 +82,7 @@ def share_text(share: float) -> str:
         return formatted(share, "g")
     return formatted(share, f".{min(max(2 - math.floor(math.log10(share)), 2), 7)}f")
 
+
 def share_range(chart: Chart) -> tuple[float, float]:
     """Limits of the axis, rounded so that they seldom change from window to window."""
     shares = [share for curve in chart.curves for share in curve.values]

@@ -97,7 +97,6 @@ def _share(value: float) -> str:
     return shown_number(value, 3) if value >= 0.001 or value == 0 else filled("{value:.1e}", value=value)
 
 
-
 CHART_MM = 84.6  # 320 px, as wide as a clip
 
 

@@ -54,6 +54,7 @@ FORECAST_PAIR_COLUMNS: tuple[Column[tuple[Forecast, ForecastPair]], ...] = (
 )
 """PAIRS of ``predictloss``: one row per window and pair of sources."""
 
+
 def output_fields(levels: int, said: Iterable[str]) -> QgsFields:
     """Fields of OUTPUT: those of every window, and what operators said as far as the windows given have it."""
     fields = column_fields(MEASURED, levels)

@@ -23,6 +23,7 @@ from ..inputs.block_cache import BlockCache
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import SeamProfile
 
+
 class SeamFinder:
     """Looks for the seams once for each layer of seamlines and mosaic, and when the seamlines are edited."""
 

@@ -173,8 +173,6 @@ def operators_disagree(row: WindowRecord) -> bool:
     return bool(row.observer and row.observer_2) and row.observer != row.observer_2
 
 
-
-
 class WindowsPanel(QWidget):
     """The table of windows with its filter."""
 
