@@ -277,26 +277,31 @@ def _fitted_filters(fine: np.ndarray, reference: np.ndarray, labels: np.ndarray,
     if len(numbers) > 1:
         parts = {i: sure & (labels == i) for i in numbers}
         fitted = {i: _single_filter(fine, reference, common, part) for i, part in parts.items()}
-        single = {i: fit for i, fit in fitted.items() if fit is not None}
-        if any(_explains_more(fine, common, made, parts[i], MIN_SINGLE_GAIN) for i, (_, made) in single.items()):
-            return Filters({i: single[i][0] if i in single else taps for i in numbers}, False)
+        single = {i: kernel for i, kernel in fitted.items() if kernel is not None}
+        if any(
+            _explains_more(fine, common, filtered(reference, kernel), parts[i], MIN_SINGLE_GAIN)
+            for i, kernel in single.items()
+        ):
+            return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
 
 
 def _single_filter(
     fine: np.ndarray, reference: np.ndarray, common: np.ndarray, part: np.ndarray
-) -> tuple[np.ndarray, np.ndarray] | None:
-    """Taps (5, 5) of a source by its part, and what they make of ``reference``; where noise hides that some of it holds
-    a seam, or is of another image, by the half that ``common`` explains best. None where too few pixels count."""
+) -> np.ndarray | None:
+    """Taps (5, 5) of a source by its part; where noise hides that some of it holds a seam, or is of another image, by
+    the half that ``common`` explains best, and if it explains more of the part than that. None where it doesn't, or too
+    few pixels count."""
     taps = fit_filter(fine, reference, part, gain=1.0)
     if taps is None:
         return None
-    made = filtered(reference, taps)
-    observed, after = _chosen(part[SAMPLE], fine[SAMPLE], made[SAMPLE])
-    if np.square(observed - after).sum() <= MAX_LEFT_CLEAR * np.square(observed).sum():
-        return taps, made
+    observed, made = _chosen(part[SAMPLE], fine[SAMPLE], filtered(reference, taps)[SAMPLE])
+    if np.square(observed - made).sum() <= MAX_LEFT_CLEAR * np.square(observed).sum():
+        return taps
     taps = fit_filter(fine, reference, _best_explained(fine, common, part), gain=1.0)
-    return None if taps is None else (taps, filtered(reference, taps))
+    if taps is None or not _explains_more(fine, common, filtered(reference, taps), part, MIN_SINGLE_GAIN):
+        return None
+    return taps
 
 
 def _is_a_multiple(
