@@ -299,7 +299,7 @@ def _single_filter(
     if np.square(observed - made).sum() <= MAX_LEFT_CLEAR * np.square(observed).sum():
         return taps
     taps = fit_filter(fine, reference, _best_explained(fine, common, part), gain=1.0)
-    if taps is None or not _explains_more(fine, common, filtered(reference, taps), part, MIN_SINGLE_GAIN):
+    if taps is None or not _explains_more(fine, common, filtered(reference, taps), part):
         return None
     return taps
 
