@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR)/build/plugins
 ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
 endif
-.PHONY: help install link lint check test mutants test-numbers test-release test-qt6 test-in-qgis test-release-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-deliveries benchmark-programs benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-release test-qt6 test-in-qgis test-release-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-mending benchmark-detection benchmark-compressed benchmark-compressed-scans benchmark-deliveries benchmark-programs benchmark-constants benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -154,6 +154,9 @@ benchmark-programs: link ## Measure what OTB, SAGA, GDAL, GRASS, enblend, raster
 	@tools/install_programs.sh
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.programs $(if $(WINDOWS),--windows $(WINDOWS)) \
 		$(if $(SIDE),--side $(SIDE)) $(if $(IMAGERY),--imagery "$(IMAGERY)") $(if $(ONLY),--only "$(ONLY)")
+
+benchmark-constants: link ## Measure what becomes of verdicts when a constant that judges is halved or doubled, and write the guide's table; ONLY=following for a try; real data by SEAM_INSPECTOR_DATA
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.constants $(if $(ONLY),--only "$(ONLY)",--write docs/appendix/constants.md)
 
 benchmark-calibration: link ## Measure how often the calibration's range covers the true threshold; takes an hour
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.calibration

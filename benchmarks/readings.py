@@ -103,23 +103,36 @@ def inspected(made: Made, window: KnownWindow, settings: InspectionSettings) -> 
     """The plugin's result for the window in the middle of the frame."""
     rows, columns = window.middle
     place = PixelWindow(columns.start, rows.start, window.side, window.side)
-    with _files(made, window.pixel_m) as (mosaic, sources):
-        block, _ = make_block(describe_mosaic(RasterRef(mosaic)), [RasterRef(path) for path in sources])
-        return inspect_window(WindowRequest(1, block.mosaic, block.sources_over(place), place, settings))
+    with _files(made, window.pixel_m) as folder:
+        return inspected_files(folder, place, settings)
+
+
+def inspected_files(folder: str, place: PixelWindow, settings: InspectionSettings) -> WindowResult:
+    """The plugin's result for a window of the files in a folder (``write_files``)."""
+    names = sorted(gdal.ReadDir(folder))
+    refs = [RasterRef(f"{folder}/{name}") for name in names if name.startswith("source_") and name.endswith(".tif")]
+    block, _ = make_block(describe_mosaic(RasterRef(f"{folder}/mosaic.tif")), refs)
+    return inspect_window(WindowRequest(1, block.mosaic, block.sources_over(place), place, settings))
 
 
 @contextmanager
-def _files(made: Made, pixel_m: float) -> Iterator[tuple[str, list[str]]]:
+def _files(made: Made, pixel_m: float) -> Iterator[str]:
     folder = f"/vsimem/{uuid4().hex}"
+    paths = write_files(made, folder, pixel_m)
+    try:
+        yield folder
+    finally:
+        for path in paths:
+            gdal.Unlink(path)
+
+
+def write_files(made: Made, folder: str, pixel_m: float) -> list[str]:
+    """The mosaic and its sources, as files of a folder."""
     mosaic, sources = f"{folder}/mosaic.tif", [f"{folder}/source_{number}.tif" for number in range(len(made.sources))]
     write_frame(mosaic, made.bands, None, pixel_m)
     for path, bands, mask, offset in zip(sources, made.sources, made.valid, made.offsets):
         write_frame(path, bands, None if mask.all() else mask, pixel_m, offset)
-    try:
-        yield mosaic, sources
-    finally:
-        for path in (mosaic, *sources):
-            gdal.Unlink(path)
+    return [mosaic, *sources]
 
 
 def write_frame(
