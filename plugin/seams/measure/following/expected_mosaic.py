@@ -15,7 +15,7 @@ from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
-from .compression import IsCompressed, compressed_sides, was_compressed
+from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_compressed
 from .followed_source import high_pass
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, levelled_by, square_means
 from .likely_source import FINE, FineDetail, LikelySource, Sampling, likely_source
@@ -67,6 +67,8 @@ class ExpectedMosaic:
     """What makes ``shown`` of ``toned``; the numbers are those of planes, of which several may be of one source."""
     was_compressed: bool = False
     """Whether the mosaic shows traces of a codec."""
+    spoilt: np.ndarray | None = None
+    """(rows, columns) bool: beside the ends of compressed sources, where nobody knows what is followed."""
 
     @property
     def is_filtered(self) -> bool:
@@ -140,11 +142,20 @@ def expected_mosaic(
         plane = cut_of(mosaic, shown, labels)
         toned = {i: filters.placed(i, plane) for i, plane in toned.items()}
     expected = ExpectedMosaic(
-        plane, unfiltered, labels, shown, toned, shares, filters, cutting.was_mosaic_compressed
+        plane, unfiltered, labels, shown, toned, shares, filters, cutting.was_mosaic_compressed,
+        _spoilt_ends(sources),
     ).of_sources(sources.source_of)
     if sources.mosaic.valid is None:
         return expected
     return replace(expected, labels=np.where(sources.mosaic.valid, expected.labels, np.uint8(UNKNOWN)))
+
+
+def _spoilt_ends(sources: PlacedSources) -> np.ndarray | None:
+    """Beside the ends of compressed sources, (rows, columns) bool, None where none ends: whose squares hold what lies
+    beyond has no pixels, and the mosaic follows it there all the same."""
+    lossy = [plane for plane in sources.valid if sources.images[sources.source_of[plane]].raster.is_lossy]
+    ends = [near_border(sources.valid[plane], JPEG_SQUARE_PX) for plane in lossy]
+    return np.logical_or.reduce(ends) if ends else None
 
 
 @dataclass(frozen=True, eq=False)

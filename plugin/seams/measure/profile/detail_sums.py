@@ -77,12 +77,15 @@ class MeetingSources:
     """Whether each source is among the planes in both ways."""
     was_compressed: bool = False
     """Whether the mosaic shows traces of a codec."""
+    spoilt: np.ndarray | None = None
+    """(rows, columns) bool: pixels that take no part (``ExpectedMosaic``)."""
 
     @classmethod
     def of(cls, expected: ExpectedMosaic) -> MeetingSources:
         """The sources of an expected mosaic."""
         return cls(
-            expected.labels, numbers_of(expected), expected.shares, expected.is_filtered, expected.was_compressed
+            expected.labels, numbers_of(expected), expected.shares, expected.is_filtered, expected.was_compressed,
+            expected.spoilt,
         )
 
 
@@ -97,6 +100,8 @@ def detail_sums(
     numbers, is_filtered = sources.numbers, sources.is_filtered
     rows, columns = (length // CELL_PX for length in sources.labels.shape)
     place = seam_geometry(sources.labels)
+    if sources.spoilt is not None:
+        place.bins[sources.spoilt[::_GRID_PX, ::_GRID_PX]] = len(EDGES_PX)
     levels, per_cell = len(details), CELL_PX // _GRID_PX
     whole = np.s_[: rows * per_cell, : columns * per_cell]  # cells
     followed, other, bins = (plane[whole] for plane in (place.labels, place.other, place.bins))
