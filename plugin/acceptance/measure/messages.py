@@ -232,8 +232,6 @@ PICTURES_NOT_WRITTEN = Message(
 PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING)
 PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
-LOSS_NOT_OF_SCAN = Message(
-    "{name} is not the picture of losses of a scan and is left out; choose the scan's LOSS.", WARNING)
 SEAMS_ELSEWHERE_UNKNOWN = Message(
     "Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are "
     "unknown: {names}.", INFO)
@@ -263,7 +261,6 @@ SEAMS_FOUND = Message(
     "seamlines to the scan to measure all of them.", WARNING)
 RADIOMETRY_NO_TABLE = Message(
     "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it.")
-MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, not a mosaic; no pictures are cut from it.", WARNING)
 PAPER_STOPPED = Message(
     "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
 # the files of a delivery; what is found at a sheet goes into tables

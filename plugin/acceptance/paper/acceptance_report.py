@@ -27,7 +27,6 @@ from .inspection_record import InspectionRecord, file_name, how_measured
 from .paper_head import head_rows, iso_date
 from .words import (
     CHECKS,
-    DIGEST_STANDARD,
     NOTHING,
     QUALITY_STANDARDS,
     SHEET_COLOURS,
@@ -80,7 +79,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         judged=_judged_bands(record.mosaics),
         figures=_key_figures(decision),
         parts=parts,
-        radiometry=[*_radiometry_rows(record)],
         sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
@@ -100,13 +98,9 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
         layers=record.seams,
         most_layers=MOST_LAYERS,
-        images=[(image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images],
-        digests=[(digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests],
+        images=[(name, iso_date(day)) for name, day in record.images],
         most_files=MOST_FILES,
-        standards=[
-            *([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS,
-            *([DIGEST_STANDARD] if record.digests else []),
-        ],
+        standards=[*([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS],
     )  # fmt: skip
 
 
@@ -168,9 +162,9 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         yield name, result, words, faulty > 0
     else:
         yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
-    rejected, undecided = (len(record.rated(outcome)) for outcome in _WORST_FIRST[:2])
-    worst = next((outcome for outcome in _WORST_FIRST if record.rated(outcome)), None)
-    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(record.radiometry),
+    rejected, undecided = (record.radiometry.get(outcome, 0) for outcome in _WORST_FIRST[:2])
+    worst = next((outcome for outcome in _WORST_FIRST if record.radiometry.get(outcome)), None)
+    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=sum(record.radiometry.values()),
         rejected=rejected, open=undecided)
     if worst is None:
         yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
@@ -220,26 +214,11 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
 
-def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:
-    """The images that are not accepted, those by the same limits together, the worst first."""
-    for outcome in _WORST_FIRST[:2]:
-        together: dict[tuple[str, ...], list[str]] = {}
-        for image in record.rated(outcome):
-            together.setdefault(image.failed_by, []).append(image.name)
-        for failed_by, names in together.items():
-            yield [outcome_title(outcome), "; ".join(failed_by) or NOTHING, ", ".join(names)]
-
-
 def _sheets_sentence(verdicts: Sequence[str]) -> str:
     """How many sheets have which verdict; empty where they have none."""
     counts = Counter(verdicts)
     words = [*map(outcome_title, AcceptanceOutcome), tr("No seams")]
     return ", ".join(f"{word}: {counts[word]}" for word in words if counts[word]) if all(verdicts) else ""
-
-
-def _bytes(size: int | None) -> str:
-    """In whole bytes, three by three."""
-    return "" if size is None else f"{size:,}".replace(",", "\u202f")
 
 
 def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str, object]]:
