@@ -139,7 +139,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         rules = stated.stated_rules(run)
         delivery, notices = read_layers(self._seams)
         run.tell(*notices)
-        doubts = file_doubts(delivery.layers, _paths(self._mosaics), _paths(self._images))
+        doubts = file_doubts(delivery, _paths(self._mosaics), _paths(self._images))
         delivery = replace(with_sheets(delivery, run), files=doubts)
         if run.parameters.get(WINDOWS):
             crs = reference_system(delivery.wkt)

@@ -42,7 +42,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()]
     )
     longest = [pieces[number] for number in runs[0].pieces] if runs else []
-    ruling = Ruling(whole, pieces, longest, rules)
+    ruling = Ruling(whole, pieces, longest, rules, delivery.files.shared)
     outcomes = ruling.outcomes()
     sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
     if lot is None and not delivery.is_part:
@@ -70,6 +70,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         *(first_advice if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *layer_sentences(delivery),
         *_figures(whole, runs, rules),
+        *_counted_again(ruling),
         *_unknown_rows(unknown),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot[2]),
@@ -159,6 +160,15 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
         yield messages.MAY_HIDE(worst=worst, limit=Stated(share.limit))
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))
+
+
+def _counted_again(ruling: Ruling) -> Iterator[Message]:
+    """How many metres several scans measured, and the share that failed where each of these counts once."""
+    failed_m, measured_m = ruling.counted_again()
+    if measured_m:
+        whole = ruling.figures
+        share = (whole.failed_m - failed_m) / (whole.measured_m - measured_m)
+        yield messages.COUNTED_AGAIN(metres=measured_m, share=share)
 
 
 def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:

@@ -166,6 +166,8 @@ class FileDoubts:
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
     twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
+    shared: Mapping[int, int] = field(default_factory=dict, hash=False)
+    """In how many other scans' mosaics pieces lie, by the numbers of those that lie in any."""
 
 
 @dataclass(frozen=True)
@@ -177,7 +179,7 @@ class Delivery:
     outlines: tuple[SheetOutline, ...] = ()  # outlines of the sheets where they were given
     is_checked: bool = False  # whether the outlines come from a check of the files: those without findings are complete
     layers: tuple[DeliveredLayer, ...] = ()  # that the pieces were read from, in the order in which they were given
-    files: FileDoubts = FileDoubts()  # whether what was scanned is what is given, or there, now
+    files: FileDoubts = field(default_factory=FileDoubts)  # whether what was scanned is what is given, or there, now
 
     @cached_property
     def unit_m(self) -> float:

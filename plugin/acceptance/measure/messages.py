@@ -115,6 +115,9 @@ PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
 # what the decision rests on
 METRES_FAILED = Message("{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.", INFO)
+COUNTED_AGAIN = Message(
+    "{metres:.1f} measured metres repeat what another scan measured, since the scanned mosaics overlap. If each place "
+    "counted once, {share:.2%} would have failed.", WARNING)
 NOT_MEASURED = Message(
     "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING)
 MAY_HIDE = Message(
@@ -173,7 +176,8 @@ WOULD_CUT = Message(
 WOULD_SEE_SHEETS = Message(
     "What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the "
     "layer of a sheet without seams.", WARNING)
-WOULD_LEAVE_OUT = Message("What would decide it: one scan of each mosaic.", WARNING)
+WOULD_LEAVE_OUT = Message(
+    "What would decide it: one scan of each mosaic, and of sheets that overlap as one mosaic.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
     "What would decide it: a scan with the complete orthoimages as rectified, and no others.", WARNING)
 # the layers that are decided on

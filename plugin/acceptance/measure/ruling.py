@@ -12,8 +12,9 @@ A rule is kept or broken where nothing that is not known could turn it round:
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
@@ -42,6 +43,8 @@ class Ruling:
     pieces: Sequence[DecidedPiece]
     longest: Sequence[DecidedPiece]  # those of its longest failure, or all
     rules: AcceptanceRules
+    shared: Mapping[int, int] = field(default_factory=dict)
+    """In how many other scans' mosaics pieces lie, by the numbers of those that lie in any."""
 
     def outcomes(self) -> list[RuleOutcome]:
         """Outcomes of the rules in their order, those of sampling apart."""
@@ -68,14 +71,27 @@ class Ruling:
         return value, value, value
 
     def _failed(self) -> tuple[float, float, float]:
-        """The share, and between what it may lie."""
-        figures = self.figures
+        """The share, and between what it may lie, also where ground that several scans measured counts once."""
+        between = [*self._failed_between(0.0, 0.0), *self._failed_between(*self.counted_again())]
+        return self.figures.failed_m / self.figures.measured_m, min(between), max(between)
+
+    def _failed_between(self, failed_again_m: float, measured_again_m: float) -> tuple[float, float]:
+        """Between what the share may lie without what counts again."""
+        figures, least = self.figures, self.rules.rule(MEASURED_SHARE)
+        failed_m, measured_m = figures.failed_m - failed_again_m, figures.measured_m - measured_again_m
         within = math.hypot(known_within(self.pieces, self.rules.least_kept), self._open_ends())
-        least = self.rules.rule(MEASURED_SHARE)
         enough = least is None or least.passes(figures.measured_share)
-        open_m, of_m = (0.0, figures.measured_m) if enough else (figures.not_measured_m, figures.judged_m)
-        low, high = max(figures.failed_m - within, 0.0), min(figures.failed_m + within, figures.measured_m)
-        return figures.failed_m / figures.measured_m, low / of_m, min((high + open_m) / of_m, 1.0)
+        open_m = 0.0 if enough else figures.not_measured_m
+        low, high = max(failed_m - within, 0.0), min(failed_m + within, measured_m) + open_m
+        return low / (measured_m + open_m), min(high / (measured_m + open_m), 1.0)
+
+    def counted_again(self) -> tuple[float, float]:
+        """Metres, failed and measured, beyond those that would count if each place did once."""
+        again: dict[PieceState, float] = defaultdict(float)
+        for decided in self.pieces:
+            scans = 1 + self.shared.get(decided.piece.number, 0)
+            again[decided.state] += decided.piece.length_m * (1 - 1 / scans)
+        return again[PieceState.FAILED], again[PieceState.FAILED] + again[PieceState.PASSED]
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
@@ -132,8 +148,11 @@ class Ruling:
             if self._hiding_m():
                 return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
             return messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
+        share = self.rules.rule(FAILED_SHARE) if FAILED_SHARE in is_open else None
+        if share is not None and len({share.passes(value) for value in self._failed_between(0.0, 0.0)}) == 1:
+            return messages.WOULD_LEAVE_OUT()
         within = self._open_ends()
-        if FAILED_SHARE in is_open and within > known_within(self.pieces, self.rules.least_kept):
+        if share is not None and within > known_within(self.pieces, self.rules.least_kept):
             return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
         if (count := sum(decided.is_unclear for decided in self.pieces)) and is_open:
             return messages.WOULD_TELL_APART(count=count, metres=figures.unclear_m)

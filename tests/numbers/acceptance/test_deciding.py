@@ -335,8 +335,9 @@ def test_two_scans_of_one_mosaic_decide_nothing(kept: float) -> None:
     first, second = (DeliveredLayer(name, Seal.WHOLE, 0.0, files, digest=name) for name in "ab")
     pieces = delivery(sure(seam([kept] * 20)))
     for layers, count in ((first, second), 2), ((first, replace(first, name="b")), 0):
-        doubts = replace(file_doubts(layers, (), ()), gone=())
-        decision = decide(replace(pieces, layers=layers, files=doubts), rules())
+        made = replace(pieces, layers=layers)
+        doubts = replace(file_doubts(made, (), ()), gone=())
+        decision = decide(replace(made, files=doubts), rules())
         assert (decision.outcome is UNDECIDED) is bool(count)
         assert ("different scans of one mosaic are given: 2 (a, b)" in str(decision.sentences[0])) is bool(count)
 
