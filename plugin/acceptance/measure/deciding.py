@@ -71,7 +71,6 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         *layer_sentences(delivery),
         *_figures(whole, runs, rules),
         *_counted_again(ruling),
-        *_unknown_rows(unknown),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot[2]),
     )
@@ -169,12 +168,3 @@ def _counted_again(ruling: Ruling) -> Iterator[Message]:
         whole = ruling.figures
         share = (whole.failed_m - failed_m) / (whole.measured_m - measured_m)
         yield messages.COUNTED_AGAIN(metres=measured_m, share=share)
-
-
-def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
-    """The longest row with the place where it lies, and how many there are."""
-    for run in rows[:1]:
-        x, y = run.place
-        yield messages.ROWS_NOT_MEASURED(
-            count=len(rows), metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets)
-        )

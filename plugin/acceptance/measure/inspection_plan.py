@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from scipy import stats
@@ -13,7 +14,7 @@ from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PlanOutcome, RuleOutcome
 from .delivery import Delivery
-from .sampling_plans import OperatingCharacteristic, SamplingPlan, isolated_lot_plan, single_sampling_plan
+from .sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
 
 
 def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
@@ -27,10 +28,7 @@ def plan_sentence(plan: SamplingPlan) -> Message:
     """How many pieces are inspected and may fail, by which standard, and what is risked; of a whole lot nothing is."""
     risks = operating_characteristic(plan)
     good, bad = round(risks.good_quality * plan.lot_size), round(risks.limiting_quality * plan.lot_size)
-    by_risk = messages.RISKS(
-        good=good, share=risks.good_quality, producers=risks.producers_risk, bad=bad, limiting=risks.limiting_quality,
-        consumers=risks.consumers_risk,
-    )  # fmt: skip
+    by_risk = messages.RISKS(good=good, bad=bad, **risks._asdict())
     if plan.is_whole_lot:
         words = messages.WITHOUT_SAMPLE(standard=plan.standard, lot=plan.lot_size)
     elif plan.lq is not None:
@@ -92,6 +90,15 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
 CONSUMERS_RISK = 0.10  # ISO 2859-1:1999, 12.6: the limiting quality is that accepted with 10 %
 PRODUCERS_RISK = 0.05
 _LAST_DIGITS = 1e-9
+
+
+class OperatingCharacteristic(NamedTuple):
+    """The two points of the curve that says how likely a lot is accepted by how good it is."""
+
+    good_quality: float  # the share that ``good_items`` are
+    producers_risk: float  # probability that a lot as good as that is rejected
+    limiting_quality: float
+    consumers_risk: float  # probability that a lot as bad as that is accepted: some 10 %, by whole items up to 13 %
 
 
 def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:

@@ -37,8 +37,8 @@ MOSAIC_SMALLER_THAN_WINDOW = Message(
     "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.")
 WINDOW_SIDE_TOO_SHORT = Message(
     "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
-PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are not part of the lot.", WARNING)
-ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
+SEAM_OFF_MOSAIC = Message(
+    "A piece of the sample does not lie on the mosaic; give that of all sheets, and check the reference systems.")
 PLANNED_BY_STANDARD = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
 SAMPLE_LARGER_THAN_GIVEN = Message(
@@ -108,8 +108,8 @@ SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed 
 BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}", INFO)
 BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}", INFO)
 RISKS = Message(
-    "{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with "
-    "{bad} ({limiting:.1%}) are accepted", INFO)
+    "{producers_risk:.1%} of lots with {good} failing pieces ({good_quality:.1%}) are rejected, "
+    "{consumers_risk:.1%} of those with {bad} ({limiting_quality:.1%}) are accepted", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
@@ -129,9 +129,6 @@ LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at 
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)
-ROWS_NOT_MEASURED = Message(
-    "Rows of pieces that were not measured, with those that failed among them, are longer than a failure may be: "
-    "{count}, the longest {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
@@ -225,7 +222,6 @@ KEPT_IMPOSSIBLE = Message(
 PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both.")
-LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
 
 
@@ -235,7 +231,6 @@ PICTURES_NOT_WRITTEN = Message(
     "The folder {folder} can't be written ({error}), so the layer of failures has no pictures.")
 PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING)
-PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
 SEAMS_ELSEWHERE_UNKNOWN = Message(
     "Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are "
     "unknown: {names}.", INFO)

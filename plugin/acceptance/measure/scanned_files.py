@@ -73,8 +73,8 @@ def _shared(delivery: Delivery, rasters: Mapping[str, Sequence[str]]) -> Mapping
     ``rasters``: paths of what the mosaics are made of, by layers. What can't be read shows nothing.
     """
     shared: Counter[int] = Counter()
-    for name, paths in rasters.items() if delivery.sampled_numbers is None else ():
-        others = [piece for piece in delivery.pieces if piece.seam[0] in rasters and piece.seam[0] != name]
+    for paths in rasters.values() if delivery.sampled_numbers is None else ():
+        others = [piece for piece in delivery.pieces if rasters.get(piece.seam[0], paths) != paths]
         shown: set[int] = set()
         for path in paths if others else ():
             with suppress(RasterError):

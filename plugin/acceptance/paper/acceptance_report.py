@@ -43,7 +43,6 @@ from .words import (
 )
 
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
-MOST_LAYERS = 40  # most layers of seams that are listed with where they were read from
 MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
 _MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
@@ -56,7 +55,6 @@ _WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, Acceptan
 _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
-_RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
 def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> None:
@@ -86,7 +84,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         sheets_sentence=_sheets_sentence(sheet_words),
         whole=_sheet_row(decision.whole, "") if len(decision.sheets) > 1 else None,
         findings=record.faults,
-        map=decision_map(decision, defects[:MOST_ROWS], record.mosaics),
+        map=decision_map(decision, defects[:MOST_ROWS]),
         map_px=MAP_PX,
         map_legend=_legend(decision),
         is_sample=decision.delivery.sampled_numbers is not None,
@@ -97,7 +95,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
         layers=record.seams,
-        most_layers=MOST_LAYERS,
         images=[(name, iso_date(day)) for name, day in record.images],
         most_files=MOST_FILES,
         standards=[*([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS],
@@ -221,20 +218,20 @@ def _sheets_sentence(verdicts: Sequence[str]) -> str:
     return ", ".join(f"{word}: {counts[word]}" for word in words if counts[word]) if all(verdicts) else ""
 
 
-def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str, object]]:
-    """The limit of a piece first, then the rules that decide: what is bold is a reason to reject the delivery, and
-    ``source`` says which of the notes tells where the limit comes from."""
+def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str, str, str, int, str, bool]]:
+    """The limit of a piece first, then the rules that decide: name, value, limit, which of the notes tells where that
+    comes from, result, and whether it is a reason not to accept the delivery."""
     limit = decision.rules.least_kept
-    yield dict(zip(_RULE_KEYS, (
+    yield (
         CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit),
-        filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)), tr("says which pieces fail"),
-        False, 1 + sources.index(decision.rules.kept_source),
-    )))  # fmt: skip
+        filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)),
+        1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False,
+    )
     for outcome in decision.outcomes:
-        yield dict(zip(_RULE_KEYS, (
-            CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
-            outcome.passed is not True, 1 + sources.index(outcome.source),
-        )))  # fmt: skip
+        yield (
+            CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome),
+            1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
+        )  # fmt: skip
 
 
 def _sheet_row(figures: MetreFigures, word: str) -> list[str]:

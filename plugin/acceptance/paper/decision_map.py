@@ -1,9 +1,8 @@
-"""The map of a decision, drawn by QGIS in the styles of its layers: the mosaics in pale grey, sheets by their verdicts,
-seams by what became of them, failures by their numbers, with coordinates, a scale bar and north."""
+"""The map of a decision, drawn by QGIS in the styles of its layers: sheets by their verdicts, seams by what became of
+them, failures by their numbers, with coordinates, a scale bar and north."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
 from itertools import chain
 
 import numpy as np
@@ -27,18 +26,14 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QBuffer, QIODevice, QPointF, QRectF, QSize, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QImage, QPainter, QPen
 
-from ...imagery.clips import read_overview
-from ...imagery.errors import RasterError
-from ...imagery.grids import Extent, middle_of
-from ...imagery.rasters import Raster
+from ...imagery.grids import middle_of
 from ...imagery.records import Column
-from ...imagery.reference_systems import extent_on, metres_per_unit
+from ...imagery.reference_systems import metres_per_unit
 from ...imagery.seam_totals import PieceState
 from ...toolkit.charts.round_ticks import round_below
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import box_extent
 from ...toolkit.painting import painting
-from ...toolkit.picture_stretch import cut_range
 from ...toolkit.reference_systems import reference_system
 from ...toolkit.table_fields import column_features, column_fields
 from ...toolkit.translation import formatted, tr
@@ -56,12 +51,10 @@ MAP_PX, _MOST_ROWS, _LEAST_ROWS, _DPI = 1400, 1300, 330, 210
 _STRIP_PX, _INSET_PX = 64, 10  # below the map, for scale bar and north; of letters and marks from its edge
 _MARGIN = 0.04  # of the longer side
 _TICKS, _LETTERS_PT = 4, 6.0  # coordinates along the longer side
-_BACKDROP_PX, _LEAST_BACKDROP_PX = 1000, 16  # the longer side of the mosaics on the map, and of one of many
-_PALEST = 0.55  # the darkest grey of that
 _STATE: tuple[Column[DecidedPiece], ...] = (Column("state", "text", lambda decided: decided.state.value),)
 
 
-def decision_map(decision: Decision, defects: Sequence[Defect], mosaics: Sequence[Raster] = ()) -> bytes | None:
+def decision_map(decision: Decision, defects: Sequence[Defect]) -> bytes | None:
     """A JPEG, ``MAP_PX`` wide; None without seams."""
     if not decision.pieces:
         return None
@@ -78,11 +71,8 @@ def decision_map(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
     settings.setExtent(box)
     settings.setOutputSize(QSize(MAP_PX, rows))
     settings.setOutputDpi(_DPI)
-    settings.setBackgroundColor(QColor(0, 0, 0, 0))
     bounds = box_extent(settings.visibleExtent())
     with painting(image) as painter:
-        for pixels, extent in _backdrop(mosaics, bounds, decision.delivery.wkt):
-            painter.drawImage(QRectF(_pixel(settings, extent[0], extent[3]), _pixel(settings, *extent[2:0:-1])), pixels)
         QgsMapRendererCustomPainterJob(settings, painter).renderSynchronously()
         font = QFont(painter.font())
         font.setPointSizeF(_LETTERS_PT)
@@ -154,22 +144,3 @@ def _draw_scale_bar(painter: QPainter, rows: int, metres: float) -> None:
     painter.setPen(Qt.GlobalColor.black)
     painter.drawText(_INSET_PX, rows + _STRIP_PX - _INSET_PX, words)
     painter.drawText(MAP_PX - 6 * _INSET_PX, rows + _STRIP_PX - 2 * _INSET_PX, "\u2191 " + tr("N"))
-
-
-def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[tuple[QImage, Extent]]:
-    """Pale grey pictures and where they lie; none of a mosaic in another system, nor where too many pixels would have
-    to be read."""
-    for mosaic in mosaics:
-        with suppress(RasterError):
-            across = (mosaic.extent[2] - mosaic.extent[0]) / (bounds[2] - bounds[0])
-            size = max(int(_BACKDROP_PX * min(across, 1.0)), _LEAST_BACKDROP_PX)
-            is_same = np.allclose(extent_on(bounds, wkt, mosaic.wkt), bounds, atol=mosaic.grid.pixel_width)
-            overview = read_overview(mosaic, bounds, size) if is_same else None
-            if overview is not None:
-                block, extent = overview
-                grey = block.bands[: 3 if mosaic.has_luminance else 1].astype(np.float32).mean(axis=0)
-                low, high = cut_range([grey[block.valid]])
-                share = np.clip((grey - low) / (high - low), 0, 1)
-                shown = np.where(block.valid, 255 * (_PALEST + (1 - _PALEST) * share), 255).astype(np.uint8)
-                rows, columns = shown.shape
-                yield QImage(shown.tobytes(), columns, rows, columns, QImage.Format.Format_Grayscale8).copy(), extent

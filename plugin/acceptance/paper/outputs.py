@@ -133,5 +133,3 @@ def _cut_pictures(
             pictures[defect.run.number] = picture
     if missing := len(shown) - len(pictures):
         run.tell(messages.PICTURES_MISSING(count=missing))
-    if len(defects) > len(shown):
-        run.tell(messages.PICTURES_LIMITED(shown=len(shown), count=len(defects)))
