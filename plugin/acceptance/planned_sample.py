@@ -1,9 +1,7 @@
 """A sample of the pieces of seam -> its table and windows."""
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from itertools import starmap
 
@@ -11,7 +9,7 @@ import numpy as np
 from qgis.core import QgsGeometry, QgsLineString, QgsWkbTypes
 
 from ..imagery import limits
-from ..imagery.errors import RasterError, SettingsError
+from ..imagery.errors import SettingsError
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
@@ -27,22 +25,11 @@ from .measure.delivered_rows import united_settings
 from .measure.delivery import NUMBERS, TEXTS, DeliveredPiece, Delivery, Seal
 
 
-def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, float]:
-    """The point half-way along a piece, in the mosaic's reference system. Raises SettingsError where the mosaic does
-    not show it."""
-    x, y = math.nan, math.nan
-    with suppress(RasterError):
-        x, y = transform_points(np.array([piece.middle]), wkt, mosaic.wkt)[0].tolist() if wkt else piece.middle
-    xmin, ymin, xmax, ymax = mosaic.grid.extent
-    if not (xmin <= x <= xmax and ymin <= y <= ymax):
-        raise SettingsError(messages.SEAM_OFF_MOSAIC())
-    return x, y
-
-
 def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow:
     """A standard window around the middle of a piece, moved inside the mosaic.
 
-    Raises SettingsError for a side that can't be, or is longer than the mosaic, and where that does not show the piece.
+    Raises SettingsError for a side that can't be, or is longer than the mosaic, and where that does not show the piece;
+    RasterError where this has no place in its system.
     """
     grid = mosaic.grid
     side = standard_side_px(grid, side_m)
@@ -50,8 +37,13 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
         raise SettingsError(messages.MOSAIC_SMALLER_THAN_WINDOW(pixels=side, side=side_m))
     if side < limits.MIN_SIDE_PX:
         raise SettingsError(messages.WINDOW_SIDE_TOO_SHORT(side=side_m, pixels=side, least=limits.MIN_SIDE_PX))
-    place = middle_on(mosaic, piece, wkt)
-    return standard_window(grid, *place, side).moved_into(grid.columns, grid.rows)
+    x, y = piece.middle
+    if wkt:
+        x, y = transform_points(np.array([piece.middle]), wkt, mosaic.wkt)[0].tolist()
+    xmin, ymin, xmax, ymax = grid.extent
+    if not (xmin <= x <= xmax and ymin <= y <= ymax):
+        raise SettingsError(messages.SEAM_OFF_MOSAIC())
+    return standard_window(grid, x, y, side).moved_into(grid.columns, grid.rows)
 
 
 @dataclass(frozen=True, eq=False)

@@ -135,13 +135,11 @@ def limit_rules(
     return replace(rules, name=str(limits_in_words(rules)))
 
 
-SUBJECT = "acceptance"  # subject of the ready files
-
 _OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 def ready_files() -> dict[str, Path]:
-    return ready_rules(SUBJECT)
+    return ready_rules("acceptance")
 
 
 def load_acceptance_rules(path: Path | str) -> AcceptanceRules:

@@ -206,8 +206,7 @@ WINDOWS_SAY_NOTHING = Message(
     WARNING)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
-LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")
-LAYER_NOT_LINES = Message("{name} holds no lines; choose the layer 'Seams' of a scan.")
+LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; choose the layer 'Seams' of a scan.")
 LAYER_WITHOUT_KEPT = Message("{name} has no field 'kept_1'; choose the layer 'Seams' of a scan, not the seamlines.")
 LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
 LAYERS_EMPTY = Message(
@@ -223,8 +222,6 @@ PLACES_IN = Message("The layers are in degrees; places and lengths are given in 
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
-
-
 RESULT_NOT_WRITTEN = Message(
     "The layer '{name}' can't be written; choose another folder, and close the file where it is open.")
 PICTURES_NOT_WRITTEN = Message(
@@ -258,8 +255,6 @@ SEAMS_GIVEN = Message(
 SEAMS_FOUND = Message(
     "The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer's "
     "seamlines to the scan to measure all of them.", WARNING)
-RADIOMETRY_NO_TABLE = Message(
-    "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it.")
 PAPER_STOPPED = Message(
     "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
 # the files of a delivery; what is found at a sheet goes into tables

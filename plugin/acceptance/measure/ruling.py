@@ -12,9 +12,8 @@ A rule is kept or broken where nothing that is not known could turn it round:
 from __future__ import annotations
 
 import math
-from collections import defaultdict
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
@@ -43,8 +42,6 @@ class Ruling:
     pieces: Sequence[DecidedPiece]
     longest: Sequence[DecidedPiece]  # those of its longest failure, or all
     rules: AcceptanceRules
-    shared: Mapping[int, int] = field(default_factory=dict)
-    """In how many other scans' mosaics pieces lie, by the numbers of those that lie in any."""
 
     def outcomes(self) -> list[RuleOutcome]:
         """Outcomes of the rules in their order, those of sampling apart."""
@@ -56,9 +53,9 @@ class Ruling:
             value = figures.measured_share if rule.check == MEASURED_SHARE else None
             nothing = messages.NOTHING_WAS_MEASURED()
             return RuleOutcome(rule.check, value, rule.limit, rule.is_least, None, rule.source, nothing)
-        value, low, high = {
-            MEASURED_SHARE: self._measured, FAILED_SHARE: self._failed, LONGEST_FAILURE: self._longest,
-        }[rule.check]()
+        value = low = high = figures.measured_share
+        if rule.check != MEASURED_SHARE:
+            value, low, high = self._failed() if rule.check == FAILED_SHARE else self._longest()
         passes = {rule.passes(low), rule.passes(high)}
         passed = passes.pop() if len(passes) == 1 else None
         if rule.check == MEASURED_SHARE:  # with less the delivery is neither good nor bad
@@ -66,16 +63,13 @@ class Ruling:
         sentence = self._sentence(rule, passed, value, low, high)
         return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
 
-    def _measured(self) -> tuple[float, float, float]:
-        value = self.figures.measured_share
-        return value, value, value
-
     def _failed(self) -> tuple[float, float, float]:
         """The share, and between what it may lie, also where ground that several scans measured counts once."""
-        between = [*self._failed_between(0.0, 0.0), *self._failed_between(*self.counted_again())]
-        return self.figures.failed_m / self.figures.measured_m, min(between), max(between)
+        figures = self.figures
+        between = [*self._failed_between(), *self._failed_between(figures.failed_again_m, figures.measured_again_m)]
+        return figures.failed_m / figures.measured_m, min(between), max(between)
 
-    def _failed_between(self, failed_again_m: float, measured_again_m: float) -> tuple[float, float]:
+    def _failed_between(self, failed_again_m: float = 0.0, measured_again_m: float = 0.0) -> tuple[float, float]:
         """Between what the share may lie without what counts again."""
         figures, least = self.figures, self.rules.rule(MEASURED_SHARE)
         failed_m, measured_m = figures.failed_m - failed_again_m, figures.measured_m - measured_again_m
@@ -84,14 +78,6 @@ class Ruling:
         open_m = 0.0 if enough else figures.not_measured_m
         low, high = max(failed_m - within, 0.0), min(failed_m + within, measured_m) + open_m
         return low / (measured_m + open_m), min(high / (measured_m + open_m), 1.0)
-
-    def counted_again(self) -> tuple[float, float]:
-        """Metres, failed and measured, beyond those that would count if each place did once."""
-        again: dict[PieceState, float] = defaultdict(float)
-        for decided in self.pieces:
-            scans = 1 + self.shared.get(decided.piece.number, 0)
-            again[decided.state] += decided.piece.length_m * (1 - 1 / scans)
-        return again[PieceState.FAILED], again[PieceState.FAILED] + again[PieceState.PASSED]
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
@@ -149,7 +135,7 @@ class Ruling:
                 return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
             return messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
         share = self.rules.rule(FAILED_SHARE) if FAILED_SHARE in is_open else None
-        if share is not None and len({share.passes(value) for value in self._failed_between(0.0, 0.0)}) == 1:
+        if share is not None and len({share.passes(value) for value in self._failed_between()}) == 1:
             return messages.WOULD_LEAVE_OUT()
         within = self._open_ends()
         if share is not None and within > known_within(self.pieces, self.rules.least_kept):

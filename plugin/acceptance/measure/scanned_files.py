@@ -100,8 +100,7 @@ class _Scanned:
         for path, state in self.files:
             self._times.setdefault(path, set()).add(state.time_ns)
         self._asks = all(state.digest for path, state in self.files if is_remote(path))
-        self._given: set[tuple[int, str] | str] = set()
-        self._places: dict[tuple[int, str] | str, str] = {}
+        self._given: dict[tuple[int, str] | str, str] = {}
 
     def knows(self, path: str, state: FileState) -> bool:
         """Whether a file was scanned, and was not written since."""
@@ -112,9 +111,7 @@ class _Scanned:
     def give(self, path: str) -> dict[str, FileState]:
         """What a raster that is given is read from."""
         files = known_states([path], self._asks)
-        known = {_known_by(file): file[0] for file in files.items() if self.knows(*file)}
-        self._given.update(known)
-        self._places.update(known)
+        self._given.update((_known_by(file), file[0]) for file in files.items() if self.knows(*file))
         return files
 
     def is_given(self, path: str, state: FileState) -> bool:
@@ -145,14 +142,13 @@ class _Scanned:
                 gone.append(os.path.basename(path))
             elif now.content != state.content or now.time_ns != state.time_ns:
                 changed.append(os.path.basename(path))
-            else:
-                self._places[state.content] = path
         return gone, changed
 
     def places_of(self, files: Iterable[PlacedState]) -> list[str]:
-        """Paths where files lie now that are as they were scanned; none of VRTs, whose parts are files, too."""
-        keys = (_known_by(file) for file in files if not file[1].is_vrt)
-        return [self._places[key] for key in keys if key in self._places]
+        """Paths of files as they are given, else as they were scanned, none on servers; but for VRTs, whose parts are
+        files, too."""
+        paths = (self._given.get(_known_by(file), file[0]) for file in files if not file[1].is_vrt)
+        return [path for path in paths if not is_remote(path)]
 
 
 def _known_by(file: PlacedState) -> tuple[int, str] | str:

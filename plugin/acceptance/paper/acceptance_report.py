@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -51,7 +50,6 @@ OUTCOME_STATES = {
     AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
 }  # fmt: skip
 """How the decision looks on the page."""
-_WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, AcceptanceOutcome.ACCEPTED
 _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
@@ -62,7 +60,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     decision, defects = record.decision, record.defects
     sources = list(dict.fromkeys([decision.rules.kept_source, *(outcome.source for outcome in decision.outcomes)]))
     sheet_words = [sheet_word(outcome, figures) for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)]
-    parts = [*_parts(record)]
+    parts = [*_parts(decision)]
     texts = [_defect_text(defect, decision.rules.least_kept) for defect in defects[:MOST_ROWS]]
     is_undecided = decision.outcome is AcceptanceOutcome.UNDECIDED
     save_page(
@@ -81,9 +79,9 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
         sheets=[_sheet_row(*row) for row in zip(decision.sheets, sheet_words)],
-        sheets_sentence=_sheets_sentence(sheet_words),
+        is_each_judged=all(sheet_words),
         whole=_sheet_row(decision.whole, "") if len(decision.sheets) > 1 else None,
-        findings=record.faults,
+        findings=[*decision.delivery.findings.items()],
         map=decision_map(decision, defects[:MOST_ROWS]),
         map_px=MAP_PX,
         map_legend=_legend(decision),
@@ -141,17 +139,16 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
     ]
 
 
-def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
+def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery; the
     files and radiometry last."""
-    decision, count = record.decision, len(record.decision.sheets)
+    count, faulty = len(decision.sheets), len(decision.delivery.findings)
     failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
         count=len(decision.runs), sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
     yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
     if decision.whole.not_measured_m:
         yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
     yield from _ground_parts(decision)
-    faulty = len(record.faults)
     name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
         words = filled(tr("sheets with findings: {count} of {all}"), count=faulty, all=count)
@@ -159,14 +156,7 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         yield name, result, words, faulty > 0
     else:
         yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
-    rejected, undecided = (record.radiometry.get(outcome, 0) for outcome in _WORST_FIRST[:2])
-    worst = next((outcome for outcome in _WORST_FIRST if record.radiometry.get(outcome)), None)
-    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=sum(record.radiometry.values()),
-        rejected=rejected, open=undecided)
-    if worst is None:
-        yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
-    else:
-        yield tr("radiometry"), outcome_title(worst), words, worst is not AcceptanceOutcome.ACCEPTED
+    yield tr("radiometry"), tr("Not asked"), tr("'Check radiometry' checks it"), False
 
 
 def _unmeasured(decision: Decision) -> str:
@@ -193,7 +183,7 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     apart = ground.unseen_m + ground.unchanged_m
     is_given = "given" in ground.seams
     words = filled(tr("given: {judged}, found: {seen}") if is_given else tr("found: {judged}"), judged=metres(judged),
-        seen=metres(ground.seen_m(judged)))
+        seen=metres(judged - ground.unchanged_m + ground.unseen_m))
     if apart:
         words += filled(tr("; found and not given: {unseen}, given and not found: {unchanged}") if is_given else (
             tr("; borders without a measured seam: {unseen}")
@@ -211,25 +201,18 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
 
-def _sheets_sentence(verdicts: Sequence[str]) -> str:
-    """How many sheets have which verdict; empty where they have none."""
-    counts = Counter(verdicts)
-    words = [*map(outcome_title, AcceptanceOutcome), tr("No seams")]
-    return ", ".join(f"{word}: {counts[word]}" for word in words if counts[word]) if all(verdicts) else ""
-
-
 def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str, str, str, int, str, bool]]:
     """The limit of a piece first, then the rules that decide: name, value, limit, which of the notes tells where that
     comes from, result, and whether it is a reason not to accept the delivery."""
     limit = decision.rules.least_kept
     yield (
-        CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit),
+        tr(CHECKS[KEPT].title), share_beside(decision.whole.least_kept, limit),
         filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)),
         1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False,
     )
     for outcome in decision.outcomes:
         yield (
-            CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome),
+            tr(CHECKS[outcome.check].title), outcome_value(outcome), outcome_limit(outcome),
             1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
         )  # fmt: skip
 

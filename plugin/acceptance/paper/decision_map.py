@@ -3,7 +3,6 @@ them, failures by their numbers, with coordinates, a scale bar and north."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain
 
 import numpy as np
 from qgis.core import (
@@ -18,7 +17,6 @@ from qgis.core import (
     QgsMapSettings,
     QgsMemoryProviderUtils,
     QgsPointXY,
-    QgsRectangle,
     QgsRendererCategory,
     QgsVectorLayer,
     QgsWkbTypes,
@@ -38,9 +36,8 @@ from ...toolkit.reference_systems import reference_system
 from ...toolkit.table_fields import column_features, column_fields
 from ...toolkit.translation import formatted, tr
 from ..measure.decision import DecidedPiece, Decision, Defect
-from ..measure.delivery import extent_of
 from .defect_files import DEFECT_COLUMNS, defect_features
-from .sheet_layer import SHEET_COLUMNS, sheet_features
+from .sheet_layer import SHEET_COLUMNS, extent_of_all, sheet_features
 
 STATE_COLOURS = {
     PieceState.NO_DETAIL: "#b9bec4", PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9",
@@ -58,8 +55,7 @@ def decision_map(decision: Decision, defects: Sequence[Defect]) -> bytes | None:
     """A JPEG, ``MAP_PX`` wide; None without seams."""
     if not decision.pieces:
         return None
-    seams = (decided.piece.vertices for decided in decision.pieces)
-    box = QgsRectangle(*extent_of(chain(seams, *decision.delivery.sheet_rings().values())))
+    box = extent_of_all(decision.delivery)
     box.grow(max(box.width(), box.height()) * _MARGIN)
     rows = int(np.clip(MAP_PX * box.height() / box.width(), _LEAST_ROWS, _MOST_ROWS))
     image = QImage(MAP_PX, rows + _STRIP_PX, QImage.Format.Format_RGB32)

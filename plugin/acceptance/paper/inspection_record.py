@@ -1,29 +1,22 @@
-"""What stands on paper beside a decision: what it was made of, what 'Check radiometry' found, by whom and when."""
+"""What stands on paper beside a decision: what it was made of, by whom and when."""
 from __future__ import annotations
 
 import os
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import PureWindowsPath
 from statistics import median
 
-from ...imagery.errors import SettingsError
 from ...imagery.file_identity import states_in
 from ...imagery.rasters import Raster
 from ...imagery.seam_totals import SOURCE_FILES
-from ...toolkit.algorithms.run import Run
-from ...toolkit.layers import features
 from ...toolkit.pages.templates import HowMeasured, each_raster, system_name
-from ...toolkit.resources import plugin_commit
-from ...toolkit.table_fields import attributes, text
 from ...toolkit.translation import tr
-from ..measure import messages
-from ..measure.decision import AcceptanceOutcome, Decision, Defect, defects_of
+from ..measure.decision import Decision, Defect, defects_of
 from ..measure.delivered_rows import united_settings
 from ..measure.delivery import in_words
-from .paper_head import RADIOMETRY, TITLE
+from .paper_head import TITLE
 from .words import failing_sentence, metres
 
 
@@ -69,7 +62,6 @@ class InspectionRecord:
     mosaics: tuple[Raster, ...] = ()  # what the pictures of failures are cut from
     head: Mapping[str, str] = field(default_factory=dict)  # which delivery it is of, under which contract: stated_head
     images: tuple[tuple[str, str], ...] = ()  # the orthoimages and their dates, by name
-    radiometry: Mapping[AcceptanceOutcome, int] = field(default_factory=dict)  # how many images came out how
     report: str = ""  # the page that is written beside the XML; empty for none
     made_at: datetime = field(default_factory=lambda: datetime.now(timezone.utc).replace(microsecond=0))
 
@@ -81,11 +73,6 @@ class InspectionRecord:
     def defects(self) -> tuple[Defect, ...]:
         return defects_of(self.decision)
 
-    @property
-    def faults(self) -> list[tuple[str, str]]:
-        """Sheets with what was found wrong with their files."""
-        return [(sheet.name, "; ".join(sheet.findings)) for sheet in self.decision.delivery.outlines if sheet.findings]
-
 
 def how_measured(record: InspectionRecord) -> HowMeasured:
     """The settings and rasters that a decision rests on."""
@@ -96,7 +83,6 @@ def how_measured(record: InspectionRecord) -> HowMeasured:
         "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
     }  # fmt: skip
     settings = [
-        (tr("commit of the plugin"), plugin_commit()),
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
         (tr("which pieces fail"), failing_sentence(decision)),
@@ -106,20 +92,3 @@ def how_measured(record: InspectionRecord) -> HowMeasured:
         (tr("reference system"), system_name(decision.delivery.wkt)),
     ]
     return HowMeasured(settings, each_raster(tr("mosaic"), record.mosaics), record.made_at.date())
-
-
-def rated_images(run: Run) -> Mapping[AcceptanceOutcome, int]:
-    """How many images, or windows of them, came out how; none where no table of 'Check radiometry' is given.
-
-    Raises SettingsError for another table.
-    """
-    if not run.parameters.get(RADIOMETRY):
-        return {}
-    source = run.source(RADIOMETRY)
-    names = source.fields().names()
-    if not {"raster", "window_id", "passed", "source", "decision"} <= set(names):
-        raise SettingsError(messages.RADIOMETRY_NO_TABLE(name=source.sourceName()))
-    rows = attributes(features(source), names)
-    decisions = {(text(row["raster"]), text(row["window_id"])): text(row["decision"]) for row in rows}
-    words = {outcome.value: outcome for outcome in AcceptanceOutcome}
-    return Counter(words.get(decision, AcceptanceOutcome.UNDECIDED) for decision in decisions.values())

@@ -26,7 +26,7 @@ from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.decision import Decision, Defect
 from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, Prover, defect_features, save_pictures
-from .inspection_record import InspectionRecord, listed_images, rated_images, scanned_images
+from .inspection_record import InspectionRecord, listed_images, scanned_images
 from .paper_head import DEFECTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
 from .sheet_layer import SHEET_COLUMNS, sheet_features
 
@@ -45,7 +45,7 @@ def write(run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef], proo
     images, prover = proof(scanned_images(decision), shown)
     record = replace(
         record, mosaics=shown, head=stated_head(run), images=listed_images(decision, map(whole_path, images)),
-        radiometry=rated_images(run), report=str(report or ""),
+        report=str(report or ""),
     )
     pictures: dict[int, DefectPicture] = {}
     try:

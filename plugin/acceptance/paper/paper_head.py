@@ -59,7 +59,6 @@ def stated_head(run: Run) -> dict[str, str]:
 
 
 MOST_PICTURES = 100  # of a delivery, of the longest failures: some 12 MB of report
-RADIOMETRY = "RADIOMETRY"
 DEFECTS, SHEETS_OUT, REPORT, QUALITY = "DEFECTS", "SHEETS_OUT", common.REPORT, "QUALITY"
 
 
@@ -74,10 +73,6 @@ def add_paper(algorithm: SeamInspectorAlgorithm) -> None:
         "that were scanned."
     ))
     algorithm.addDescribed(*common.source_index())
-    algorithm.addDescribed(common.features(RADIOMETRY, tr("Radiometry"), common.TABLE, optional=True), tr(
-        "The table that 'Check radiometry' made of the sheets: its result is shown on the cover beside the decision, "
-        "which it does not change."
-    ))
     algorithm.addDescribed(common.result(DEFECTS, tr("Failures"), common.LINE, optional=True), tr(
         "One feature for each failure without a break, for the producer: place, length, what is kept, the two "
         "orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV."

@@ -16,14 +16,15 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
+from ...toolkit.layers import box_extent
 from ...toolkit.pages.templates import environment, system_code, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, RuleOutcome
-from ..measure.delivery import extent_of
 from ..measure.inspection_plan import plan_sentence
 from .inspection_record import InspectionRecord, how_measured
 from .paper_head import head_rows
+from .sheet_layer import extent_of_all
 from .words import CHECKS, failing_sentence
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
@@ -73,9 +74,8 @@ class QualityElement:
     quantities: Sequence[Quantity] = ()
 
 
-def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
-    """The decision first, then the figures it rests on, then the files where they were checked."""
-    decision = record.decision
+def quality_elements(decision: Decision) -> Iterator[QualityElement]:
+    """The decision first, then the figures it rests on."""
     yield QualityElement(
         USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery meets the rules."),
         Evaluation(DERIVED, tr("All rules together: the delivery is accepted if none of them fails.")),
@@ -87,11 +87,9 @@ def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
         outcome, quantities = outcomes.get(code), [*_quantities(decision, code)]
         if quantities or outcome is not None:
             yield QualityElement(
-                kinds.get(code, ACCURACY), code, check.word, tr(check.description), _evaluation(code, decision),
+                kinds.get(code, ACCURACY), code, tr(check.title), tr(check.description), _evaluation(code, decision),
                 None if outcome is None else _conformance(outcome), quantities,
             )
-    if decision.delivery.is_checked:
-        yield _files(record)
 
 
 def _evaluation(code: str, decision: Decision) -> Evaluation:
@@ -120,18 +118,6 @@ def _quantities(decision: Decision, code: str) -> Iterator[Quantity]:
     for row in (decision.whole, *decision.sheets):
         if (value := CHECKS[code].figure(row)) is not None:
             yield scale * value, unit, row.name
-
-
-def _files(record: InspectionRecord) -> QualityElement:
-    """What was found at the files, which does not change the decision."""
-    words = " ".join(f"{name}: {finding}." for name, finding in record.faults)
-    return QualityElement(
-        USABILITY, "files", tr("completeness and form of the files"),
-        tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
-        Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")),
-        (tr("form of the delivery"), words or tr("No findings"), not record.faults),
-        [(len(record.faults), ONE, "")],
-    )
 
 
 def _conformance(outcome: RuleOutcome) -> Conformance:
@@ -166,7 +152,7 @@ def quality_document(record: InspectionRecord) -> str:
         system=system_code(decision.delivery.wkt),
         extent=_in_degrees(decision),
         report=Path(record.report).name if record.report else "",
-        elements=list(quality_elements(record)),
+        elements=list(quality_elements(decision)),
         software=how.software,
         steps=[f"{name}: {value}" for name, value in how.settings if value],
         sources=_sources(record),
@@ -176,12 +162,9 @@ def quality_document(record: InspectionRecord) -> str:
 
 def _in_degrees(decision: Decision) -> Extent | None:
     """The bounding box of all sheets and seams in longitude and latitude; None where that can't be told."""
-    vertices = [piece.vertices for piece in decision.delivery.pieces]
-    vertices += [ring for outline in decision.delivery.outlines for ring in outline.rings]
-    if not vertices or not decision.delivery.wkt:
-        return None
     with suppress(RasterError):
-        return extent_on(extent_of(vertices), decision.delivery.wkt, _DEGREES)
+        if decision.pieces and decision.delivery.wkt:
+            return extent_on(box_extent(extent_of_all(decision.delivery)), decision.delivery.wkt, _DEGREES)
     return None
 
 

@@ -22,10 +22,6 @@ class Check:
     unit: str
     figure: Callable[[MetreFigures], float | None]  # of a sheet, or of all; None where it has none
 
-    @property
-    def word(self) -> str:
-        return tr(self.title)
-
 
 CHECKS = {
     rules.FAILED_SHARE: Check(

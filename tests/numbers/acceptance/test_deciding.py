@@ -366,12 +366,12 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
 
 
 def with_sheet(made: Delivery, state: SheetState) -> Delivery:
-    return replace(made, outlines=(SheetOutline("a", ()), SheetOutline("x", (), state=state)))
+    return replace(made, outlines=(SheetOutline("a", b""), SheetOutline("x", b"", state=state)))
 
 
 def test_a_corner_of_a_sheet_in_one_scan_of_many_is_no_sheet_by_itself() -> None:
     """40 m that could not be measured, less than may fail without a break; with 60 m nobody knows the sheet."""
     for count, outcome in ((4, ACCEPTED), (6, UNDECIDED)):
         corner = seam([None] * count, sheet="b", start=(0, 99), number=100)
-        made = replace(delivery(seam([0.95] * 100), corner), outlines=(SheetOutline("a", ()), SheetOutline("b", ())))
+        made = replace(delivery(seam([0.95] * 100), corner), outlines=(SheetOutline("a", b""), SheetOutline("b", b"")))
         assert decide(made, rules(measured=0.5)).outcome is outcome
