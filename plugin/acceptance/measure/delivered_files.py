@@ -254,8 +254,8 @@ def _invalid_pixels(
         is_stored = opened.stored_share(window) > 0
         invalid = opened.read(window).invalid if is_stored else np.ones((window.height, window.width), bool)
         if invalid is not None and invalid.any():
-            inside = None if outline is None else burnt([(outline, 1)], raster.grid, window, 0) == 1
-            count += int(np.count_nonzero(invalid if inside is None else invalid & inside))
+            within = True if outline is None else burnt([(outline, 1)], raster.grid, window, 0) == 1
+            count += int(np.count_nonzero(invalid & within))
     return count
 
 

@@ -28,7 +28,10 @@ def plan_sentence(plan: SamplingPlan) -> Message:
     """How many pieces are inspected and may fail, by which standard, and what is risked; of a whole lot nothing is."""
     risks = operating_characteristic(plan)
     good, bad = round(risks.good_quality * plan.lot_size), round(risks.limiting_quality * plan.lot_size)
-    by_risk = messages.RISKS(good=good, bad=bad, **risks._asdict())
+    by_risk = messages.RISKS(
+        good=good, share=risks.good_quality, producers=risks.producers_risk, bad=bad, limiting=risks.limiting_quality,
+        consumers=risks.consumers_risk,
+    )  # fmt: skip
     if plan.is_whole_lot:
         words = messages.WITHOUT_SAMPLE(standard=plan.standard, lot=plan.lot_size)
     elif plan.lq is not None:

@@ -108,8 +108,8 @@ SAMPLE_FAILED = Message("{nonconforming} of {inspected} inspected pieces failed 
 BY_AQL = Message("{standard}, lot of {lot}, level {level}, AQL {aql:g}, code letter {letter}; {risks}", INFO)
 BY_LQ = Message("{standard}, isolated lot of {lot}, limiting quality {lq:g} %; {risks}", INFO)
 RISKS = Message(
-    "{producers_risk:.1%} of lots with {good} failing pieces ({good_quality:.1%}) are rejected, "
-    "{consumers_risk:.1%} of those with {bad} ({limiting_quality:.1%}) are accepted", INFO)
+    "{producers:.1%} of lots with {good} failing pieces ({share:.1%}) are rejected, {consumers:.1%} of those with "
+    "{bad} ({limiting:.1%}) are accepted", INFO)
 WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)

@@ -83,7 +83,8 @@ def _shared(delivery: Delivery, rasters: Mapping[str, Sequence[str]]) -> Mapping
                 places = raster.grid.to_pixels(transform_points(middles, delivery.wkt, raster.wkt))
                 is_inside = ((places >= 0) & (places < (raster.columns, raster.rows))).all(axis=1)
                 for place in np.flatnonzero(is_inside & raster.has_place).tolist():
-                    if opened.read(PixelWindow(*places[place].astype(int).tolist(), 1, 1)).valid.all():
+                    column, row = places[place].astype(int).tolist()
+                    if opened.read(PixelWindow(column, row, 1, 1)).valid.all():
                         shown.add(others[place].number)
         shared.update(shown)
     return shared

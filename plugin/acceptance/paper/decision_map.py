@@ -16,7 +16,6 @@ from qgis.core import (
     QgsMapRendererCustomPainterJob,
     QgsMapSettings,
     QgsMemoryProviderUtils,
-    QgsPointXY,
     QgsRendererCategory,
     QgsVectorLayer,
     QgsWkbTypes,
@@ -111,21 +110,18 @@ def _layer(
     return layer
 
 
-def _pixel(settings: QgsMapSettings, x: float, y: float) -> QPointF:
-    return settings.mapToPixel().transform(QgsPointXY(x, y)).toQPointF()
-
-
 def _draw_coordinates(painter: QPainter, settings: QgsMapSettings) -> None:
     """Draw a frame, and round coordinates within its lower and left edges."""
     size, (left, bottom, right, top) = settings.outputSize(), box_extent(settings.visibleExtent())
+    pixels = settings.mapToPixel()
     painter.setPen(QPen(QColor(STATE_COLOURS[PieceState.PASSED]), 2))
     painter.drawRect(1, 1, size.width() - 2, size.height() - 2)
     painter.setBackgroundMode(Qt.BGMode.OpaqueMode)
     painter.setBackground(QColor(255, 255, 255, 190))
     step = round_below(max(right - left, top - bottom) / _TICKS)
     for low, high, place, inwards in (
-        (left, right, lambda x: _pixel(settings, x, bottom), QPointF(0, -_INSET_PX)),
-        (bottom, top, lambda y: _pixel(settings, left, y), QPointF(_INSET_PX, 0)),
+        (left, right, lambda x: pixels.transform(x, bottom).toQPointF(), QPointF(0, -_INSET_PX)),
+        (bottom, top, lambda y: pixels.transform(left, y).toQPointF(), QPointF(_INSET_PX, 0)),
     ):  # fmt: skip
         for value in np.arange(np.ceil(low / step) + 1, np.floor(high / step)) * step:
             painter.drawLine(place(value), place(value) + inwards)

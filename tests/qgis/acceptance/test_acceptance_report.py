@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
-from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
@@ -87,16 +86,6 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
     assert "kept by its pieces, one after the other: 45 %, 45 %" in words
     assert "mosaic.tif" in page.words
-
-
-def test_radiometry_stands_on_the_cover_and_changes_nothing(tmp_path: Path) -> None:
-    rated = {AcceptanceOutcome.ACCEPTED: 1, AcceptanceOutcome.REJECTED: 2}
-    page = page_of(tmp_path, record_of(decided(), radiometry=rated))
-    parts = {row[0]: row[1:] for row in page.rows if len(row) == 3}
-    assert parts["radiometry"] == ["Rejected", "images rejected: 2, undecided: 0 of 3"]
-    assert parts["seams"][0] == "Accepted"
-    sound = page_of(tmp_path, record_of(decided(), radiometry={AcceptanceOutcome.ACCEPTED: 1}))
-    assert ["radiometry", "Accepted", "images rejected: 0, undecided: 0 of 1"] in sound.rows
 
 
 @pytest.mark.parametrize("sheets", [1, 40])

@@ -144,15 +144,3 @@ def test_page_and_record_say_which_rows_were_decided_on(paper: tuple[Run, Path])
         totals.add(row, np.array([(point.x(), point.y()) for point in line.vertices()]))
     assert totals.digest in page(folder).words
     assert totals.digest in (folder / "quality.xml").read_text(encoding="utf-8")
-
-
-def test_the_table_of_radiometry_stands_on_the_cover(tmp_path: Path, feathered: Files) -> None:
-    checked = run("checkradiometry", RASTERS=[feathered.west, feathered.mosaic], OUTPUT=str(tmp_path / "r.gpkg"))
-    report = tmp_path / "decision.html"
-    decided = run("acceptmosaic", SEAMS=[seams([0.9] * 4)], RADIOMETRY=str(tmp_path / "r.gpkg"), REPORT=str(report))
-    assert decided.results["DECISION"] == "accepted"
-    (row,) = (row for row in page(tmp_path).rows if row[0] == "radiometry")
-    assert row[1].lower() == checked.results["DECISION"]
-    assert row[2].endswith("of 2")
-    refused = run("acceptmosaic", SEAMS=[seams([0.9] * 4)], RADIOMETRY=seams([0.9]), REPORT=str(report))
-    assert "is not a table of 'Check radiometry'" in str(refused.complaint)
