@@ -89,7 +89,7 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="68"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="52"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
@@ -99,7 +99,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="71"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="55"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -1354,7 +1354,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="17"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
@@ -6680,7 +6680,7 @@
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="69"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="53"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
@@ -6690,22 +6690,22 @@
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="77"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="61"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="85"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="69"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="89"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="73"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="90"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="74"/>
         <source>The figures and the decision for a metadata catalogue: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
@@ -6840,7 +6840,7 @@
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
@@ -6860,12 +6860,12 @@
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="100"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="102"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="107"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
@@ -6875,7 +6875,7 @@
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="99"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -8751,7 +8751,7 @@
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
@@ -8786,52 +8786,52 @@
         <translation>arkusz: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="17"/>
         <source>Title of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="18"/>
         <source>Contract</source>
         <translation>Umowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="18"/>
         <source>Number of the order or contract that the delivery belongs to.</source>
         <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="19"/>
         <source>Producer</source>
         <translation>Wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="19"/>
         <source>Who made the delivery.</source>
         <translation>Kto wykonał dostawę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="20"/>
         <source>Client</source>
         <translation>Zamawiający</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="20"/>
         <source>Who ordered the delivery and decides on it.</source>
         <translation>Kto zamówił dostawę i o niej decyduje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="21"/>
         <source>Delivery</source>
         <translation>Dostawa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="21"/>
         <source>What the delivery is called.</source>
         <translation>Nazwa dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
         <source>Date of the delivery</source>
         <translation>Data dostawy</translation>
     </message>
@@ -8856,7 +8856,7 @@
         <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="66"/>
         <source>One polygon for each sheet, with its verdict by the same limits and its metres.</source>
         <translation>Jeden poligon na każdy arkusz, z oceną według tych samych granic i z metrami.</translation>
     </message>
@@ -9948,11 +9948,6 @@
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
-        <source>2026-11-23 or 23.11.2026; the report uses the first form.</source>
-        <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/stated_rules.py" line="50"/>
@@ -11532,7 +11527,7 @@
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="72"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="56"/>
         <source>The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those that were scanned.</source>
         <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowano.</translation>
     </message>
@@ -11636,11 +11631,6 @@
         <translation>{name}: nie można odczytać jako warstwy linii; wybierz warstwę „Odcinki linii mozaikowania” ze skanu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
-        <source>Not asked</source>
-        <translation>Nie zlecono</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/planinspection.py" line="54"/>
         <source>What windows are placed on. With the same seed, windows and pieces are the same sample.</source>
         <translation>Na czym rozmieszczane są okna. Przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
@@ -11648,6 +11638,26 @@
     <message>
         <source>SHA-256 of its rows</source>
         <translation>SHA-256 wierszy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <source>As it is to stand on paper: 2026-11-23.</source>
+        <translation>Tak, jak ma stać na papierze: 2026-11-23.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="130"/>
+        <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
+        <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="131"/>
+        <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
+        <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
+        <source>form of the delivery</source>
+        <translation>postać dostawy</translation>
     </message>
 </context>
 </TS>

@@ -23,7 +23,7 @@ from ..measure.seen_ground import SeenGround
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
-from .paper_head import head_rows, iso_date
+from .paper_head import head_rows
 from .words import (
     CHECKS,
     NOTHING,
@@ -93,7 +93,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
         layers=record.seams,
-        images=[(name, iso_date(day)) for name, day in record.images],
+        images=record.images,
         most_files=MOST_FILES,
         standards=[*([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS],
     )  # fmt: skip
@@ -156,7 +156,7 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         yield name, result, words, faulty > 0
     else:
         yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
-    yield tr("radiometry"), tr("Not asked"), tr("'Check radiometry' checks it"), False
+    yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
 
 
 def _unmeasured(decision: Decision) -> str:
@@ -250,7 +250,7 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
     kept = share_beside(piece.kept_1, least_kept)
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
-    sides = ((piece.left_source, iso_date(piece.left_date)), (piece.right_source, iso_date(piece.right_date)))
+    sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
     cause, remark = tr(defect.cause) if defect.cause else "", "; ".join(defect.remarks)
     return {
         "number": defect.run.number,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import uuid
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -75,7 +75,7 @@ class QualityElement:
 
 
 def quality_elements(decision: Decision) -> Iterator[QualityElement]:
-    """The decision first, then the figures it rests on."""
+    """The decision first, then the figures it rests on, then the files where they were checked."""
     yield QualityElement(
         USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery meets the rules."),
         Evaluation(DERIVED, tr("All rules together: the delivery is accepted if none of them fails.")),
@@ -90,6 +90,8 @@ def quality_elements(decision: Decision) -> Iterator[QualityElement]:
                 kinds.get(code, ACCURACY), code, tr(check.title), tr(check.description), _evaluation(code, decision),
                 None if outcome is None else _conformance(outcome), quantities,
             )
+    if decision.delivery.is_checked:
+        yield _files(decision.delivery.findings)
 
 
 def _evaluation(code: str, decision: Decision) -> Evaluation:
@@ -118,6 +120,17 @@ def _quantities(decision: Decision, code: str) -> Iterator[Quantity]:
     for row in (decision.whole, *decision.sheets):
         if (value := CHECKS[code].figure(row)) is not None:
             yield scale * value, unit, row.name
+
+
+def _files(findings: Mapping[str, str]) -> QualityElement:
+    """What was found at the files, which does not change the decision."""
+    words = " ".join(f"{name}: {finding}." for name, finding in findings.items())
+    return QualityElement(
+        USABILITY, "files", tr("completeness and form of the files"),
+        tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
+        Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")),
+        (tr("form of the delivery"), words or tr("No findings"), not findings), [(len(findings), ONE, "")],
+    )
 
 
 def _conformance(outcome: RuleOutcome) -> Conformance:

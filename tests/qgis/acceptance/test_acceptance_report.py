@@ -53,10 +53,10 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
 
 
 def test_failures_that_are_unclear_or_that_no_eye_sees_are_marked(tmp_path: Path) -> None:
-    """The first of two, of two pieces; and dates are written alike, whatever the layers have."""
+    """The first of two, of two pieces."""
     plain = decided(["sheet_1"], failed=[(0, 3), (0, 4), (0, 20)])
     pieces = [*plain.delivery.pieces]
-    pieces[3] = replace(pieces[3], kept_high=0.8, kept_low=0.41, left_date="2019/07/04", right_date="11.08.2019 10:30")
+    pieces[3] = replace(pieces[3], kept_high=0.8, kept_low=0.41, left_date="2019-07-04", right_date="2019-08-11")
     pieces[4] = replace(pieces[4], kept_1=0.6, kept_low=0.5, kept_high=0.69)
     pieces[20] = replace(pieces[20], visibility=0.94)
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
