@@ -161,9 +161,9 @@ def scanned(case: Case, block: PlantedBlock, folder: Path) -> tuple[ScanResult, 
     opened = open_block(mosaic, sources)
     result = scan(opened, settings, seamlines="" if case.seamlines == "none" else str(polygons))
     delivery = make_delivery({"mosaic": seam_rows(result)}, opened.mosaic.wkt, {"mosaic": result.told})
-    checked = checked_sheets(sheets, OrderedForm(), lambda _: True) or []
+    checked = checked_sheets(sheets, OrderedForm(), lambda _: True)
     return result, replace(
-        delivery, outlines=tuple(SheetOutline(one.sheet.name, (), state=one.state) for one in checked)
+        delivery, outlines=tuple(SheetOutline(one.sheet.name, b"", state=one.state) for one in checked)
     )
 
 

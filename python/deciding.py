@@ -69,5 +69,5 @@ def decide(
     if not any(rows.values()):
         raise NoSeamsError(messages.NO_SEAM_TO_DECIDE_ON())
     delivery = make_delivery(rows, wkt, notes, files)
-    doubts = file_doubts(delivery.layers, paths_of("mosaics", mosaics), ())
+    doubts = file_doubts(delivery, paths_of("mosaics", mosaics), ())
     return deciding.decide(replace(delivery, files=doubts), rules, lot_size or None, seed)

@@ -36,7 +36,7 @@ BOUNDS = {
     "plugin/imagery": Measures(5102, 0, 0),
     "plugin/seams/measure": Measures(18050, 1, 0),
     "plugin/seams": Measures(13998, 0, 1),
-    "plugin/acceptance": Measures(5735, 1, 0),
+    "plugin/acceptance": Measures(5396, 1, 0),
     "plugin/toolkit": Measures(4743, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),

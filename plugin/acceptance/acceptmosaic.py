@@ -16,7 +16,7 @@ from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import sentence, tr
 from . import stated_rules as stated
 from .measure.acceptance_rules import ready_files
-from .paper.paper_head import LOSS, QUALITY, REPORT, add_paper
+from .paper.paper_head import QUALITY, REPORT, add_paper
 from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
@@ -44,7 +44,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         "decide it. A piece of seam fails when it kept less than required; metres are sums of whole pieces. What could "
         "not be measured never counts as passed."
     )
-    RASTER_LISTS = (SEAMS, common.MOSAIC, common.SOURCES, LOSS)
+    RASTER_LISTS = (SEAMS, common.MOSAIC, common.SOURCES)
     PAGES = (REPORT, QUALITY)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -96,8 +96,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         self._seams = seam_layers(run.raster_values(SEAMS), run.context)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
         self._windows = "" if windows is None else layer_address(windows)
-        rasters = [run.raster_refs(name) for name in (common.MOSAIC, LOSS, common.SOURCES)]
-        (self._mosaics, self._losses, self._images), notices = zip(*rasters)
+        rasters = [run.raster_refs(name) for name in (common.MOSAIC, common.SOURCES)]
+        (self._mosaics, self._images), notices = zip(*rasters)
         run.tell(*chain(*notices))
 
     def proof(
@@ -114,11 +114,12 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         decision = self._decision(run)
         run.tell(*decision.sentences)
         whole = decision.whole
-        seams = tuple((layer.sheet, whole_path(layer.address)) for layer in self._seams)
+        layers = zip(self._seams, decision.delivery.layers)
+        seams = tuple((layer.sheet, whole_path(layer.address), read.digest) for layer, read in layers)
         rules = run.text(stated.RULES) if run.parameters.get(stated.RULES) else ""
         record = InspectionRecord(decision, seams, whole_path(self._windows), whole_path(rules))
         return {
-            **write(run, record, self._mosaics, self._losses, partial(self.proof, run)),
+            **write(run, record, self._mosaics, partial(self.proof, run)),
             DECISION: decision.outcome.value,
             REASONS: sentence(decision.why),
             ACCEPTED: None if decision.accepted is None else int(decision.accepted),
@@ -138,7 +139,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         rules = stated.stated_rules(run)
         delivery, notices = read_layers(self._seams)
         run.tell(*notices)
-        doubts = file_doubts(delivery.layers, _paths(self._mosaics), _paths(self._images))
+        doubts = file_doubts(delivery, _paths(self._mosaics), _paths(self._images))
         delivery = replace(with_sheets(delivery, run), files=doubts)
         if run.parameters.get(WINDOWS):
             crs = reference_system(delivery.wkt)

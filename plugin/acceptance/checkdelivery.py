@@ -97,10 +97,12 @@ class CheckDelivery(SeamInspectorAlgorithm):
         from .checked_layer import write_checked
         from .measure.delivered_files import build_mosaic, checked_sheets, fitting
 
-        sheets = self._sheets(run)
-        checked = checked_sheets(sheets, _form(run), run.goes_on)
-        if checked is None:
-            raise CancelledError(messages.CHECK_STOPPED())
+
+        def tell(share: float) -> None:
+            if not run.goes_on(share):
+                raise CancelledError(messages.CHECK_STOPPED())
+
+        checked = checked_sheets(self._sheets(run), _form(run), tell)
         faulty = [sheet for sheet in checked if sheet.findings]
         for sheet in faulty:
             run.tell(*(messages.SHEET_FINDING(sheet=sheet.sheet.name, finding=finding) for finding in sheet.findings))

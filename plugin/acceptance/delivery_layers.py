@@ -94,10 +94,8 @@ def _line_layer(value: object, context: QgsProcessingContext) -> QgsVectorLayer:
         if not _has_lines(layer) and "|" not in value and os.path.isfile(value):
             layer = QgsVectorLayer(f"{value}|layername={_OF_SCAN_FILE}", Path(value).stem, "ogr")
             layer = layer if layer.isValid() else QgsVectorLayer(value, Path(value).stem, "ogr")
-    if not isinstance(layer, QgsVectorLayer) or not layer.isValid():
+    if not isinstance(layer, QgsVectorLayer) or not _has_lines(layer):
         raise SettingsError(messages.LAYER_NOT_FOUND(name=layer.name() if hasattr(layer, "name") else value))
-    if not _has_lines(layer):
-        raise SettingsError(messages.LAYER_NOT_LINES(name=layer.name()))
     return layer
 
 

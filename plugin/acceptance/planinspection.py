@@ -15,7 +15,7 @@ from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 from . import stated_rules as stated
 from .measure import messages
-from .sheet_index import add_sheets
+from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
 SEAMS, UNIT, SIDE, COUNT = "SEAMS", "UNIT", "SIDE", "COUNT"
@@ -51,8 +51,7 @@ class PlanInspection(SeamInspectorAlgorithm):
             "pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic's pixels."
         ))
         self.addDescribed(common.mosaic(optional=True)[0], tr(
-            "What windows are placed on; pieces that do not lie on it are not part of the lot. With it and the same "
-            "seed, windows and pieces are the same sample."
+            "What windows are placed on. With the same seed, windows and pieces are the same sample."
         ))
         self.addDescribed(common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01), tr(
             "Minimum side of a window: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."
@@ -82,10 +81,14 @@ class PlanInspection(SeamInspectorAlgorithm):
         self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
 
     def execute(self, run: Run) -> dict[str, Any]:
+        from .measure.delivered_rows import read_layers
         from .measure.inspection_plan import plan_sentence, rule_plan, stratified_sample
-        from .planned_sample import delivered_lot, write_sample
+        from .planned_sample import write_sample
 
-        delivery, lot = delivered_lot(run, self._seams, self._mosaic)
+        delivery, notices = read_layers(self._seams)
+        run.tell(*notices)
+        delivery = with_sheets(delivery, run)
+        lot = delivery.pieces
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))

@@ -1,4 +1,4 @@
-"""Layers of seams -> the pieces that a sample is drawn of; a sample -> its table and windows."""
+"""A sample of the pieces of seam -> its table and windows."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -9,7 +9,7 @@ import numpy as np
 from qgis.core import QgsGeometry, QgsLineString, QgsWkbTypes
 
 from ..imagery import limits
-from ..imagery.errors import RasterError, SettingsError
+from ..imagery.errors import SettingsError
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
@@ -21,42 +21,15 @@ from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
 from .measure import messages
-from .measure.delivered_rows import ScannedLayer, read_layers, united_settings
+from .measure.delivered_rows import united_settings
 from .measure.delivery import NUMBERS, TEXTS, DeliveredPiece, Delivery, Seal
-from .sheet_index import with_sheets
-
-
-def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, float] | None:
-    """The point half-way along a piece, in the mosaic's reference system; None where the mosaic does not show it."""
-    try:
-        x, y = transform_points(np.array([piece.middle]), wkt, mosaic.wkt)[0].tolist() if wkt else piece.middle
-    except RasterError:
-        return None
-    xmin, ymin, xmax, ymax = mosaic.grid.extent
-    return (x, y) if xmin <= x <= xmax and ymin <= y <= ymax else None
-
-
-def delivered_lot(
-    run: Run, seams: Sequence[ScannedLayer], mosaic: Raster | None
-) -> tuple[Delivery, Sequence[DeliveredPiece]]:
-    """The pieces of the scans, and of these the lot: all, or those that windows can be placed on."""
-    delivery, notices = read_layers(seams)
-    run.tell(*notices)
-    delivery = with_sheets(delivery, run)
-    if mosaic is None:
-        return delivery, delivery.pieces
-    placed = [piece for piece in delivery.pieces if middle_on(mosaic, piece, delivery.wkt) is not None]
-    if not placed:
-        raise SettingsError(messages.ALL_OFF_MOSAIC())
-    if len(placed) < len(delivery.pieces):
-        run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(placed)))
-    return delivery, placed
 
 
 def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow:
-    """A standard window around the middle of a piece, moved inside the mosaic, which shows it.
+    """A standard window around the middle of a piece, moved inside the mosaic.
 
-    Raises SettingsError for a side that can't be, or is longer than the mosaic.
+    Raises SettingsError for a side that can't be, or is longer than the mosaic, and where that does not show the piece;
+    RasterError where this has no place in its system.
     """
     grid = mosaic.grid
     side = standard_side_px(grid, side_m)
@@ -64,9 +37,13 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
         raise SettingsError(messages.MOSAIC_SMALLER_THAN_WINDOW(pixels=side, side=side_m))
     if side < limits.MIN_SIDE_PX:
         raise SettingsError(messages.WINDOW_SIDE_TOO_SHORT(side=side_m, pixels=side, least=limits.MIN_SIDE_PX))
-    place = middle_on(mosaic, piece, wkt)
-    assert place is not None
-    return standard_window(grid, *place, side).moved_into(grid.columns, grid.rows)
+    x, y = piece.middle
+    if wkt:
+        x, y = transform_points(np.array([piece.middle]), wkt, mosaic.wkt)[0].tolist()
+    xmin, ymin, xmax, ymax = grid.extent
+    if not (xmin <= x <= xmax and ymin <= y <= ymax):
+        raise SettingsError(messages.SEAM_OFF_MOSAIC())
+    return standard_window(grid, x, y, side).moved_into(grid.columns, grid.rows)
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCsException, QgsGeometry, QgsPoint, QgsRectangle, QgsSpatialIndex
+from qgis.core import QgsCsException, QgsGeometry, QgsPoint, QgsRectangle, QgsSpatialIndex, QgsWkbTypes
 
 from ..imagery.errors import SettingsError
 from ..imagery.gdal_paths import path_from
@@ -72,14 +72,12 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
 
 def _sheet_outline(name: str, shape: QgsGeometry, checked: Attributes | None) -> SheetOutline:
     """``checked``: what 'Check a delivery' wrote of the sheet; None where the index does not come from it."""
-    import numpy as np
-
     from .measure.delivery import SheetOutline, SheetState
 
-    polygons = shape.asMultiPolygon() if shape.isMultipart() else [] if shape.isEmpty() else [shape.asPolygon()]
-    rings = (np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon)
+    flat = shape.coerceToType(QgsWkbTypes.Type.MultiPolygon)
     findings, state = (text(checked[FINDINGS]), text(checked[STATE])) if checked else ("", "")
-    return SheetOutline(name, tuple(rings), tuple(filter(None, [findings])), SheetState.of_word(state))
+    wkb = bytes(flat[0].asWkb()) if flat else b""
+    return SheetOutline(name, wkb, findings, SheetState.of_word(state))
 
 
 def _names_at(outlines: list[tuple[str, QgsGeometry]], places: list[tuple[float, float]]) -> list[str | None]:

@@ -117,13 +117,12 @@ def limit_rules(
     0 to 1. ``max_run_m``: metres that may fail without a break. ``min_measured``: share of the metres that has to be
     measured, 0 to 1. Raises SettingsError for a limit that can't be.
     """
-    for name, value in (("min_kept", min_kept), ("max_share", max_share), ("min_measured", min_measured)):
+    shares = {"min_kept": min_kept, "max_share": max_share, "min_measured": min_measured}
+    for name, value in {**shares, "max_run_m": max_run_m}.items():
+        most = 1.0 if name in shares else math.inf
         check_type(name, value, float)
-        if not 0 <= value <= 1:
-            raise SettingsError(messages.LIMIT_NO_SHARE(parameter=name, value=value, least=0, most=1))
-    check_type("max_run_m", max_run_m, float)
-    if max_run_m < 0:
-        raise SettingsError(messages.LIMIT_NEGATIVE(parameter="max_run_m", value=max_run_m))
+        if not 0 <= value <= most:
+            raise SettingsError(messages.LIMIT_NO_SHARE(parameter=name, value=value, least=0, most=most))
 
     def source(value: float, standard: float) -> str:
         return OWN_LIMIT if value == standard else "stated for this decision"
@@ -136,13 +135,11 @@ def limit_rules(
     return replace(rules, name=str(limits_in_words(rules)))
 
 
-SUBJECT = "acceptance"  # subject of the ready files
-
 _OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 def ready_files() -> dict[str, Path]:
-    return ready_rules(SUBJECT)
+    return ready_rules("acceptance")
 
 
 def load_acceptance_rules(path: Path | str) -> AcceptanceRules:

@@ -8,7 +8,7 @@ from functools import reduce
 
 from ...imagery.errors import Message, Stated
 from ...imagery.file_identity import states_in
-from ...imagery.seam_totals import SOURCE_FILES
+from ...imagery.seam_totals import SOURCE_FILES, PieceState
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, AcceptanceRules, limits_in_words
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
@@ -16,7 +16,7 @@ from .delivery import Delivery, Seal
 from .doubts import Doubt, against_any, lacking, layer_sentences, unsealed
 from .failure_runs import failure_runs, unknown_runs
 from .inspection_plan import sampled_lot
-from .measured_pieces import MEASURED, is_unclear, metre_figures, pieces_of_sheets, state_of
+from .measured_pieces import MEASURED, counted_again, is_unclear, metre_figures, pieces_of_sheets, state_of
 from .ruling import Ruling
 
 
@@ -41,6 +41,10 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     whole, *sheets = (
         metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()]
     )
+    failed_again_m, measured_again_m = (
+        counted_again(pieces, delivery.files.shared, which) for which in ((PieceState.FAILED,), MEASURED)
+    )
+    whole = replace(whole, failed_again_m=failed_again_m, measured_again_m=measured_again_m)
     longest = [pieces[number] for number in runs[0].pieces] if runs else []
     ruling = Ruling(whole, pieces, longest, rules)
     outcomes = ruling.outcomes()
@@ -70,7 +74,6 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         *(first_advice if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *layer_sentences(delivery),
         *_figures(whole, runs, rules),
-        *_unknown_rows(unknown),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot[2]),
     )
@@ -146,6 +149,9 @@ def _sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
 def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceRules) -> Iterator[Message]:
     if whole.failed_share is not None:
         yield messages.METRES_FAILED(failed=whole.failed_m, measured=whole.measured_m, share=whole.failed_share)
+    if whole.measured_again_m:
+        once = (whole.failed_m - whole.failed_again_m) / (whole.measured_m - whole.measured_again_m)
+        yield messages.COUNTED_AGAIN(metres=whole.measured_again_m, share=once)
     if runs and whole.longest_failure_m is not None:
         longest, (x, y) = runs[0], runs[0].place
         yield messages.LONGEST_WHERE(metres=longest.length_m, x=x, y=y, sheets=", ".join(longest.sheets))
@@ -159,12 +165,3 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
         yield messages.MAY_HIDE(worst=worst, limit=Stated(share.limit))
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))
-
-
-def _unknown_rows(rows: Sequence[FailureRun]) -> Iterator[Message]:
-    """The longest row with the place where it lies, and how many there are."""
-    for run in rows[:1]:
-        x, y = run.place
-        yield messages.ROWS_NOT_MEASURED(
-            count=len(rows), metres=run.length_m, x=x, y=y, sheets=", ".join(run.sheets)
-        )

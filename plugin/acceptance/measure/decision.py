@@ -62,6 +62,8 @@ class MetreFigures:
     failed_unclear_m: float = 0.0  # metres that failed, in pieces whose interval reaches above the limit
     longest_unknown_m: float = 0.0  # metres of the longest row of pieces that failed or were not measured
     least_kept: float | None = None  # share kept by the measured piece that kept least; None where none was measured
+    failed_again_m: float = 0.0  # metres of the whole delivery that only repeat what another scan measured, and failed
+    measured_again_m: float = 0.0  # the same of all that was measured
 
     @property
     def judged_m(self) -> float:

@@ -11,9 +11,8 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal, ogr
 
-from ...imagery.errors import CancelledError, Message, RasterError
+from ...imagery.errors import Message, RasterError
 from ...imagery.gdal_calls import gdal_writing
-from ...imagery.grids import PixelWindow
 from ...imagery.limits import MAX_PIXEL_SIZE_DIFFERENCE
 from ...imagery.lines import burnt
 from ...imagery.open_raster import OpenRaster
@@ -65,9 +64,9 @@ class CheckedSheet:
 
 
 def checked_sheets(
-    sheets: Sequence[OrderedSheet], form: OrderedForm, goes_on: Callable[[float], bool]
-) -> list[CheckedSheet] | None:
-    """In the order given; None when it is not wanted any more. ``goes_on``: told the share that is done.
+    sheets: Sequence[OrderedSheet], form: OrderedForm, tell: Callable[[float], object]
+) -> list[CheckedSheet]:
+    """In the order given. ``tell``: is told the share that is done; what it raises ends the check.
 
     All pixels of every file are read once, as whoever measures it needs them; a file that has hardly any is not read.
     """
@@ -75,22 +74,14 @@ def checked_sheets(
     ordered = [raster for (raster, _), sheet in zip(opened, sheets) if raster is not None and sheet.is_ordered]
     form = _as_most(ordered or [raster for raster, _ in opened if raster is not None], form)
     checked: list[CheckedSheet] = []
-
-    def tell(share: float) -> None:
-        if not goes_on(share):
-            raise CancelledError(messages.CHECK_STOPPED())
-
-    try:
-        for done, (sheet, (raster, trouble)) in enumerate(zip(sheets, opened)):
-            tell(_READ * done / len(sheets))
-            part = partial(_part_done, tell, _READ * done / len(sheets), _READ / len(sheets))
-            checked.append(_checked(sheet, raster, trouble, form, part))
-        return with_states(checked, partial(_part_done, tell, _READ, 1 - _READ))
-    except CancelledError:
-        return None
+    for done, (sheet, (raster, trouble)) in enumerate(zip(sheets, opened)):
+        part = partial(_part_done, tell, _READ * done / len(sheets), _READ / len(sheets))
+        part(0.0)
+        checked.append(_checked(sheet, raster, trouble, form, part))
+    return with_states(checked, partial(_part_done, tell, _READ, 1 - _READ))
 
 
-def _part_done(tell: Callable[[float], None], before: float, part: float, share: float) -> None:
+def _part_done(tell: Callable[[float], object], before: float, part: float, share: float) -> None:
     tell(before + part * share)
 
 
@@ -258,30 +249,14 @@ def _invalid_pixels(
     if surely > _MOSTLY * inside:
         return surely
     count = 0
-    for window in opened.blocks(whole, AT_ONCE):
+    for window in opened.blocks(whole, AT_ONCE if opened.stored_share(whole) == 1 else 1):  # each is there or not
         tell((window.row * whole.width + window.column) / (whole.width * whole.height))
-        absent = _absent(opened, window)
-        invalid = absent if absent is not None and absent.all() else opened.read(window).invalid
-        masks = [mask for mask in (absent, invalid) if mask is not None]
-        if not masks:
-            continue
-        invalid = np.logical_or.reduce(masks)
-        if outline is not None and invalid.any():
-            invalid = invalid & (burnt([(outline, 1)], raster.grid, window, 0) == 1)
-        count += int(np.count_nonzero(invalid))
+        is_stored = opened.stored_share(window) > 0
+        invalid = opened.read(window).invalid if is_stored else np.ones((window.height, window.width), bool)
+        if invalid is not None and invalid.any():
+            within = True if outline is None else burnt([(outline, 1)], raster.grid, window, 0) == 1
+            count += int(np.count_nonzero(invalid & within))
     return count
-
-
-def _absent(opened: OpenRaster, window: PixelWindow) -> np.ndarray | None:
-    """(rows, columns) bool of a window: what the file has no blocks for; None where it has all of them."""
-    share = opened.stored_share(window)
-    if share == 1:
-        return None
-    absent = np.full((window.height, window.width), share == 0)
-    for part in opened.blocks(window, 1) if share else ():
-        top, left = part.row - window.row, part.column - window.column
-        absent[top : top + part.height, left : left + part.width] = opened.stored_share(part) == 0
-    return absent
 
 
 def _is_like(raster: Raster, other: Raster) -> bool:

@@ -129,8 +129,8 @@ class SheetOutline:
     """The outline of a sheet, of which there may be no seam; a sheet may have several."""
 
     name: str
-    rings: tuple[np.ndarray, ...] = field(compare=False)  # (n, 2) x and y each, in the delivery's reference system
-    findings: tuple[str, ...] = ()  # what 'Check a delivery' found wrong with its file, in words
+    shape: bytes  # WKB of its polygons, in the delivery's reference system; empty where they are not known
+    findings: str = ""  # what 'Check a delivery' found wrong with its file, in words
     state: SheetState = SheetState.SHOWN  # what the same check says of its part in the mosaic of all sheets
 
 
@@ -166,6 +166,8 @@ class FileDoubts:
     layers_of_others: tuple[str, ...] = ()  # layers of mosaics that are not given, where any is
     twice: tuple[str, ...] = ()  # layers of different scans of one mosaic
     mosaics: int = 0  # how many the layers are of, where none is given
+    shared: Mapping[int, int] = field(default_factory=dict, hash=False)
+    """In how many other scans' mosaics pieces lie, by the numbers of those that lie in any."""
 
 
 @dataclass(frozen=True)
@@ -177,7 +179,7 @@ class Delivery:
     outlines: tuple[SheetOutline, ...] = ()  # outlines of the sheets where they were given
     is_checked: bool = False  # whether the outlines come from a check of the files: those without findings are complete
     layers: tuple[DeliveredLayer, ...] = ()  # that the pieces were read from, in the order in which they were given
-    files: FileDoubts = FileDoubts()  # whether what was scanned is what is given, or there, now
+    files: FileDoubts = field(default_factory=FileDoubts)  # whether what was scanned is what is given, or there, now
 
     @cached_property
     def unit_m(self) -> float:
@@ -202,22 +204,16 @@ class Delivery:
         return drawn is not None and (self.lot_size is None or self.lot_size > len(drawn))
 
     @property
+    def findings(self) -> dict[str, str]:
+        """What was found wrong with the files of sheets, by the names of these."""
+        words: dict[str, list[str]] = {}
+        for outline in self.outlines:
+            if outline.findings:
+                words.setdefault(outline.name, []).append(outline.findings)
+        return {name: "; ".join(each) for name, each in words.items()}
+
+    @property
     def sheets(self) -> tuple[str, ...]:
         """Their names in order: those with seams, and those whose outlines were given."""
         piece_sheets = {piece.sheet for piece in self.pieces}
         return tuple(sorted(piece_sheets | {outline.name for outline in self.outlines}, key=in_words))
-
-    def sheet_rings(self) -> dict[str, list[np.ndarray]]:
-        """The closed rings of each sheet, (n, 2) x and y each: as given, or the box around its seams."""
-        rings: dict[str, list[np.ndarray]] = {}
-        for outline in self.outlines:
-            rings.setdefault(outline.name, []).extend(outline.rings)
-        boxed: dict[str, list[np.ndarray]] = {}
-        for piece in self.pieces:
-            boxed.setdefault(piece.sheet, []).append(piece.vertices)
-        for name in self.sheets:
-            if not rings.get(name) and name in boxed:
-                left, bottom, right, top = extent_of(boxed[name])
-                corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
-                rings[name] = [np.array(corners)]
-        return rings

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Hashable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from scipy import stats
@@ -13,7 +14,7 @@ from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PlanOutcome, RuleOutcome
 from .delivery import Delivery
-from .sampling_plans import OperatingCharacteristic, SamplingPlan, isolated_lot_plan, single_sampling_plan
+from .sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
 
 
 def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
@@ -92,6 +93,15 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
 CONSUMERS_RISK = 0.10  # ISO 2859-1:1999, 12.6: the limiting quality is that accepted with 10 %
 PRODUCERS_RISK = 0.05
 _LAST_DIGITS = 1e-9
+
+
+class OperatingCharacteristic(NamedTuple):
+    """The two points of the curve that says how likely a lot is accepted by how good it is."""
+
+    good_quality: float  # the share that ``good_items`` are
+    producers_risk: float  # probability that a lot as good as that is rejected
+    limiting_quality: float
+    consumers_risk: float  # probability that a lot as bad as that is accepted: some 10 %, by whole items up to 13 %
 
 
 def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:

@@ -116,6 +116,17 @@ def metre_figures(
     )  # fmt: skip
 
 
+def counted_again(
+    pieces: Iterable[DecidedPiece], shared: Mapping[int, int], states: Sequence[PieceState]
+) -> float:
+    """Metres of pieces in some states beyond those that would count if each place did once, m; ``shared``: in how many
+    other scans' mosaics pieces lie."""
+    return math.fsum(
+        decided.piece.length_m * (1 - 1 / (1 + shared[decided.piece.number])) for decided in pieces
+        if decided.state in states and decided.piece.number in shared
+    )
+
+
 def _longest_m(runs: Iterable[FailureRun], lengths: Mapping[int, float]) -> float:
     """Metres of the longest row of pieces that follow each other in a run; ``lengths``: of those that count."""
     longest = 0.0

@@ -37,8 +37,8 @@ MOSAIC_SMALLER_THAN_WINDOW = Message(
     "The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.")
 WINDOW_SIDE_TOO_SHORT = Message(
     "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
-PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are not part of the lot.", WARNING)
-ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
+SEAM_OFF_MOSAIC = Message(
+    "A piece of the sample does not lie on the mosaic; give that of all sheets, and check the reference systems.")
 PLANNED_BY_STANDARD = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
 SAMPLE_LARGER_THAN_GIVEN = Message(
@@ -115,6 +115,9 @@ PLAN_LACKS_PIECES = Message(
     "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO)
 # what the decision rests on
 METRES_FAILED = Message("{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}.", INFO)
+COUNTED_AGAIN = Message(
+    "{metres:.1f} measured metres repeat what another scan measured, since the scanned mosaics overlap. If each place "
+    "counted once, {share:.2%} would have failed.", WARNING)
 NOT_MEASURED = Message(
     "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING)
 MAY_HIDE = Message(
@@ -126,9 +129,6 @@ LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at 
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)
-ROWS_NOT_MEASURED = Message(
-    "Rows of pieces that were not measured, with those that failed among them, are longer than a failure may be: "
-    "{count}, the longest {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", WARNING)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
@@ -173,7 +173,8 @@ WOULD_CUT = Message(
 WOULD_SEE_SHEETS = Message(
     "What would decide it: a scan of all sheets, complete, readable and identical where they overlap; leave out the "
     "layer of a sheet without seams.", WARNING)
-WOULD_LEAVE_OUT = Message("What would decide it: one scan of each mosaic.", WARNING)
+WOULD_LEAVE_OUT = Message(
+    "What would decide it: one scan of each mosaic, and of sheets that overlap as one mosaic.", WARNING)
 WOULD_GIVE_ORIGINALS = Message(
     "What would decide it: a scan with the complete orthoimages as rectified, and no others.", WARNING)
 # the layers that are decided on
@@ -205,8 +206,7 @@ WINDOWS_SAY_NOTHING = Message(
     WARNING)
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
-LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; check the path.")
-LAYER_NOT_LINES = Message("{name} holds no lines; choose the layer 'Seams' of a scan.")
+LAYER_NOT_FOUND = Message("{name} can't be read as a layer of lines; choose the layer 'Seams' of a scan.")
 LAYER_WITHOUT_KEPT = Message("{name} has no field 'kept_1'; choose the layer 'Seams' of a scan, not the seamlines.")
 LAYER_EMPTY = Message("{name} is empty: no seam of it can be judged.", WARNING)
 LAYERS_EMPTY = Message(
@@ -221,19 +221,13 @@ KEPT_IMPOSSIBLE = Message(
 PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both.")
-LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
-
-
 RESULT_NOT_WRITTEN = Message(
     "The layer '{name}' can't be written; choose another folder, and close the file where it is open.")
 PICTURES_NOT_WRITTEN = Message(
     "The folder {folder} can't be written ({error}), so the layer of failures has no pictures.")
 PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING)
-PICTURES_LIMITED = Message("There are pictures of the longest {shown} of {count} failures.", INFO)
-LOSS_NOT_OF_SCAN = Message(
-    "{name} is not the picture of losses of a scan and is left out; choose the scan's LOSS.", WARNING)
 SEAMS_ELSEWHERE_UNKNOWN = Message(
     "Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are "
     "unknown: {names}.", INFO)
@@ -261,9 +255,6 @@ SEAMS_GIVEN = Message(
 SEAMS_FOUND = Message(
     "The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer's "
     "seamlines to the scan to measure all of them.", WARNING)
-RADIOMETRY_NO_TABLE = Message(
-    "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it.")
-MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, not a mosaic; no pictures are cut from it.", WARNING)
 PAPER_STOPPED = Message(
     "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
 # the files of a delivery; what is found at a sheet goes into tables

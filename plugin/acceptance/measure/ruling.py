@@ -53,9 +53,9 @@ class Ruling:
             value = figures.measured_share if rule.check == MEASURED_SHARE else None
             nothing = messages.NOTHING_WAS_MEASURED()
             return RuleOutcome(rule.check, value, rule.limit, rule.is_least, None, rule.source, nothing)
-        value, low, high = {
-            MEASURED_SHARE: self._measured, FAILED_SHARE: self._failed, LONGEST_FAILURE: self._longest,
-        }[rule.check]()
+        value = low = high = figures.measured_share
+        if rule.check != MEASURED_SHARE:
+            value, low, high = self._failed() if rule.check == FAILED_SHARE else self._longest()
         passes = {rule.passes(low), rule.passes(high)}
         passed = passes.pop() if len(passes) == 1 else None
         if rule.check == MEASURED_SHARE:  # with less the delivery is neither good nor bad
@@ -63,19 +63,21 @@ class Ruling:
         sentence = self._sentence(rule, passed, value, low, high)
         return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
 
-    def _measured(self) -> tuple[float, float, float]:
-        value = self.figures.measured_share
-        return value, value, value
-
     def _failed(self) -> tuple[float, float, float]:
-        """The share, and between what it may lie."""
+        """The share, and between what it may lie, also where ground that several scans measured counts once."""
         figures = self.figures
+        between = [*self._failed_between(), *self._failed_between(figures.failed_again_m, figures.measured_again_m)]
+        return figures.failed_m / figures.measured_m, min(between), max(between)
+
+    def _failed_between(self, failed_again_m: float = 0.0, measured_again_m: float = 0.0) -> tuple[float, float]:
+        """Between what the share may lie without what counts again."""
+        figures, least = self.figures, self.rules.rule(MEASURED_SHARE)
+        failed_m, measured_m = figures.failed_m - failed_again_m, figures.measured_m - measured_again_m
         within = math.hypot(known_within(self.pieces, self.rules.least_kept), self._open_ends())
-        least = self.rules.rule(MEASURED_SHARE)
         enough = least is None or least.passes(figures.measured_share)
-        open_m, of_m = (0.0, figures.measured_m) if enough else (figures.not_measured_m, figures.judged_m)
-        low, high = max(figures.failed_m - within, 0.0), min(figures.failed_m + within, figures.measured_m)
-        return figures.failed_m / figures.measured_m, low / of_m, min((high + open_m) / of_m, 1.0)
+        open_m = 0.0 if enough else figures.not_measured_m
+        low, high = max(failed_m - within, 0.0), min(failed_m + within, measured_m) + open_m
+        return low / (measured_m + open_m), min(high / (measured_m + open_m), 1.0)
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit; what was not measured may be part of it."""
@@ -132,8 +134,11 @@ class Ruling:
             if self._hiding_m():
                 return messages.WOULD_CUT(piece=Stated(longest.limit / 2))
             return messages.WOULD_MEASURE_ROWS(limit=Stated(longest.limit))
+        share = self.rules.rule(FAILED_SHARE) if FAILED_SHARE in is_open else None
+        if share is not None and len({share.passes(value) for value in self._failed_between()}) == 1:
+            return messages.WOULD_LEAVE_OUT()
         within = self._open_ends()
-        if FAILED_SHARE in is_open and within > known_within(self.pieces, self.rules.least_kept):
+        if share is not None and within > known_within(self.pieces, self.rules.least_kept):
             return messages.WOULD_SHORTEN(piece=self._typical_m(), within=within, allowed=self._allowed_m())
         if (count := sum(decided.is_unclear for decided in self.pieces)) and is_open:
             return messages.WOULD_TELL_APART(count=count, metres=figures.unclear_m)

@@ -40,20 +40,6 @@ class SamplingPlan:
         return self.sample_size >= self.lot_size
 
 
-@dataclass(frozen=True)
-class OperatingCharacteristic:
-    """The two points of the curve that says how likely a lot is accepted by how good it is."""
-
-    good_quality: float
-    """The share of nonconforming items that the AQL allows; of an isolated lot the largest one that is rejected with
-    5 % at most, or that of one item."""
-    producers_risk: float  # probability that a lot as good as that is rejected
-    limiting_quality: float
-    """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD); of an isolated
-    lot that of its plan, in whole items."""
-    consumers_risk: float  # probability that it is accepted then: some 10 %, by whole items up to 13 %
-
-
 INSPECTION_LEVELS = ("S-1", "S-2", "S-3", "S-4", "I", "II", "III")
 DEFAULT_LEVEL = "II"
 AQLS = tuple("0.010 0.015 0.025 0.040 0.065 0.10 0.15 0.25 0.40 0.65 1.0 1.5 2.5 4.0 6.5 10".split())

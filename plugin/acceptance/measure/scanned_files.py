@@ -2,21 +2,33 @@
 
 A file is known by its content, wherever it lies; one that lies where it was scanned also by the time of its change. The
 files of a mosaic that is a VRT are those that it names, and the VRT itself.
+
+Where mosaics of several scans overlap, each of them has measured the same ground.
 """
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from operator import itemgetter
 
+import numpy as np
+
+from ...imagery.errors import RasterError
 from ...imagery.file_identity import FileState, PlacedState, known_states, local_state, states_in
 from ...imagery.gdal_paths import is_remote
+from ...imagery.grids import PixelWindow
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import RasterRef
+from ...imagery.reference_systems import transform_points
 from ...imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
-from .delivery import DeliveredLayer, FileDoubts
+from .delivery import Delivery, FileDoubts
 
 
-def file_doubts(layers: Sequence[DeliveredLayer], mosaics: Sequence[str], sources: Sequence[str]) -> FileDoubts:
+def file_doubts(delivery: Delivery, mosaics: Sequence[str], sources: Sequence[str]) -> FileDoubts:
     """``mosaics`` and ``sources``: the rasters that are given."""
+    layers = delivery.layers
     scans = [(layer.name, layer.settings) for layer in layers if MOSAIC_FILES in layer.settings]
     if not scans:
         return FileDoubts()
@@ -51,7 +63,31 @@ def file_doubts(layers: Sequence[DeliveredLayer], mosaics: Sequence[str], source
         tuple(strange), tuple(changed), tuple(gone), tuple(gone_sources), count, tuple(others),
         tuple(name for scanned in by_mosaic.values() if len(scanned) > 1 for name in scanned.values()),
         0 if mosaics else len(by_mosaic),
+        _shared(delivery, {name: of_mosaic.places_of(files) for name, files in by_layer.items()}),
     )
+
+
+def _shared(delivery: Delivery, rasters: Mapping[str, Sequence[str]]) -> Mapping[int, int]:
+    """In how many other scans' mosaics pieces lie, by the numbers of those whose middles any of these shows.
+
+    ``rasters``: paths of what the mosaics are made of, by layers. What can't be read shows nothing.
+    """
+    shared: Counter[int] = Counter()
+    for paths in rasters.values() if delivery.sampled_numbers is None else ():
+        others = [piece for piece in delivery.pieces if rasters.get(piece.seam[0], paths) != paths]
+        shown: set[int] = set()
+        for path in paths if others else ():
+            with suppress(RasterError):
+                opened, middles = OpenRaster(RasterRef(path)), np.array([piece.middle for piece in others])
+                raster = opened.raster
+                places = raster.grid.to_pixels(transform_points(middles, delivery.wkt, raster.wkt))
+                is_inside = ((places >= 0) & (places < (raster.columns, raster.rows))).all(axis=1)
+                for place in np.flatnonzero(is_inside & raster.has_place).tolist():
+                    column, row = places[place].astype(int).tolist()
+                    if opened.read(PixelWindow(column, row, 1, 1)).valid.all():
+                        shown.add(others[place].number)
+        shared.update(shown)
+    return shared
 
 
 class _Scanned:
@@ -65,7 +101,7 @@ class _Scanned:
         for path, state in self.files:
             self._times.setdefault(path, set()).add(state.time_ns)
         self._asks = all(state.digest for path, state in self.files if is_remote(path))
-        self._given: set[tuple[int, str] | str] = set()
+        self._given: dict[tuple[int, str] | str, str] = {}
 
     def knows(self, path: str, state: FileState) -> bool:
         """Whether a file was scanned, and was not written since."""
@@ -76,7 +112,7 @@ class _Scanned:
     def give(self, path: str) -> dict[str, FileState]:
         """What a raster that is given is read from."""
         files = known_states([path], self._asks)
-        self._given.update(_known_by(file) for file in files.items() if self.knows(*file))
+        self._given.update((_known_by(file), file[0]) for file in files.items() if self.knows(*file))
         return files
 
     def is_given(self, path: str, state: FileState) -> bool:
@@ -108,6 +144,12 @@ class _Scanned:
             elif now.content != state.content or now.time_ns != state.time_ns:
                 changed.append(os.path.basename(path))
         return gone, changed
+
+    def places_of(self, files: Iterable[PlacedState]) -> list[str]:
+        """Paths of files as they are given, else as they were scanned, none on servers; but for VRTs, whose parts are
+        files, too."""
+        paths = (self._given.get(_known_by(file), file[0]) for file in files if not file[1].is_vrt)
+        return [path for path in paths if not is_remote(path)]
 
 
 def _known_by(file: PlacedState) -> tuple[int, str] | str:

@@ -72,9 +72,9 @@ class SeenGround:
             frozenset({"given", "found"}.intersection(settings.get("seams", "").split(", "))),
             "unexplained" in settings, sum(figures("unchanged_metres")),
             sum(figures("unseen_metres")), max(figures("unseen_longest")),
-            sum(figures("hidden_metres")), max(figures("hidden_longest")),
-            max(figures("unexplained")), sum(figures("unexplained_border")), max(figures("nodata_inside")),
-            max(figures("unread")), min(figures("looked_at", 1.0)),
+            sum(figures("hidden_metres")), max(figures("hidden_longest")), max(figures("unexplained")),
+            sum(figures("unexplained_border")), max(figures("nodata_inside")), max(figures("unread")),
+            min(figures("looked_at", 1.0)),
             places("unseen_at"), places("hidden_at"), places("unexplained_at"), places("nodata_at"),
         )  # fmt: skip
 
@@ -92,10 +92,6 @@ class SeenGround:
             unexplained_at=max(scans, key=lambda scan: scan.unexplained).unexplained_at,
             nodata_at=max(scans, key=lambda scan: scan.nodata).nodata_at,
         )
-
-    def seen_m(self, judged_m: float) -> float:
-        """Metres along which the scans saw the mosaic change its orthoimage; ``judged_m``: of the layers' seams."""
-        return judged_m - self.unchanged_m + self.unseen_m
 
 
 def unseen_seams(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -24,10 +23,9 @@ from ..measure.seen_ground import SeenGround
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
 from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
-from .paper_head import head_rows, iso_date
+from .paper_head import head_rows
 from .words import (
     CHECKS,
-    DIGEST_STANDARD,
     NOTHING,
     QUALITY_STANDARDS,
     SHEET_COLOURS,
@@ -44,7 +42,6 @@ from .words import (
 )
 
 MOST_ROWS = 300  # most rows of the table of failures, the longest first
-MOST_LAYERS = 40  # most layers of seams that are listed with where they were read from
 MOST_FILES = 1000  # listed with their dates or digests: some 25 pages
 _MOST_REASONS = 3  # why seams were not measured, of most metres
 _NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
@@ -53,11 +50,9 @@ OUTCOME_STATES = {
     AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
 }  # fmt: skip
 """How the decision looks on the page."""
-_WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, AcceptanceOutcome.ACCEPTED
 _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
-_RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
 def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> None:
@@ -65,7 +60,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     decision, defects = record.decision, record.defects
     sources = list(dict.fromkeys([decision.rules.kept_source, *(outcome.source for outcome in decision.outcomes)]))
     sheet_words = [sheet_word(outcome, figures) for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)]
-    parts = [*_parts(record)]
+    parts = [*_parts(decision)]
     texts = [_defect_text(defect, decision.rules.least_kept) for defect in defects[:MOST_ROWS]]
     is_undecided = decision.outcome is AcceptanceOutcome.UNDECIDED
     save_page(
@@ -80,15 +75,14 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         judged=_judged_bands(record.mosaics),
         figures=_key_figures(decision),
         parts=parts,
-        radiometry=[*_radiometry_rows(record)],
         sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
         sheets=[_sheet_row(*row) for row in zip(decision.sheets, sheet_words)],
-        sheets_sentence=_sheets_sentence(sheet_words),
+        is_each_judged=all(sheet_words),
         whole=_sheet_row(decision.whole, "") if len(decision.sheets) > 1 else None,
-        findings=record.faults,
-        map=decision_map(decision, defects[:MOST_ROWS], record.mosaics),
+        findings=[*decision.delivery.findings.items()],
+        map=decision_map(decision, defects[:MOST_ROWS]),
         map_px=MAP_PX,
         map_legend=_legend(decision),
         is_sample=decision.delivery.sampled_numbers is not None,
@@ -99,14 +93,9 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         has={name for name in ("words", "images", "band", "visibility") if any(text[name] for text in texts)},
         pictures=[*_pictures(texts, defects, pictures, decision.rules.least_kept)],
         layers=record.seams,
-        most_layers=MOST_LAYERS,
-        images=[(image.path or image.name, iso_date(image.date), _bytes(image.size)) for image in record.images],
-        digests=[(digest.path, _bytes(digest.size), digest.sha256) for digest in record.digests],
+        images=record.images,
         most_files=MOST_FILES,
-        standards=[
-            *([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS,
-            *([DIGEST_STANDARD] if record.digests else []),
-        ],
+        standards=[*([] if decision.plan is None else [decision.plan.plan.standard]), *QUALITY_STANDARDS],
     )  # fmt: skip
 
 
@@ -150,17 +139,16 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
     ]
 
 
-def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
+def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery; the
     files and radiometry last."""
-    decision, count = record.decision, len(record.decision.sheets)
+    count, faulty = len(decision.sheets), len(decision.delivery.findings)
     failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
         count=len(decision.runs), sheets=sum(sheet.failed_count > 0 for sheet in decision.sheets), all=count)
     yield tr("seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
     if decision.whole.not_measured_m:
         yield tr("seams that were not measured"), metres(decision.whole.not_measured_m), _unmeasured(decision), False
     yield from _ground_parts(decision)
-    faulty = len(record.faults)
     name = tr("completeness and form of the files")
     if decision.delivery.is_checked:
         words = filled(tr("sheets with findings: {count} of {all}"), count=faulty, all=count)
@@ -168,14 +156,7 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         yield name, result, words, faulty > 0
     else:
         yield name, tr("Not checked"), tr("'Check a delivery' checks it"), False
-    rejected, undecided = (len(record.rated(outcome)) for outcome in _WORST_FIRST[:2])
-    worst = next((outcome for outcome in _WORST_FIRST if record.rated(outcome)), None)
-    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(record.radiometry),
-        rejected=rejected, open=undecided)
-    if worst is None:
-        yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
-    else:
-        yield tr("radiometry"), outcome_title(worst), words, worst is not AcceptanceOutcome.ACCEPTED
+    yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
 
 
 def _unmeasured(decision: Decision) -> str:
@@ -202,7 +183,7 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
     apart = ground.unseen_m + ground.unchanged_m
     is_given = "given" in ground.seams
     words = filled(tr("given: {judged}, found: {seen}") if is_given else tr("found: {judged}"), judged=metres(judged),
-        seen=metres(ground.seen_m(judged)))
+        seen=metres(judged - ground.unchanged_m + ground.unseen_m))
     if apart:
         words += filled(tr("; found and not given: {unseen}, given and not found: {unchanged}") if is_given else (
             tr("; borders without a measured seam: {unseen}")
@@ -220,42 +201,20 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
 
-def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:
-    """The images that are not accepted, those by the same limits together, the worst first."""
-    for outcome in _WORST_FIRST[:2]:
-        together: dict[tuple[str, ...], list[str]] = {}
-        for image in record.rated(outcome):
-            together.setdefault(image.failed_by, []).append(image.name)
-        for failed_by, names in together.items():
-            yield [outcome_title(outcome), "; ".join(failed_by) or NOTHING, ", ".join(names)]
-
-
-def _sheets_sentence(verdicts: Sequence[str]) -> str:
-    """How many sheets have which verdict; empty where they have none."""
-    counts = Counter(verdicts)
-    words = [*map(outcome_title, AcceptanceOutcome), tr("No seams")]
-    return ", ".join(f"{word}: {counts[word]}" for word in words if counts[word]) if all(verdicts) else ""
-
-
-def _bytes(size: int | None) -> str:
-    """In whole bytes, three by three."""
-    return "" if size is None else f"{size:,}".replace(",", "\u202f")
-
-
-def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str, object]]:
-    """The limit of a piece first, then the rules that decide: what is bold is a reason to reject the delivery, and
-    ``source`` says which of the notes tells where the limit comes from."""
+def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str, str, str, int, str, bool]]:
+    """The limit of a piece first, then the rules that decide: name, value, limit, which of the notes tells where that
+    comes from, result, and whether it is a reason not to accept the delivery."""
     limit = decision.rules.least_kept
-    yield dict(zip(_RULE_KEYS, (
-        CHECKS[KEPT].word, share_beside(decision.whole.least_kept, limit),
-        filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)), tr("says which pieces fail"),
-        False, 1 + sources.index(decision.rules.kept_source),
-    )))  # fmt: skip
+    yield (
+        tr(CHECKS[KEPT].title), share_beside(decision.whole.least_kept, limit),
+        filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)),
+        1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False,
+    )
     for outcome in decision.outcomes:
-        yield dict(zip(_RULE_KEYS, (
-            CHECKS[outcome.check].word, outcome_value(outcome), outcome_limit(outcome), outcome_word(outcome),
-            outcome.passed is not True, 1 + sources.index(outcome.source),
-        )))  # fmt: skip
+        yield (
+            tr(CHECKS[outcome.check].title), outcome_value(outcome), outcome_limit(outcome),
+            1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
+        )  # fmt: skip
 
 
 def _sheet_row(figures: MetreFigures, word: str) -> list[str]:
@@ -291,7 +250,7 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
     kept = share_beside(piece.kept_1, least_kept)
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
-    sides = ((piece.left_source, iso_date(piece.left_date)), (piece.right_source, iso_date(piece.right_date)))
+    sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
     cause, remark = tr(defect.cause) if defect.cause else "", "; ".join(defect.remarks)
     return {
         "number": defect.run.number,

@@ -1,10 +1,8 @@
-"""The map of a decision, drawn by QGIS in the styles of its layers: the mosaics in pale grey, sheets by their verdicts,
-seams by what became of them, failures by their numbers, with coordinates, a scale bar and north."""
+"""The map of a decision, drawn by QGIS in the styles of its layers: sheets by their verdicts, seams by what became of
+them, failures by their numbers, with coordinates, a scale bar and north."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
-from itertools import chain
 
 import numpy as np
 from qgis.core import (
@@ -18,8 +16,6 @@ from qgis.core import (
     QgsMapRendererCustomPainterJob,
     QgsMapSettings,
     QgsMemoryProviderUtils,
-    QgsPointXY,
-    QgsRectangle,
     QgsRendererCategory,
     QgsVectorLayer,
     QgsWkbTypes,
@@ -27,25 +23,20 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QBuffer, QIODevice, QPointF, QRectF, QSize, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QImage, QPainter, QPen
 
-from ...imagery.clips import read_overview
-from ...imagery.errors import RasterError
-from ...imagery.grids import Extent, middle_of
-from ...imagery.rasters import Raster
+from ...imagery.grids import middle_of
 from ...imagery.records import Column
-from ...imagery.reference_systems import extent_on, metres_per_unit
+from ...imagery.reference_systems import metres_per_unit
 from ...imagery.seam_totals import PieceState
 from ...toolkit.charts.round_ticks import round_below
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import box_extent
 from ...toolkit.painting import painting
-from ...toolkit.picture_stretch import cut_range
 from ...toolkit.reference_systems import reference_system
 from ...toolkit.table_fields import column_features, column_fields
 from ...toolkit.translation import formatted, tr
 from ..measure.decision import DecidedPiece, Decision, Defect
-from ..measure.delivery import extent_of
 from .defect_files import DEFECT_COLUMNS, defect_features
-from .sheet_layer import SHEET_COLUMNS, sheet_features
+from .sheet_layer import SHEET_COLUMNS, extent_of_all, sheet_features
 
 STATE_COLOURS = {
     PieceState.NO_DETAIL: "#b9bec4", PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9",
@@ -56,17 +47,14 @@ MAP_PX, _MOST_ROWS, _LEAST_ROWS, _DPI = 1400, 1300, 330, 210
 _STRIP_PX, _INSET_PX = 64, 10  # below the map, for scale bar and north; of letters and marks from its edge
 _MARGIN = 0.04  # of the longer side
 _TICKS, _LETTERS_PT = 4, 6.0  # coordinates along the longer side
-_BACKDROP_PX, _LEAST_BACKDROP_PX = 1000, 16  # the longer side of the mosaics on the map, and of one of many
-_PALEST = 0.55  # the darkest grey of that
 _STATE: tuple[Column[DecidedPiece], ...] = (Column("state", "text", lambda decided: decided.state.value),)
 
 
-def decision_map(decision: Decision, defects: Sequence[Defect], mosaics: Sequence[Raster] = ()) -> bytes | None:
+def decision_map(decision: Decision, defects: Sequence[Defect]) -> bytes | None:
     """A JPEG, ``MAP_PX`` wide; None without seams."""
     if not decision.pieces:
         return None
-    seams = (decided.piece.vertices for decided in decision.pieces)
-    box = QgsRectangle(*extent_of(chain(seams, *decision.delivery.sheet_rings().values())))
+    box = extent_of_all(decision.delivery)
     box.grow(max(box.width(), box.height()) * _MARGIN)
     rows = int(np.clip(MAP_PX * box.height() / box.width(), _LEAST_ROWS, _MOST_ROWS))
     image = QImage(MAP_PX, rows + _STRIP_PX, QImage.Format.Format_RGB32)
@@ -78,11 +66,8 @@ def decision_map(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
     settings.setExtent(box)
     settings.setOutputSize(QSize(MAP_PX, rows))
     settings.setOutputDpi(_DPI)
-    settings.setBackgroundColor(QColor(0, 0, 0, 0))
     bounds = box_extent(settings.visibleExtent())
     with painting(image) as painter:
-        for pixels, extent in _backdrop(mosaics, bounds, decision.delivery.wkt):
-            painter.drawImage(QRectF(_pixel(settings, extent[0], extent[3]), _pixel(settings, *extent[2:0:-1])), pixels)
         QgsMapRendererCustomPainterJob(settings, painter).renderSynchronously()
         font = QFont(painter.font())
         font.setPointSizeF(_LETTERS_PT)
@@ -125,21 +110,18 @@ def _layer(
     return layer
 
 
-def _pixel(settings: QgsMapSettings, x: float, y: float) -> QPointF:
-    return settings.mapToPixel().transform(QgsPointXY(x, y)).toQPointF()
-
-
 def _draw_coordinates(painter: QPainter, settings: QgsMapSettings) -> None:
     """Draw a frame, and round coordinates within its lower and left edges."""
     size, (left, bottom, right, top) = settings.outputSize(), box_extent(settings.visibleExtent())
+    pixels = settings.mapToPixel()
     painter.setPen(QPen(QColor(STATE_COLOURS[PieceState.PASSED]), 2))
     painter.drawRect(1, 1, size.width() - 2, size.height() - 2)
     painter.setBackgroundMode(Qt.BGMode.OpaqueMode)
     painter.setBackground(QColor(255, 255, 255, 190))
     step = round_below(max(right - left, top - bottom) / _TICKS)
     for low, high, place, inwards in (
-        (left, right, lambda x: _pixel(settings, x, bottom), QPointF(0, -_INSET_PX)),
-        (bottom, top, lambda y: _pixel(settings, left, y), QPointF(_INSET_PX, 0)),
+        (left, right, lambda x: pixels.transform(x, bottom).toQPointF(), QPointF(0, -_INSET_PX)),
+        (bottom, top, lambda y: pixels.transform(left, y).toQPointF(), QPointF(_INSET_PX, 0)),
     ):  # fmt: skip
         for value in np.arange(np.ceil(low / step) + 1, np.floor(high / step)) * step:
             painter.drawLine(place(value), place(value) + inwards)
@@ -154,22 +136,3 @@ def _draw_scale_bar(painter: QPainter, rows: int, metres: float) -> None:
     painter.setPen(Qt.GlobalColor.black)
     painter.drawText(_INSET_PX, rows + _STRIP_PX - _INSET_PX, words)
     painter.drawText(MAP_PX - 6 * _INSET_PX, rows + _STRIP_PX - 2 * _INSET_PX, "\u2191 " + tr("N"))
-
-
-def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[tuple[QImage, Extent]]:
-    """Pale grey pictures and where they lie; none of a mosaic in another system, nor where too many pixels would have
-    to be read."""
-    for mosaic in mosaics:
-        with suppress(RasterError):
-            across = (mosaic.extent[2] - mosaic.extent[0]) / (bounds[2] - bounds[0])
-            size = max(int(_BACKDROP_PX * min(across, 1.0)), _LEAST_BACKDROP_PX)
-            is_same = np.allclose(extent_on(bounds, wkt, mosaic.wkt), bounds, atol=mosaic.grid.pixel_width)
-            overview = read_overview(mosaic, bounds, size) if is_same else None
-            if overview is not None:
-                block, extent = overview
-                grey = block.bands[: 3 if mosaic.has_luminance else 1].astype(np.float32).mean(axis=0)
-                low, high = cut_range([grey[block.valid]])
-                share = np.clip((grey - low) / (high - low), 0, 1)
-                shown = np.where(block.valid, 255 * (_PALEST + (1 - _PALEST) * share), 255).astype(np.uint8)
-                rows, columns = shown.shape
-                yield QImage(shown.tobytes(), columns, rows, columns, QImage.Format.Format_Grayscale8).copy(), extent

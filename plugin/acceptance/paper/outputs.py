@@ -5,7 +5,7 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Callable, TypeVar
+from typing import Any, Callable
 
 from qgis.core import (
     QgsFeatureSink,
@@ -16,51 +16,35 @@ from qgis.core import (
 )
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
-from ...imagery.file_identity import local_states
 from ...imagery.open_raster import describe_mosaic
 from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
 from ...toolkit.pages.templates import whole_path
 from ...toolkit.reference_systems import reference_system
 from ...toolkit.table_fields import column_fields
-from ...toolkit.translation import filled, tr
+from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.decision import Decision, Defect
 from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, Prover, defect_features, save_pictures
-from .inspection_record import (
-    Digest,
-    InspectionRecord,
-    ScannedLoss,
-    file_digests,
-    list_digest,
-    listed_images,
-    loss_picture,
-    rated_images,
-    scanned_images,
-)
-from .paper_head import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
+from .inspection_record import InspectionRecord, listed_images, scanned_images
+from .paper_head import DEFECTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT, stated_head
 from .sheet_layer import SHEET_COLUMNS, sheet_features
 
-Value = TypeVar("Value")
 Proof = Callable[["Sequence[str]", "Sequence[Raster]"], "tuple[Sequence[str], Prover | None]"]
 """From the paths of the orthoimages that were scanned, and the mosaics, to those that are listed, and who proves
 failures by them; None for nobody."""
 
 
-def write(
-    run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef], losses: Sequence[RasterRef], proof: Proof
-) -> dict[str, Any]:
+def write(run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef], proof: Proof) -> dict[str, Any]:
     """Write what is wanted; what can't be written is told, and does not cost the decision.
 
-    ``record``: the decision with what it was read from; ``losses``: the pictures of losses.
+    ``record``: the decision with what it was read from.
     """
     decision, report = record.decision, run.file_path(REPORT)
-    shown = _mosaics(run, mosaics) if run.parameters.get(DEFECTS) or report else ()
+    shown = tuple(_readable(run, mosaics)) if run.parameters.get(DEFECTS) or report else ()
     images, prover = proof(scanned_images(decision), shown)
-    pictures_of_losses = _loss_pictures(run, losses)
     record = replace(
-        record, mosaics=shown, loss=pictures_of_losses[0] if len(pictures_of_losses) == 1 else None,
-        head=stated_head(run), images=listed_images(decision, map(whole_path, images)), radiometry=rated_images(run),
+        record, mosaics=shown, head=stated_head(run), images=listed_images(decision, map(whole_path, images)),
         report=str(report or ""),
     )
     pictures: dict[int, DefectPicture] = {}
@@ -69,8 +53,6 @@ def write(
             _cut_pictures(run, record.defects, DefectPictures(shown, decision, prover), pictures)
     finally:  # without its failures a layer would say that there are none, also where the run was stopped
         results = {**_write_defects(run, record, pictures), **_write_sheets(run, decision)}
-    if (report or run.parameters.get(QUALITY)) and run.flag(DIGESTS):
-        record = replace(record, digests=_digests(run, record, mosaics))
 
     from .acceptance_report import save_acceptance_report
     from .quality_document import save_quality_document
@@ -79,18 +61,6 @@ def write(
         **results, **run.save(QUALITY, lambda path: save_quality_document(path, record)),
         **run.save(REPORT, lambda path: save_acceptance_report(path, record, pictures)),
     }
-
-
-def _digests(run: Run, record: InspectionRecord, mosaics: Sequence[RasterRef]) -> tuple[Digest, ...]:
-    """Raises CancelledError where the paper is not wanted any more."""
-    run.doing(tr("Digests of the files"))
-    paths = local_states(path for mosaic in mosaics for path in mosaic.paths)
-    digested = [layer for layer in record.decision.delivery.layers if layer.digest]
-    return (
-        *(Digest(filled(tr("rows of {layer}"), layer=layer.name), None, layer.digest) for layer in digested),
-        *([list_digest(record.images)] if record.images else []),
-        *file_digests([*paths, *filter(None, [record.rules])], run.goes_on),
-    )
 
 
 def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
@@ -114,35 +84,11 @@ def _sink(
         return None, None
 
 
-def _loss_pictures(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
-    """The pictures of losses that a scan wrote; others are told."""
-    pictures = []
-    for ref, picture in _readable(run, refs, loss_picture):
-        if picture is None:
-            run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
-        else:
-            pictures.append(picture)
-    return pictures
-
-
-def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
-    """The mosaics that pictures can be cut from."""
-    shown = []
-    for ref, picture in _readable(run, refs, loss_picture):
-        if picture is None:
-            shown.append(ref)
-        else:
-            run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
-    return tuple(mosaic for _, mosaic in _readable(run, shown, describe_mosaic))
-
-
-def _readable(
-    run: Run, refs: Sequence[RasterRef], read: Callable[[RasterRef], Value]
-) -> Iterator[tuple[RasterRef, Value]]:
-    """What is read of rasters; those that can't be read are told."""
-    for ref in refs:
+def _readable(run: Run, mosaics: Sequence[RasterRef]) -> Iterator[Raster]:
+    """The mosaics that pictures can be cut from; those that can't be read are told."""
+    for ref in mosaics:
         try:
-            yield ref, read(ref)
+            yield describe_mosaic(ref)
         except RasterError as error:
             run.tell(error.message.as_warning())
 
@@ -187,5 +133,3 @@ def _cut_pictures(
             pictures[defect.run.number] = picture
     if missing := len(shown) - len(pictures):
         run.tell(messages.PICTURES_MISSING(count=missing))
-    if len(defects) > len(shown):
-        run.tell(messages.PICTURES_LIMITED(shown=len(shown), count=len(defects)))

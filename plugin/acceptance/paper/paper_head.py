@@ -1,10 +1,7 @@
 """What of a decision is written, and what stands at its head: which delivery it is of, by whom, for whom."""
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
-from datetime import datetime
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
@@ -15,8 +12,6 @@ from ...toolkit.translation import filled, tr
 
 TITLE, CONTRACT, PRODUCER, CLIENT = "TITLE", "CONTRACT", "PRODUCER", "CLIENT"
 DELIVERY, DELIVERY_DATE = "DELIVERY", "DELIVERY_DATE"
-_DATES = "%Y-%m-%d", "%d.%m.%Y", "%Y/%m/%d", "%Y:%m:%d", "%Y%m%d"
-"""Forms of dates as people and layers of seams write them, with a time of day perhaps."""
 
 _TEXTS = {
     TITLE: (QT_TR_NOOP("Title"), QT_TR_NOOP("Title of the report; empty: Acceptance of an orthophoto mosaic.")),
@@ -24,10 +19,7 @@ _TEXTS = {
     PRODUCER: (QT_TR_NOOP("Producer"), QT_TR_NOOP("Who made the delivery.")),
     CLIENT: (QT_TR_NOOP("Client"), QT_TR_NOOP("Who ordered the delivery and decides on it.")),
     DELIVERY: (QT_TR_NOOP("Delivery"), QT_TR_NOOP("What the delivery is called.")),
-    DELIVERY_DATE: (
-        QT_TR_NOOP("Date of the delivery"),
-        QT_TR_NOOP("2026-11-23 or 23.11.2026; the report uses the first form."),
-    ),
+    DELIVERY_DATE: (QT_TR_NOOP("Date of the delivery"), QT_TR_NOOP("As it is to stand on paper: 2026-11-23.")),
 }
 """Title and help of each parameter. Forms remember them, scripts and models don't."""
 
@@ -36,20 +28,12 @@ def head_rows(head: Mapping[str, str]) -> Iterator[tuple[str, str]]:
     """Names and values of the head of a paper but for its title; ``head``: by the parameters, empty is left out."""
     for name in (CONTRACT, CLIENT, PRODUCER, DELIVERY, DELIVERY_DATE):
         if value := head.get(name):
-            yield tr(_TEXTS[name][0]), iso_date(value) if name == DELIVERY_DATE else value
+            yield tr(_TEXTS[name][0]), value
 
 
 def add_head(algorithm: SeamInspectorAlgorithm) -> None:
     for name, (title, help_text) in _TEXTS.items():
         algorithm.addDescribed(common.remembered_text(name, tr(title)), tr(help_text))
-
-
-def iso_date(value: str) -> str:
-    """Date as all on paper are written, 2026-11-23; what is no date as it is."""
-    for form in _DATES:
-        with suppress(ValueError):
-            return datetime.strptime(re.split("[T ]", value.strip())[0], form).date().isoformat()
-    return value
 
 
 def stated_head(run: Run) -> dict[str, str]:
@@ -59,7 +43,6 @@ def stated_head(run: Run) -> dict[str, str]:
 
 
 MOST_PICTURES = 100  # of a delivery, of the longest failures: some 12 MB of report
-LOSS, RADIOMETRY, DIGESTS = "LOSS", "RADIOMETRY", "DIGESTS"
 DEFECTS, SHEETS_OUT, REPORT, QUALITY = "DEFECTS", "SHEETS_OUT", common.REPORT, "QUALITY"
 
 
@@ -74,17 +57,6 @@ def add_paper(algorithm: SeamInspectorAlgorithm) -> None:
         "that were scanned."
     ))
     algorithm.addDescribed(*common.source_index())
-    algorithm.addDescribed(common.layers(LOSS, tr("Picture of losses"), optional=True), tr(
-        "As the scan of the whole mosaic wrote it: the XML refers to it."
-    ), advanced=True)
-    algorithm.addDescribed(common.features(RADIOMETRY, tr("Radiometry"), common.TABLE, optional=True), tr(
-        "The table that 'Check radiometry' made of the sheets: its result is shown on the cover beside the decision, "
-        "which it does not change."
-    ))
-    algorithm.addDescribed(common.flag(DIGESTS, tr("Digests of the files"), True), tr(
-        "SHA-256 of the mosaic's files, the seams, the rules and the list of orthoimages, for the report and the XML. "
-        "It takes as long as reading the files once."
-    ), advanced=True)
     algorithm.addDescribed(common.result(DEFECTS, tr("Failures"), common.LINE, optional=True), tr(
         "One feature for each failure without a break, for the producer: place, length, what is kept, the two "
         "orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV."

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import uuid
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,15 +16,16 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
+from ...toolkit.layers import box_extent
 from ...toolkit.pages.templates import environment, system_code, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import AcceptanceOutcome, Decision, RuleOutcome
-from ..measure.delivery import extent_of
+from ..measure.decision import Decision, RuleOutcome
 from ..measure.inspection_plan import plan_sentence
 from .inspection_record import InspectionRecord, how_measured
 from .paper_head import head_rows
-from .words import CHECKS, failing_sentence, outcome_title
+from .sheet_layer import extent_of_all
+from .words import CHECKS, failing_sentence
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
@@ -54,22 +55,10 @@ class Evaluation:
     sample: tuple[str, str, str] | None = None  # scheme, lot and ratio of sampling, in words
 
 
-@dataclass(frozen=True)
-class Quantity:
-    """A result in numbers."""
-
-    value: float
-    unit: str
-    sheet: str = ""  # that it is of; empty for all
-
-
-@dataclass(frozen=True)
-class Conformance:
-    """A figure, held against what was asked for."""
-
-    specification: str
-    explanation: str
-    passed: bool | None
+Conformance = tuple[str, str, "bool | None"]
+"""What was asked for, an explanation, and whether it is met."""
+Quantity = tuple[float, str, str]
+"""A result in numbers, its unit, and the sheet that it is of; empty for all."""
 
 
 @dataclass(frozen=True)
@@ -85,13 +74,12 @@ class QualityElement:
     quantities: Sequence[Quantity] = ()
 
 
-def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
-    """The decision first, then the figures it rests on, then what was checked beside it."""
-    decision = record.decision
+def quality_elements(decision: Decision) -> Iterator[QualityElement]:
+    """The decision first, then the figures it rests on, then the files where they were checked."""
     yield QualityElement(
         USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery meets the rules."),
         Evaluation(DERIVED, tr("All rules together: the delivery is accepted if none of them fails.")),
-        Conformance(decision.rules.name, " ".join(map(sentence, decision.sentences)), decision.accepted),
+        (decision.rules.name, " ".join(map(sentence, decision.sentences)), decision.accepted),
     )
     outcomes = {outcome.check: outcome for outcome in decision.outcomes}
     kinds = {rules.MEASURED_SHARE: REPRESENTATIVITY, rules.SAMPLING: USABILITY}
@@ -99,10 +87,11 @@ def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
         outcome, quantities = outcomes.get(code), [*_quantities(decision, code)]
         if quantities or outcome is not None:
             yield QualityElement(
-                kinds.get(code, ACCURACY), code, check.word, tr(check.description), _evaluation(code, decision),
+                kinds.get(code, ACCURACY), code, tr(check.title), tr(check.description), _evaluation(code, decision),
                 None if outcome is None else _conformance(outcome), quantities,
             )
-    yield from _checked_beside(record)
+    if decision.delivery.is_checked:
+        yield _files(decision.delivery.findings)
 
 
 def _evaluation(code: str, decision: Decision) -> Evaluation:
@@ -126,46 +115,27 @@ def _evaluation(code: str, decision: Decision) -> Evaluation:
 def _quantities(decision: Decision, code: str) -> Iterator[Quantity]:
     """A figure of all sheets together, then that of each sheet that has one."""
     if code == rules.SAMPLING and decision.plan is not None:
-        yield Quantity(decision.plan.nonconforming, ONE)
+        yield decision.plan.nonconforming, ONE, ""
     scale, unit = {rules.KEPT: (1, ONE), rules.LONGEST_FAILURE: (1, METRES)}.get(code, (100, PER_CENT))
     for row in (decision.whole, *decision.sheets):
         if (value := CHECKS[code].figure(row)) is not None:
-            yield Quantity(scale * value, unit, row.name)
+            yield scale * value, unit, row.name
 
 
-def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
-    """Files and radiometry, as far as they were checked: they do not change the decision."""
-    if record.decision.delivery.is_checked:
-        yield QualityElement(
-            USABILITY, "files", tr("completeness and form of the files"),
-            tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
-            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")),
-            Conformance(tr("form of the delivery"), _said(record.faults) or tr("No findings"), not record.faults),
-            [Quantity(len(record.faults), ONE)],
-        )
-    if record.radiometry:
-        rejected, undecided = map(record.rated, (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
-        others = [*rejected, *undecided]
-        failed_by = dict.fromkeys(source for image in others for source in image.failed_by)
-        words = _said((image.name, "; ".join((outcome_title(image.outcome), *image.failed_by))) for image in others)
-        yield QualityElement(
-            ACCURACY, "radiometry", tr("radiometry"), tr("Images beyond the limits of radiometry."),
-            Evaluation(FULL, tr("All pixels of each image ('Check radiometry').")),
-            Conformance(
-                "; ".join(failed_by) or tr("limits of radiometry"), words or tr("All images are accepted."),
-                False if rejected else None if undecided else True,
-            ),
-            [Quantity(len(rejected), ONE)],
-        )
-
-
-def _said(each: Iterable[tuple[str, str]]) -> str:
-    return " ".join(f"{name}: {words}." for name, words in each)
+def _files(findings: Mapping[str, str]) -> QualityElement:
+    """What was found at the files, which does not change the decision."""
+    words = " ".join(f"{name}: {finding}." for name, finding in findings.items())
+    return QualityElement(
+        USABILITY, "files", tr("completeness and form of the files"),
+        tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
+        Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")),
+        (tr("form of the delivery"), words or tr("No findings"), not findings), [(len(findings), ONE, "")],
+    )
 
 
 def _conformance(outcome: RuleOutcome) -> Conformance:
     clause = sentence(outcome.sentence)
-    return Conformance(outcome.source, f"{clause[:1].upper()}{clause[1:].rstrip('.')}.", outcome.passed)
+    return outcome.source, f"{clause[:1].upper()}{clause[1:].rstrip('.')}.", outcome.passed
 
 
 _NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -195,9 +165,7 @@ def quality_document(record: InspectionRecord) -> str:
         system=system_code(decision.delivery.wkt),
         extent=_in_degrees(decision),
         report=Path(record.report).name if record.report else "",
-        elements=list(quality_elements(record)),
-        loss=record.loss,
-        loss_path=whole_path(record.loss.raster.ref.path) if record.loss else "",
+        elements=list(quality_elements(decision)),
         software=how.software,
         steps=[f"{name}: {value}" for name, value in how.settings if value],
         sources=_sources(record),
@@ -207,23 +175,14 @@ def quality_document(record: InspectionRecord) -> str:
 
 def _in_degrees(decision: Decision) -> Extent | None:
     """The bounding box of all sheets and seams in longitude and latitude; None where that can't be told."""
-    vertices = [piece.vertices for piece in decision.delivery.pieces]
-    vertices += [ring for outline in decision.delivery.outlines for ring in outline.rings]
-    if not vertices or not decision.delivery.wkt:
-        return None
     with suppress(RasterError):
-        return extent_on(extent_of(vertices), decision.delivery.wkt, _DEGREES)
+        if decision.pieces and decision.delivery.wkt:
+            return extent_on(box_extent(extent_of_all(decision.delivery)), decision.delivery.wkt, _DEGREES)
     return None
 
 
 def _sources(record: InspectionRecord) -> list[str]:
-    files = [f"{sheet}: {path}" for sheet, path in record.seams]
-    files += [whole_path(mosaic.ref.path) for mosaic in record.mosaics]
+    files = [f"{sheet}: {path}" + (f" (SHA-256 {digest})" if digest else "") for sheet, path, digest in record.seams]
+    files += dict.fromkeys(whole_path(mosaic.ref.path) for mosaic in record.mosaics)
     files += [path for path in (record.windows, record.rules) if path]
-    digests = {digest.path: digest for digest in record.digests}
-    files = [
-        f"{file} (SHA-256 {digests.pop(file).sha256})" if file in digests else file for file in dict.fromkeys(files)
-    ]
-    files += [f"{digest.path} (SHA-256 {digest.sha256})" for digest in digests.values()]
-    images = ((image.path or image.name, image.date) for image in record.images)
-    return files + [f"{path} ({date})" if date else path for path, date in images]
+    return files + [f"{path} ({date})" if date else path for path, date in record.images]

@@ -1,15 +1,18 @@
 """SHEETS_OUT: one polygon for each sheet with its verdict, to return rejected ones."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from qgis.core import QgsFeature, QgsGeometry, QgsPointXY
+from qgis.core import QgsFeature, QgsGeometry, QgsRectangle
 
 from ...imagery.records import Column
+from ...toolkit.layers import rectangle
 from ...toolkit.table_fields import column_features
 from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures
+from ..measure.delivery import Delivery, extent_of
 from .words import rounded
 
 
@@ -17,7 +20,7 @@ from .words import rounded
 class _DecidedSheet:
     figures: MetreFigures
     outcome: AcceptanceOutcome | None  # None without seams, or where the delivery was decided on by a sample
-    findings: tuple[str, ...]  # what is wrong with its file; none where that was not looked at
+    findings: str  # what is wrong with its file; empty where that was not looked at
 
 
 def _word(sheet: _DecidedSheet) -> str | None:
@@ -39,31 +42,42 @@ SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
     Column("longest_failure", "real", lambda sheet: rounded(sheet.figures.longest_failure_m)),
     Column("pieces", "integer", lambda sheet: sheet.figures.piece_count),
     Column("failed_pieces", "integer", lambda sheet: sheet.figures.failed_count),
-    Column("findings", "text", lambda sheet: "; ".join(sheet.findings) or None),
+    Column("findings", "text", lambda sheet: sheet.findings or None),
 )
 
 
 def sheet_features(decision: Decision) -> Iterator[QgsFeature]:
     """In the order of ``decision.sheets``; a sheet of which no place is known has no outline."""
-    rings = decision.delivery.sheet_rings()
-    findings: dict[str, tuple[str, ...]] = {}
-    for sheet in decision.delivery.outlines:
-        findings[sheet.name] = (*findings.get(sheet.name, ()), *sheet.findings)
+    shapes, findings = sheet_shapes(decision.delivery), decision.delivery.findings
     rows = [
-        _DecidedSheet(figures, outcome, findings.get(figures.name, ()))
+        _DecidedSheet(figures, outcome, findings.get(figures.name, ""))
         for figures, outcome in zip(decision.sheets, decision.sheet_outcomes)
     ]
     for row, feature in zip(rows, column_features(SHEET_COLUMNS, rows)):
-        if outline := rings.get(row.figures.name):
-            feature.setGeometry(_polygon(outline))
+        feature.setGeometry(shapes.get(row.figures.name, QgsGeometry()))
         yield feature
 
 
-def _polygon(rings: Sequence[np.ndarray]) -> QgsGeometry:
-    """What lies within an odd number of rings: parts lie beside each other, holes within parts."""
-    shape = QgsGeometry()
-    for ring in rings:
-        part = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in ring.tolist()]])
-        shape = part if shape.isNull() else shape.symDifference(part)
-    shape.convertToMultiType()
-    return shape
+def sheet_shapes(delivery: Delivery) -> dict[str, QgsGeometry]:
+    """Polygons of sheets by their names: as given, or the box around their seams."""
+    parts: dict[str, list[QgsGeometry]] = defaultdict(list)
+    for outline in delivery.outlines:
+        shape = QgsGeometry()
+        shape.fromWkb(outline.shape)
+        parts[outline.name] += [] if shape.isEmpty() else [shape]
+    seams: dict[str, list[np.ndarray]] = defaultdict(list)
+    for piece in delivery.pieces:
+        seams[piece.sheet].append(piece.vertices)
+    boxes = {name: [rectangle(extent_of(lines))] for name, lines in seams.items()}
+    shapes = {name: QgsGeometry.collectGeometry(parts[name] or boxes.get(name, [])) for name in delivery.sheets}
+    for shape in shapes.values():
+        shape.convertToMultiType()
+    return shapes
+
+
+def extent_of_all(delivery: Delivery) -> QgsRectangle:
+    """The box around all seams and sheets of a delivery that has seams."""
+    box = QgsRectangle(*extent_of(piece.vertices for piece in delivery.pieces))
+    for shape in sheet_shapes(delivery).values():
+        box.combineExtentWith(shape.boundingBox())
+    return box

@@ -22,10 +22,6 @@ class Check:
     unit: str
     figure: Callable[[MetreFigures], float | None]  # of a sheet, or of all; None where it has none
 
-    @property
-    def word(self) -> str:
-        return tr(self.title)
-
 
 CHECKS = {
     rules.FAILED_SHARE: Check(
@@ -61,7 +57,6 @@ _OUTCOMES = {
     AcceptanceOutcome.UNDECIDED: QT_TR_NOOP("Undecided"),
 }
 QUALITY_STANDARDS = "ISO 19157:2013", "ISO/TS 19157-2:2016", "ISO 19115-3:2016"
-DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"  # with their editions, on which the decision rests, its record and its digests
 NOTHING = "\u2013"  # where there is no value
 
 

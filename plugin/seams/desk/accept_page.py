@@ -50,7 +50,7 @@ from ...toolkit.desk.widgets import plain_tip
 from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import layer_path
 from ...toolkit.translation import filled, sentence, tr
-from ..tables.scan_layers import SEAMS, is_picture
+from ..tables.scan_layers import SEAMS
 from ..words import verdict_colour
 from . import messages
 from .inputs.project_inputs import Inputs
@@ -68,7 +68,6 @@ class DeliveredScan:
     words: str  # what its mosaic is called
     mosaic: str  # id of the mosaic's layer
     seams: str  # its pieces of seam, as QGIS opens them
-    loss: str  # id of its picture of losses; empty where the project has none
 
 
 def delivered_scans(project: QgsProject, first: str) -> list[DeliveredScan]:
@@ -78,11 +77,8 @@ def delivered_scans(project: QgsProject, first: str) -> list[DeliveredScan]:
     for mosaic in sorted(rasters, key=lambda raster: (raster.id() != first, raster.name())):
         worst = worst_layer(project, mosaic.id())
         if worst is not None and layer_path(worst):
-            file = Path(layer_path(worst))
-            beside = (raster for raster in rasters if Path(raster.source()).parent == file.parent)
-            loss = next(filter(is_picture, beside), None)
-            seams = f"{file}|layername={SEAMS.name}"
-            scans.append(DeliveredScan(mosaic.name(), mosaic.id(), seams, "" if loss is None else loss.id()))
+            seams = f"{Path(layer_path(worst))}|layername={SEAMS.name}"
+            scans.append(DeliveredScan(mosaic.name(), mosaic.id(), seams))
     return scans
 
 
@@ -91,7 +87,7 @@ def decision_values(inputs: Inputs, scans: Sequence[DeliveredScan]) -> dict[str,
     return {
         "SEAMS": [scan.seams for scan in scans], "MOSAIC": [scan.mosaic for scan in scans],
         "SOURCES": list(inputs.sources), "SOURCE_INDEX": inputs.source_index or None,
-        "LOSS": [scan.loss for scan in scans if scan.loss], "WINDOWS": inputs.windows or None,
+        "WINDOWS": inputs.windows or None,
     }
 
 

@@ -12,8 +12,8 @@ from lxml import etree
 
 _ISO = "http://standards.iso.org/iso"
 NAMESPACES = {
-    **{name: f"{_ISO}/19115/-3/{name}/1.0" for name in ("gco", "gcx", "gex", "lan", "mcc", "mrd", "mri", "mrs")},
-    **{name: f"{_ISO}/19115/-3/{name}/2.0" for name in ("cit", "mdb", "mrc", "mrl", "msr")},
+    **{name: f"{_ISO}/19115/-3/{name}/1.0" for name in ("gco", "gex", "lan", "mcc", "mri", "mrs")},
+    **{name: f"{_ISO}/19115/-3/{name}/2.0" for name in ("cit", "mdb", "mrl")},
     "mdq": f"{_ISO}/19157/-2/mdq/1.0",
     "xlink": "http://www.w3.org/1999/xlink",
     "xsi": "http://www.w3.org/2001/XMLSchema-instance",

@@ -335,8 +335,9 @@ def test_two_scans_of_one_mosaic_decide_nothing(kept: float) -> None:
     first, second = (DeliveredLayer(name, Seal.WHOLE, 0.0, files, digest=name) for name in "ab")
     pieces = delivery(sure(seam([kept] * 20)))
     for layers, count in ((first, second), 2), ((first, replace(first, name="b")), 0):
-        doubts = replace(file_doubts(layers, (), ()), gone=())
-        decision = decide(replace(pieces, layers=layers, files=doubts), rules())
+        made = replace(pieces, layers=layers)
+        doubts = replace(file_doubts(made, (), ()), gone=())
+        decision = decide(replace(made, files=doubts), rules())
         assert (decision.outcome is UNDECIDED) is bool(count)
         assert ("different scans of one mosaic are given: 2 (a, b)" in str(decision.sentences[0])) is bool(count)
 
@@ -365,12 +366,12 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
 
 
 def with_sheet(made: Delivery, state: SheetState) -> Delivery:
-    return replace(made, outlines=(SheetOutline("a", ()), SheetOutline("x", (), state=state)))
+    return replace(made, outlines=(SheetOutline("a", b""), SheetOutline("x", b"", state=state)))
 
 
 def test_a_corner_of_a_sheet_in_one_scan_of_many_is_no_sheet_by_itself() -> None:
     """40 m that could not be measured, less than may fail without a break; with 60 m nobody knows the sheet."""
     for count, outcome in ((4, ACCEPTED), (6, UNDECIDED)):
         corner = seam([None] * count, sheet="b", start=(0, 99), number=100)
-        made = replace(delivery(seam([0.95] * 100), corner), outlines=(SheetOutline("a", ()), SheetOutline("b", ())))
+        made = replace(delivery(seam([0.95] * 100), corner), outlines=(SheetOutline("a", b""), SheetOutline("b", b"")))
         assert decide(made, rules(measured=0.5)).outcome is outcome

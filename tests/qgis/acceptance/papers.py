@@ -27,7 +27,7 @@ def ground(path: Path, across: float = 200.0, up: float = 1000.0, kind: str = "u
 
 def record_of(decision: Decision, **also: object) -> InspectionRecord:
     """With where each sheet was read from."""
-    seams = tuple((name, f"/deliveries/{name}.gpkg") for name in decision.delivery.sheets)
+    seams = tuple((name, f"/deliveries/{name}.gpkg", "") for name in decision.delivery.sheets)
     return InspectionRecord(decision, seams, **also)  # type: ignore[arg-type]
 
 

@@ -33,17 +33,6 @@ def mosaic(tmp_path_factory: pytest.TempPathFactory) -> str:
     return write_raster(path, pixels, 0.25, (X - 25, Y + 75), system=UTM33)
 
 
-@pytest.fixture(scope="module")
-def loss(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """Picture of losses as a scan writes it."""
-    path = tmp_path_factory.mktemp("loss") / "loss.tif"
-    made = write_raster(path, np.ones((5, 20, 31), np.float32), 8.0, (X - 25, Y + 75), system=UTM33)
-    dataset = gdal.Open(made, gdal.GA_Update)
-    dataset.SetMetadata({"wavelet": "coif3", "levels": "3", "density": "seams", "piece_m": "25"}, "SEAM_INSPECTOR")
-    del dataset
-    return made
-
-
 def accept(*layers: QgsVectorLayer, **parameters: Any) -> Run:
     wanted = {"DEFECTS": None, "REPORT": None, "QUALITY": None, **parameters}
     outcome = run("acceptmosaic", SEAMS=list(layers) or [seams(KEPT)], **wanted)
@@ -106,15 +95,6 @@ def test_dates_causes_and_remarks_come_along(tmp_path: Path) -> None:
     assert second["cause"] in (None, "NULL") or not second["cause"]
     assert first["left_date"].startswith("left_date")
     assert first["right_source"].startswith("right_source")
-
-
-def test_wrong_rasters_are_told_and_left_out(tmp_path: Path, mosaic: str, loss: str) -> None:
-    given = {"DEFECTS": str(tmp_path / "d.gpkg"), "REPORT": None, "QUALITY": str(tmp_path / "q.xml")}
-    outcome = accept(**given, MOSAIC=[loss], LOSS=mosaic)
-    assert any("loss.tif is a scan's picture of losses, not a mosaic" in said for said in outcome.log.warnings)
-    assert any("is not the picture of losses of a scan" in said for said in outcome.log.warnings)
-    assert "QE_CoverageResult" not in (tmp_path / "q.xml").read_text(encoding="utf-8")
-    assert outcome.column("picture", "DEFECTS").count(None) == 2
 
 
 def test_a_scan_without_some_orthoimages_is_told() -> None:

@@ -6,10 +6,9 @@ from pathlib import Path
 
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
-from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
-from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, RatedImage
+from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
 
 from tests.numbers.acceptance.made_decisions import decided
 from tests.pages import Outline, outline
@@ -54,10 +53,10 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
 
 
 def test_failures_that_are_unclear_or_that_no_eye_sees_are_marked(tmp_path: Path) -> None:
-    """The first of two, of two pieces; and dates are written alike, whatever the layers have."""
+    """The first of two, of two pieces."""
     plain = decided(["sheet_1"], failed=[(0, 3), (0, 4), (0, 20)])
     pieces = [*plain.delivery.pieces]
-    pieces[3] = replace(pieces[3], kept_high=0.8, kept_low=0.41, left_date="2019/07/04", right_date="11.08.2019 10:30")
+    pieces[3] = replace(pieces[3], kept_high=0.8, kept_low=0.41, left_date="2019-07-04", right_date="2019-08-11")
     pieces[4] = replace(pieces[4], kept_1=0.6, kept_low=0.5, kept_high=0.69)
     pieces[20] = replace(pieces[20], visibility=0.94)
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
@@ -87,21 +86,6 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
     assert "kept by its pieces, one after the other: 45 %, 45 %" in words
     assert "mosaic.tif" in page.words
-
-
-def test_radiometry_stands_on_the_cover_and_changes_nothing(tmp_path: Path) -> None:
-    rated = (
-        RatedImage("a.tif", AcceptanceOutcome.ACCEPTED, ()),
-        *(RatedImage(name, AcceptanceOutcome.REJECTED, ("7.2",)) for name in ("b.tif", "c.tif")),
-    )
-    page = page_of(tmp_path, record_of(decided(), radiometry=rated))
-    parts = {row[0]: row[1:] for row in page.rows if len(row) == 3}
-    assert parts["radiometry"] == ["Rejected", "images rejected: 2, undecided: 0 of 3"]
-    assert parts["seams"][0] == "Accepted"
-    assert ["Rejected", "7.2", "b.tif, c.tif"] in page.rows
-    assert "a.tif" not in page.words
-    sound = page_of(tmp_path, record_of(decided(), radiometry=rated[:1]))
-    assert ["radiometry", "Accepted", "images rejected: 0, undecided: 0 of 1"] in sound.rows
 
 
 @pytest.mark.parametrize("sheets", [1, 40])

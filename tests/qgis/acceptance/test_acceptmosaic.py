@@ -149,7 +149,7 @@ def test_bad_layers_are_refused() -> None:
     for given, words in (
         ([], "No layer of seams is given"),
         (["/nowhere/seams.gpkg"], "/nowhere/seams.gpkg can't be read as a layer of lines"),
-        ([point], "made holds no lines"),
+        ([point], "made can't be read as a layer of lines"),
         ([layer("LineString", [straight(0, 5)])], "has no field 'kept_1'"),
         ([seams([P]), layer("LineString", [straight(0, 5)], None, kept_1=("double", [P]))], "check the systems"),
     ):

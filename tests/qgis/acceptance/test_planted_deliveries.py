@@ -187,7 +187,7 @@ def test_8_sheet_by_sheet_or_as_one(spoilt: Block, scanned: Run, tmp_path: Path)
         gdal.Translate(str(sheet), spoilt.mosaic, srcWin=[0, first, SHAPE[1], ROWS // 2])
         made.append(scan(spoilt, tmp_path / f"scan_{number}", MOSAIC=str(sheet)))
     layers = [item.results["SEAMS"] for item in made]
-    outcome = decide(tmp_path, *layers, LOSS=[item.results["LOSS"] for item in made])
+    outcome = decide(tmp_path, *layers)
     assert outcome.results["DECISION"] == "rejected"
     assert outcome.results["FAILED_METRES"] == pytest.approx(sum(item.results["FAILED_METRES"] for item in made))
     truth = planted_metres(PLANTED)

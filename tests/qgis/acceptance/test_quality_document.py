@@ -9,12 +9,11 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import Decision
-from seam_inspector.plugin.acceptance.paper.inspection_record import ScannedLoss
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document, save_quality_document
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
 from tests.numbers.acceptance.public_schemas import NAMESPACES, faults
-from tests.qgis.acceptance.papers import EVIL, ground, record_of, scanned_with
+from tests.qgis.acceptance.papers import EVIL, record_of, scanned_with
 
 SHEETS = ("sheet_1", "sheet_2")
 FAILED = [(0, 3), (0, 4), (1, 20)]
@@ -99,18 +98,6 @@ def test_scope_time_and_lineage() -> None:
     lineage = text(root, "mdb:resourceLineage")
     for words in ("Seam Inspector 0.1.0", "wavelet: coif3", "70", "sheet_1: /deliveries/sheet_1.gpkg", "/r.json"):
         assert words in lineage
-
-
-def test_the_picture_of_losses_is_a_coverage_result(tmp_path: Path) -> None:
-    loss = ground(tmp_path / "loss & Łódź.tif")
-    document = quality_document(record_of(decided(failed=FAILED[:2]), loss=ScannedLoss(loss, ("kept_1",))))
-    kept = elements(document)["kept"]
-    coverage = kept.find("mdq:result/mdq:QE_CoverageResult", NAMESPACES)
-    assert coverage is not None
-    assert text(coverage, ".//mdq:fileName") == "loss & Łódź.tif"
-    sizes = [name.text for name in coverage.iterfind(".//msr:dimensionSize/gco:Integer", NAMESPACES)]
-    assert sizes == [str(loss.rows), str(loss.columns)]
-    assert float(text(coverage, ".//msr:resolution")) == pytest.approx(0.5 / 0.9996, abs=1e-4)  # UTM, on the ground
 
 
 def test_a_plan_is_told_with_its_risks() -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsGeometry
+from qgis.core import QgsGeometry, QgsRectangle
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.delivery import SheetOutline
 from seam_inspector.plugin.acceptance.paper.decision_map import decision_map
@@ -55,8 +55,8 @@ def test_all_sheets_that_were_given_are_named_in_order(tmp_path: Path) -> None:
 
 def test_the_map_draws_the_sheets_as_they_were_given() -> None:
     decision = decided(["a", "b"], failed=[(0, 3)])
-    box = np.array([[499000, 5499000], [503000, 5499000], [503000, 5502000], [499000, 5502000], [499000, 5499000]])
-    given = replace(decision, delivery=replace(decision.delivery, outlines=(SheetOutline("far", (box,)),)))
+    box = bytes(QgsGeometry.fromRect(QgsRectangle(499000, 5499000, 503000, 5502000)).asWkb())
+    given = replace(decision, delivery=replace(decision.delivery, outlines=(SheetOutline("far", box),)))
     plain, drawn = (picture(decision_map(item, ()) or b"") for item in (decision, given))
     assert (np.abs(drawn - [213, 94, 0]).sum(axis=2) < 60).any()  # failures in their colour
     assert drawn.shape[1] / drawn.shape[0] == pytest.approx(4 / 3, rel=0.1)  # the outline's, not that of the seams

@@ -116,7 +116,6 @@ def test_accept_opens_the_decision_on_the_scan(plugin: Any, scan_scene: ScanScen
     context = QgsProcessingContext()
     context.setProject(QgsProject.instance())
     assert job.checkParameterValues({**values, "DEFECTS": "TEMPORARY_OUTPUT", "REPORT": None}, context)[0]
-    assert values["LOSS"]
     (seams,) = values["SEAMS"]
     assert QgsVectorLayer(seams, "seams", "ogr").featureCount() > 0
     page.close()
