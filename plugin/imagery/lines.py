@@ -141,22 +141,22 @@ def _passed_nodes(nodes: np.ndarray, ends: np.ndarray, tolerance: float) -> tupl
     return passing[inside], node[inside]
 
 
-def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and edges (m, 2) that have one feature's polygon on their left and another feature's on their right.
+def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Nodes; pairs of them (m, 2) that are joined and have polygons on both sides; and the lowest and the highest owner
+    on the left and on the right of each, (2, m).
 
-    ``pieces``: (n, 2) of all rings, the interior on their left; ``owner``: (n,) the feature of each.
+    ``pieces``: (n, 2) of all rings, the interior on their left; ``owner``: (n,) number of the owner of each.
     """
     nodes, edges, piece = network(pieces, SNAP_PX)
     owner = owner[piece]
     forward = edges[:, 0] < edges[:, 1]
     pairs, pair = undirected(edges, len(nodes))
-    left, right = np.zeros((2, len(pairs)), dtype=bool)
-    left[pair[forward]] = True
-    right[pair[~forward]] = True
-    first, last = np.full(len(pairs), owner.max()), np.zeros(len(pairs), dtype=int)
-    np.minimum.at(first, pair, owner)
-    np.maximum.at(last, pair, owner)
-    return nodes, pairs[left & right & (first < last)]
+    low, high = np.full((2, len(pairs)), owner.max() + 1), np.full((2, len(pairs)), -1)
+    for side, chosen in enumerate((forward, ~forward)):
+        np.minimum.at(low[side], pair[chosen], owner[chosen])
+        np.maximum.at(high[side], pair[chosen], owner[chosen])
+    both = (high >= 0).all(axis=0)
+    return nodes, pairs[both], low[:, both], high[:, both]
 
 
 def undirected(edges: np.ndarray, node_count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -268,7 +268,8 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
     nodes, edges = np.empty(0, dtype=complex), np.empty((0, 2), dtype=int)
     if rings:
         pieces, ring = line_pieces(rings)
-        nodes, edges = borders((pieces - origin) / pixel_size, np.array(owners)[ring])
+        nodes, edges, low, high = borders((pieces - origin) / pixel_size, np.array(owners)[ring])
+        edges = edges[low.min(axis=0) < high.max(axis=0)]
     if lines:
         pieces = (line_pieces(lines)[0] - origin) / pixel_size
         nodes, edges, _ = network(np.concatenate([pieces, nodes[edges]]), SNAP_PX)

@@ -242,8 +242,6 @@ def _near_means(bands: np.ndarray) -> list[float]:
 Directions = tuple[tuple[float, ...], ...]
 """Relative variance of LH, HL and HH, for level 1 (finest), 2, ..., R; NaN for a constant clip."""
 
-_STRIP = 65536  # pixels worked on at a time, so that they stay in the cache
-
 
 def measure_bands(
     bands: np.ndarray, names: Sequence[str], wavelet: str, levels: int
@@ -276,16 +274,10 @@ def measure_directions(clip: Clip, wavelet: str, levels: int) -> dict[str, Direc
 
 def luminance(bands: np.ndarray) -> np.ndarray:
     """The luminance, (rows, columns) float32, of bands whose first three are red, green and blue."""
-    rows, columns = bands.shape[1:]
-    mixture = np.empty((rows, columns), np.float32)
-    strip = max(1, _STRIP // columns)
-    weighted = np.empty((min(strip, rows), columns), np.float32)
     red, *others = (np.float32(weight) for weight in limits.LUMINANCE_WEIGHTS)
-    for start in range(0, rows, strip):
-        part = mixture[start : start + strip]
-        np.multiply(bands[0, start : start + strip], red, out=part)
-        for band, weight in zip(bands[1:], others):
-            part += np.multiply(band[start : start + strip], weight, out=weighted[: len(part)])
+    mixture: np.ndarray = np.multiply(bands[0], red, dtype=np.float32)
+    for band, weight in zip(bands[1:], others):
+        mixture += np.multiply(band, weight, dtype=np.float32)
     return mixture
 
 
