@@ -27,18 +27,8 @@ from .atomic_files import UnfinishedFile, files_written
 from .documents import json_document
 from .errors import SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
-from .gdal_paths import (
-    ANYTHING,
-    RASTERS,
-    begins_vrt,
-    is_remote,
-    local_file,
-    open_dataset,
-    readable_path,
-    vrt_parts,
-    with_parts,
-)
-from .remote_files import forget_fetched
+from .gdal_paths import ANYTHING, RASTERS, begins_vrt, is_remote, local_file, open_dataset, vrt_parts, with_parts
+from .remote_files import remote_state
 
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
@@ -289,14 +279,3 @@ def _looks(size: int) -> Iterator[tuple[int, int]]:
     for number, start in enumerate(range(0, size, _STRETCH_BYTES)):
         yield start + number * _LOOK_STEP % (_STRETCH_BYTES - _LOOK_BYTES), _LOOK_BYTES
     yield size - _LOOK_BYTES, _LOOK_BYTES
-
-
-def remote_state(path: str) -> str:
-    """Size, time of change and entity tag of what a server has, as far as it tells them now."""
-    path = readable_path(path)
-    forget_fetched(path)
-    with gdal_silenced(), suppress(RuntimeError):
-        status, headers = gdal.VSIStatL(path), gdal.GetFileMetadata(path, "HEADERS") or {}
-        tags = [value for name, value in headers.items() if name.lower() == "etag"]
-        return f"{status and status.size} {status and status.mtime} {''.join(tags)}"
-    return ""

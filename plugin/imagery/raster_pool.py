@@ -8,7 +8,7 @@ import os
 import threading
 import weakref
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
 from typing import Any, TypeVar
@@ -159,18 +159,15 @@ class ReadingLanes:
         self._lock = threading.Lock()
 
     def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]:
-        futures = [self.submit(ref, work) for ref, work in readings]
+        lane_of, every = self._lane_of, self._lanes
+        with self._lock:
+            lanes = ((lane_of.setdefault(ref, every[len(lane_of) % len(every)]), ref, work) for ref, work in readings)
+            futures = [lane.submit(read_one, open_raster, ref, work) for lane, ref, work in lanes]
         try:
             return [future.result() for future in futures]
         finally:
             for future in futures:
                 future.cancel()
-
-    def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
-        """Have one raster read, unless whoever asks for it is cancelled before."""
-        with self._lock:
-            lane = self._lane_of.setdefault(ref, self._lanes[len(self._lane_of) % len(self._lanes)])
-            return lane.submit(read_one, open_raster, ref, work)
 
     def let_go(self) -> None:
         """Close all files, in their threads, as a large one takes its time: when what was asked for has been read."""

@@ -5,7 +5,7 @@ import os
 import re
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Callable, TypeVar
 
 from osgeo import gdal
@@ -112,6 +112,17 @@ def forget_fetched(path: str) -> None:
             gdal.VSICurlPartialClearCache(path)
         else:
             gdal.VSICurlClearCache()
+
+
+def remote_state(path: str) -> str:
+    """Size, time of change and entity tag of what a server has, as far as it tells them now."""
+    path = readable_path(path)
+    forget_fetched(path)
+    with gdal_silenced(), suppress(RuntimeError):
+        status, headers = gdal.VSIStatL(path), gdal.GetFileMetadata(path, "HEADERS") or {}
+        tags = [value for name, value in headers.items() if name.lower() == "etag"]
+        return f"{status and status.size} {status and status.mtime} {''.join(tags)}"
+    return ""
 
 
 def _said_on_reading(path: str) -> str:

@@ -19,11 +19,12 @@ from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.documents import plugin_version, xml_root
 from ....imagery.errors import Message, SettingsError
-from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_states, remote_state
+from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_states
 from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import RasterRef
 from ....imagery.record_store import RecordFiles, RecordFolder
+from ....imagery.remote_files import remote_state
 from .. import messages
 from ..source_images import Source
 
