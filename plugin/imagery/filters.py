@@ -39,7 +39,8 @@ class FilterPair:
     def delays_px(self, level: int) -> tuple[float, float]:
         """How far behind its own pixels lies what a coefficient of a level comes from, by the energy of the taps: along
         an axis that the low-pass and one that the high-pass came over last."""
-        low, high = (_middle(taps) - (len(taps) - 1) / 2 for taps in (self.low, self.high))
+        energies = (np.square(taps) for taps in (self.low, self.high))
+        low, high = (float(taps @ np.arange(len(taps)) / taps.sum()) - (len(taps) - 1) / 2 for taps in energies)
         before = low * (2 ** (level - 1) - 1)
         return before + 2 ** (level - 1) * low, before + 2 ** (level - 1) * high
 
@@ -49,12 +50,6 @@ def filter_pair(wavelet: str) -> FilterPair:
     """Filters of a wavelet of PyWavelets."""
     bank = pywt.Wavelet(wavelet)
     return FilterPair(tuple(reversed(bank.dec_lo)), tuple(reversed(bank.dec_hi)))
-
-
-@lru_cache(maxsize=1024)
-def _both_matrix(filters: FilterPair, dtype: type) -> np.ndarray:
-    """(2 BLOCK, 2 BLOCK + L - 2): the low-pass as it is, below it the high-pass."""
-    return np.concatenate([_band_matrix(taps, 1.0, dtype) for taps in (filters.low, filters.high)])
 
 
 @lru_cache(maxsize=1024)
@@ -79,11 +74,6 @@ def scale(taps: tuple[float, ...], dtype: type) -> float:
     rounded = (factors * taps).astype(dtype) / factors
     gains, exact_gains = (np.abs(np.fft.rfft(x, 256)) ** 2 for x in (rounded, np.array(taps)))
     return float(factors[np.abs(gains - exact_gains).max(axis=1).argmin(), 0])
-
-
-def _middle(taps: Sequence[float]) -> float:
-    energies = np.square(taps)
-    return float(energies @ np.arange(len(taps)) / energies.sum())
 
 
 Pair = tuple[int, int]
@@ -126,7 +116,7 @@ def split(
     Beyond their edges the bands go on periodically, or ``mirrored``.
     """
     count, rows, columns = bands.shape
-    matrix, margin = _both_matrix(filters, dtype), filters.margin
+    matrix, margin = np.concatenate([_band_matrix(t, 1.0, dtype) for t in (filters.low, filters.high)]), filters.margin
     parts = np.empty((2, 2, count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     for band in range(count):
         alone = slice(band, band + 1)

@@ -14,9 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import combinations
-from typing import Callable
 
 import numpy as np
 import pywt
@@ -153,9 +151,11 @@ def detail_components(bands: np.ndarray, wavelet: str, levels: int, mirrored: bo
     """
     check_decomposition(wavelet, levels)
     dtype = np.float32 if np.can_cast(bands.dtype, np.float32) else np.float64
-    halve = partial(split, filters=filter_pair(wavelet), dtype=dtype, mirrored=mirrored)
-    for parts in _levels(bands, _near_means(bands), levels, halve):
+    offsets = _near_means(bands)
+    for _ in range(levels):
+        parts = split(bands, offsets, filter_pair(wavelet), dtype, mirrored)
         yield parts[1:]
+        bands, offsets = parts[0], [0.0] * len(bands)
 
 
 def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
@@ -169,12 +169,10 @@ def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
     filters = filter_pair(wavelet)
     for level, parts in enumerate(detail_components(bands, wavelet, levels, mirrored=True), 1):
         low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
-        placed = np.empty_like(parts)
-        for part, by, target in zip(parts, ((high, low), (low, high), (high, high)), placed):
-            (above, below), (left, right) = ((max(shift, 0), max(-shift, 0)) for shift in by)
-            padded = np.pad(part, ((0, 0), (above, below), (left, right)), mode="edge")
-            target[...] = padded[:, below : below + part.shape[1], right : right + part.shape[2]]
-        yield placed
+        rows, columns = map(np.arange, parts.shape[2:])
+        for part, (down, across) in zip(parts, ((high, low), (low, high), (high, high))):
+            part[...] = part.take(rows - down, axis=1, mode="clip").take(columns - across, axis=2, mode="clip")
+        yield parts
 
 
 def _curve(energies: np.ndarray, total: float, pixels: int) -> Curve:
@@ -213,21 +211,11 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
     coarse -= coarse.mean(axis=(1, 2), keepdims=True)
     totals = sums_of_products(coarse, wanted)
     components = []
-    for parts in _levels(coarse, [0.0] * len(coarse), levels, partial(split, filters=filters, dtype=np.float64)):
-        components.append(sum(sums_of_products(detail, wanted) for detail in parts[1:]))
-    coarse = parts[0]
+    for _ in range(levels):
+        coarse, *details = split(coarse, [0.0] * len(coarse), filters, np.float64)
+        components.append(sum(sums_of_products(detail, wanted) for detail in details))
     components.append(sums_of_products(coarse, wanted))
     return Products(np.array(components).T, totals, coarse, MIN_EXACT_SHARE)
-
-
-def _levels(
-    bands: np.ndarray, offsets: Sequence[float], levels: int, halve: Callable[[np.ndarray, Sequence[float]], np.ndarray]
-) -> Iterator[np.ndarray]:
-    """For each level LL, LH, HL and HH of the bands less their offsets, (4, bands, rows / 2^r, columns / 2^r)."""
-    for _ in range(levels):
-        parts = halve(bands, offsets)
-        yield parts
-        bands, offsets = parts[0], [0.0] * len(bands)
 
 
 def _near_means(bands: np.ndarray) -> list[float]:
