@@ -84,7 +84,7 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     except RasterError as error:
         if error.message.template not in _MAY_BE_THE_NETWORK:
             raise
-    forget_fetched(path)
+    gdal.VSICurlClearCache()  # what was fetched, and what is said to be there
     probed = ((part, _said_on_reading(part)) for part in remote_parts(path)[:_MOST_PROBED])
     part, said = next(((part, said) for part, said in probed if said), (path, ""))
     shown = (name if part == path else os.path.basename(part)).partition("?")[0]  # without what may be a password
@@ -104,20 +104,10 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     raise RasterError(failure)
 
 
-def forget_fetched(path: str) -> None:
-    """Drop what GDAL keeps of a raster that was fetched, in memory and of its being there."""
-    path = readable_path(path)
-    with gdal_silenced():
-        if path.startswith("/vsicurl"):
-            gdal.VSICurlPartialClearCache(path)
-        else:
-            gdal.VSICurlClearCache()
-
-
 def remote_state(path: str) -> str:
     """Size, time of change and entity tag of what a server has, as far as it tells them now."""
     path = readable_path(path)
-    forget_fetched(path)
+    gdal.VSICurlClearCache()
     with gdal_silenced(), suppress(RuntimeError):
         status, headers = gdal.VSIStatL(path), gdal.GetFileMetadata(path, "HEADERS") or {}
         tags = [value for name, value in headers.items() if name.lower() == "etag"]

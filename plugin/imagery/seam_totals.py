@@ -123,11 +123,6 @@ _SEALED = (
 """All fields that a decision reads, but words for people."""
 
 
-def has_seal(notes: Mapping[str, str]) -> bool:
-    """Whether a seal stands beside rows, be it broken."""
-    return _SEAL in notes
-
-
 class RowTotals:
     """Adds up the rows of a layer of seams one by one."""
 
@@ -160,9 +155,10 @@ class RowTotals:
         noted.pop(_SEAL, None)
         return {**noted, _SEAL: self._seal(noted)}
 
-    def is_sealed_by(self, notes: Mapping[str, str]) -> bool:
-        """Whether rows, and what stands beside them, are as they were sealed."""
-        return notes.get(_SEAL) == self._seal({name: value for name, value in notes.items() if name != _SEAL})
+    def is_sealed_by(self, notes: Mapping[str, str]) -> bool | None:
+        """Whether rows, and what stands beside them, are as they were sealed; None without a seal."""
+        others = {name: value for name, value in notes.items() if name != _SEAL}
+        return notes[_SEAL] == self._seal(others) if _SEAL in notes else None
 
     def _seal(self, notes: Mapping[str, str]) -> str:
         lines = (self.digest, *(f"{name}\t{value}" for name, value in sorted(notes.items())))

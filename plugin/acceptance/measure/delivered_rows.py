@@ -30,7 +30,6 @@ from ...imagery.seam_totals import (
     SYSTEM,
     PieceState,
     RowTotals,
-    has_seal,
     possible_kept,
     profile_of,
 )
@@ -133,14 +132,15 @@ def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer
 def _seal(layer: ScannedLayer, totals: RowTotals, pieces: Sequence[DeliveredPiece]) -> Seal:
     if not layer.is_sealed:
         return Seal.NOT_ASKED
-    if not has_seal(layer.notes):
+    is_sealed = totals.is_sealed_by(layer.notes)
+    if is_sealed is None:
         return Seal.MISSING
     system = layer.notes.get(SYSTEM, "")
     is_same = layer.wkt == system
     if layer.wkt and system and pieces:
         extent = extent_of([pieces[0].vertices])
         is_same = same_coordinates(layer.wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
-    return Seal.WHOLE if is_same and totals.is_sealed_by(layer.notes) else Seal.BROKEN
+    return Seal.WHOLE if is_same and is_sealed else Seal.BROKEN
 
 
 def _is_no_share(row: SeamRow, piece: DeliveredPiece) -> bool:
