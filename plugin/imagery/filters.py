@@ -19,6 +19,7 @@ from functools import cache, lru_cache
 
 import numpy as np
 import pywt
+from numpy.lib.stride_tricks import sliding_window_view
 
 BLOCK = 8
 """Outputs of each filter per matrix product."""
@@ -259,23 +260,16 @@ def correlated(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
     As ``scipy.ndimage.correlate`` with the mode ``nearest``, in a sixth of its time for 5 x 5 taps.
     """
     (rows, columns), (down, across) = plane.shape, taps.shape
-    above, left = down // 2, across // 2
     matrix = np.zeros((_BLOCK, _BLOCK + down - 1, across), np.float32)
     for i in range(_BLOCK):
         matrix[i, i : i + down] = taps
-    matrix = matrix.reshape(_BLOCK, -1)
     made = np.empty((-(-rows // _BLOCK) * _BLOCK, columns), np.float32)
+    below = down - 1 - down // 2 + len(made) - rows
+    padded = np.pad(plane, ((down // 2, below), (across // 2, across - 1 - across // 2)), "edge")
     for start in range(0, rows, _STRIP):
-        height = min(_STRIP, len(made) - start)
-        needed = np.arange(start - above, start + height + down - 1 - above).clip(0, rows - 1)
-        padded = reused("padded", (len(needed), columns + across - 1), np.float32)
-        padded[:, left : left + columns] = plane[needed]
-        padded[:, :left] = plane[needed, :1]
-        padded[:, left + columns :] = plane[needed, -1:]
+        target = made[start : start + _STRIP]
+        needed = padded[start : start + len(target) + down - 1]
         # Each row once for each column of taps: a block of rows is one matrix then.
-        beside = reused("beside", (len(needed), across, columns), np.float32)
-        for column in range(across):
-            beside[:, column] = padded[:, column : column + columns]
-        target = made[start : start + height].reshape(1, -1, _BLOCK, columns)
-        _banded(beside.reshape(1, -1, columns), matrix, target, _BLOCK * across)
+        beside = sliding_window_view(needed, columns, axis=1).reshape(1, -1, columns)
+        _banded(beside, matrix.reshape(_BLOCK, -1), target.reshape(1, -1, _BLOCK, columns), _BLOCK * across)
     return made[:rows]
