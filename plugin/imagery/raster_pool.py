@@ -52,11 +52,10 @@ def close_rasters() -> None:
     forget_failures()
 
 
-class RasterPool:
+class _Pool:
     """The rasters that one thread keeps open; another one may close them."""
 
-    def __init__(self, most: int = KEPT_OPEN) -> None:
-        self._most = most
+    def __init__(self) -> None:
         self._kept: dict[RasterRef, tuple[OpenRaster, Stamp | None]] = {}  # the one used last at the end
 
     def open(self, ref: RasterRef) -> OpenRaster:
@@ -67,15 +66,9 @@ class RasterPool:
         if raster is None or raster.is_broken or kept_stamp != stamp:
             raster = OpenRaster(ref)
         kept[ref] = raster, stamp
-        while len(kept) > self._most:
+        while len(kept) > KEPT_OPEN:
             del kept[next(iter(kept))]
         return raster
-
-    def __enter__(self) -> RasterPool:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.close()
 
     def close(self) -> None:
         """Forget all of them, and close those that nobody is reading."""
@@ -83,14 +76,14 @@ class RasterPool:
 
 
 _threads = threading.local()
-_all_pools: weakref.WeakSet[RasterPool] = weakref.WeakSet()  # a pool lives as long as its thread
+_all_pools: weakref.WeakSet[_Pool] = weakref.WeakSet()  # a pool lives as long as its thread
 _all_pools_lock = threading.Lock()
 
 
-def _pool() -> RasterPool:
-    pool: RasterPool | None = getattr(_threads, "pool", None)
+def _pool() -> _Pool:
+    pool: _Pool | None = getattr(_threads, "pool", None)
     if pool is None:
-        pool = _threads.pool = RasterPool()
+        pool = _threads.pool = _Pool()
         with _all_pools_lock:
             _all_pools.add(pool)
     return pool
