@@ -11,10 +11,11 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any, TypeVar
 
 from .errors import RasterError
-from .gdal_paths import Stamp, file_stamp, readable_path
+from .gdal_paths import file_stamp, readable_path
 from .open_raster import OpenRaster
 from .rasters import RasterRef
 from .remote_files import forget_failures
@@ -28,7 +29,12 @@ def open_raster(ref: RasterRef) -> OpenRaster:
 
     Raises RasterError when it can't be opened or used.
     """
-    return _pool().open(ref)
+    key = replace(ref, path=readable_path(ref.path)), file_stamp(ref.path)
+    raster = _kept()(*key)
+    if raster.is_broken:
+        _kept().cache_clear()
+        raster = _kept()(*key)
+    return raster
 
 
 @contextmanager
@@ -45,48 +51,25 @@ def rasters_kept() -> Iterator[None]:
 
 def close_rasters() -> None:
     """Close what is kept open in all threads of this process; what failed over the network is asked for again."""
-    with _all_pools_lock:
-        pools = list(_all_pools)
-    for pool in pools:
-        pool.close()
+    with _lock:
+        every = list(_kept_by_all)
+    for kept in every:
+        kept.cache_clear()
     forget_failures()
 
 
-class _Pool:
-    """The rasters that one thread keeps open; another one may close them."""
-
-    def __init__(self) -> None:
-        self._kept: dict[RasterRef, tuple[OpenRaster, Stamp | None]] = {}  # the one used last at the end
-
-    def open(self, ref: RasterRef) -> OpenRaster:
-        """Raises RasterError when it can't be opened or used."""
-        ref, kept = replace(ref, path=readable_path(ref.path)), self._kept
-        stamp = file_stamp(ref.path)
-        raster, kept_stamp = kept.pop(ref, (None, None))
-        if raster is None or raster.is_broken or kept_stamp != stamp:
-            raster = OpenRaster(ref)
-        kept[ref] = raster, stamp
-        while len(kept) > KEPT_OPEN:
-            del kept[next(iter(kept))]
-        return raster
-
-    def close(self) -> None:
-        """Forget all of them, and close those that nobody is reading."""
-        self._kept = {}
-
-
 _threads = threading.local()
-_all_pools: weakref.WeakSet[_Pool] = weakref.WeakSet()  # a pool lives as long as its thread
-_all_pools_lock = threading.Lock()
+_kept_by_all: weakref.WeakSet[Any] = weakref.WeakSet()  # what a thread keeps lives as long as it
+_lock = threading.Lock()
 
 
-def _pool() -> _Pool:
-    pool: _Pool | None = getattr(_threads, "pool", None)
-    if pool is None:
-        pool = _threads.pool = _Pool()
-        with _all_pools_lock:
-            _all_pools.add(pool)
-    return pool
+def _kept() -> Any:
+    """The rasters that this thread keeps open; another one may close them."""
+    if not hasattr(_threads, "kept"):
+        _threads.kept = lru_cache(KEPT_OPEN)(lambda ref, stamp: OpenRaster(ref))
+        with _lock:
+            _kept_by_all.add(_threads.kept)
+    return _threads.kept
 
 
 AHEAD = 2  # requests under way per worker: one is measured while the next waits
@@ -167,7 +150,7 @@ class ReadingLanes:
         with self._lock:
             for lane in {*self._lane_of.values()}:
                 with suppress(RuntimeError):  # closed meanwhile: its thread closes them as it ends
-                    lane.submit(lambda: _pool().close())
+                    lane.submit(lambda: _kept().cache_clear())
             self._lane_of.clear()
 
     def close(self) -> None:

@@ -47,11 +47,6 @@ def possible(value: float | None, most: float) -> float | None:
     return value if value is not None and 0 <= value <= most else None
 
 
-def possible_kept(value: float | None) -> float | None:
-    """A share of detail that a seam can keep; None for what no measurement gives."""
-    return possible(value, MOST_KEPT)
-
-
 def piece_state(
     kept: float | None, low: float | None, high: float | None, least: float, has_verdict: bool = True
 ) -> PieceState:

@@ -200,10 +200,7 @@ def _nearest_pixel(cross: np.ndarray, plan: _TilePlan) -> Shift:
     row, column = (int(place) + 1 for place in np.unravel_index(surface[1:-1, 1:-1].argmax(), (3, 3)))
     top = surface[row, column]
     peak = top
-    for before, after in (
-        (surface[row - 1, column], surface[row + 1, column]),
-        (surface[row, column - 1], surface[row, column + 1]),
-    ):
+    for before, _, after in (surface[row - 1 : row + 2, column], surface[row, column - 1 : column + 2]):
         bend = 2 * top - before - after
         peak += (after - before) ** 2 / (8 * bend) if bend > 0 else 0.0
     return Shift(float(x + column - 2), float(y + row - 2), float(peak))

@@ -25,12 +25,13 @@ from ...imagery.reference_systems import (
 from ...imagery.seam_totals import (
     METRES,
     MOSAIC_FILES,
+    MOST_KEPT,
     SOURCE_FILES,
     STRETCH,
     SYSTEM,
     PieceState,
     RowTotals,
-    possible_kept,
+    possible,
     profile_of,
 )
 from . import messages
@@ -155,7 +156,8 @@ def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
     sample = _number(row.get("sample"))
     return DeliveredPiece(**{
         **values, "number": 0, "sheet": _text(row.get("sheet")) or sheet, "seam_id": _text(row.get("seam_id")),
-        "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible_kept(values["kept_1"]), "vertices": line,
+        "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible(values["kept_1"], MOST_KEPT),
+        "vertices": line,
         "sample_number": None if sample is None else int(sample), "profile": profile_of(_text(row.get("profile"))),
         "has_detail": _text(row.get("state")) != PieceState.NO_DETAIL.value,
     })  # fmt: skip
