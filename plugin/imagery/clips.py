@@ -15,7 +15,7 @@ from scipy import ndimage
 from . import limits, messages
 from .errors import NotCoveredError, RasterError, Stated
 from .gdal_calls import gdal_call
-from .grids import Extent, Grid, NumberedWindow, PixelWindow
+from .grids import Extent, Grid, NumberedWindow, PixelWindow, middle_of
 from .open_raster import OpenRaster, PixelBlock, placed
 from .rasters import MAX_SYSTEM_SHIFT_PX, Raster
 from .reference_systems import extent_on, same_coordinates
@@ -100,14 +100,26 @@ def read_clip(
     """
     source = source.upright
     raster, grid = placed(source.raster), mosaic.grid
-    if (
+    if not (
         raster.is_north_up
         and same_coordinates(raster.wkt, mosaic.wkt, mosaic.extent, MAX_SYSTEM_SHIFT_PX * grid.pixel_width)
         and abs(raster.grid.pixel_width / grid.pixel_width - 1) <= limits.MAX_PIXEL_SIZE_DIFFERENCE
         and abs(raster.grid.pixel_height / grid.pixel_height - 1) <= limits.MAX_PIXEL_SIZE_DIFFERENCE
     ):
-        return _clip_as_it_is(source, grid.window_extent(window), window, partly, holes)
-    return _clip_warped(source, mosaic, window, partly, holes)
+        return _clip_warped(source, mosaic, window, partly, holes)
+    x, y = middle_of(grid.window_extent(window))
+    column, row = raster.grid.column_at(x) - window.width / 2, raster.grid.row_at(y) - window.height / 2
+    under = replace(window, column=round(column), row=round(row))
+    # Six decimals: below that it is rounding of coordinates of millions of metres.
+    offsets = round(column - under.column, 6), round(row - under.row, 6)
+    inside, most = under.cut_to(source.columns, source.rows), MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
+    if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * under.width * under.height:
+        raise NotCoveredError(messages.NOT_COVERED(name=source.ref.name))
+    bands, invalid = block = _without_pads(source, inside)
+    if inside != under:
+        margins = under.margins_of(inside)
+        bands, invalid = np.pad(bands, ((0, 0), *margins)), np.pad(~block.valid, margins, constant_values=True)
+    return _filled(Clip(source.raster, bands, 0.0, *offsets), invalid, partly, holes)
 
 
 def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[PixelBlock, Extent] | None:
@@ -130,25 +142,6 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     reduction = max(1.0, max(window.width, window.height) / longest_px)
     size = max(1, round(window.width / reduction)), max(1, round(window.height / reduction))
     return source.read(window, size), grid.window_extent(window)
-
-
-def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, partly: bool, holes: bool) -> Clip:
-    grid, (xmin, ymin, xmax, ymax) = source.raster.grid, extent
-    column = grid.column_at((xmin + xmax) / 2) - window.width / 2
-    row = grid.row_at((ymin + ymax) / 2) - window.height / 2
-    under = replace(window, column=round(column), row=round(row))
-    # Six decimals: below that it is rounding of coordinates of millions of metres.
-    offsets = round(column - under.column, 6), round(row - under.row, 6)
-    inside, most = under.cut_to(source.columns, source.rows), MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
-    if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * under.width * under.height:
-        raise NotCoveredError(messages.NOT_COVERED(name=source.ref.name))
-    bands, invalid = _without_pads(source, inside)
-    if inside != under:
-        margins = under.margins_of(inside)
-        bands = np.pad(bands, ((0, 0), *margins))
-        invalid = np.zeros((inside.height, inside.width), bool) if invalid is None else invalid
-        invalid = np.pad(invalid, margins, constant_values=True)
-    return _filled(Clip(source.raster, bands, 0.0, *offsets), invalid, partly, holes)
 
 
 def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool, holes: bool) -> Clip:

@@ -119,12 +119,14 @@ _SEALED = (
 
 
 class RowTotals:
-    """Adds up the rows of a layer of seams one by one."""
+    """Adds up the rows of a layer of seams: fields by name, and vertices, as ``add`` takes them."""
 
-    def __init__(self) -> None:
+    def __init__(self, rows: Iterable[tuple[Mapping[str, object], np.ndarray]] = ()) -> None:
         self._lines: list[str] = []
         self._metres: list[float] = []
         self._failed: list[float] = []
+        for row, line in rows:
+            self.add(row, line)
 
     def add(self, row: Mapping[str, object], line: np.ndarray) -> None:
         """One feature's fields by name, and the vertices of its line, (n, 2), as its layer has them."""
@@ -158,14 +160,6 @@ class RowTotals:
     def _seal(self, notes: Mapping[str, str]) -> str:
         lines = (self.digest, *(f"{name}\t{value}" for name, value in sorted(notes.items())))
         return hashlib.sha256("\n".join(lines).encode()).hexdigest()
-
-
-def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, object], np.ndarray]]) -> dict[str, str]:
-    """What stands beside the rows of a layer; ``rows``: fields by name and vertices, as ``RowTotals`` takes them."""
-    totals = RowTotals()
-    for row, line in rows:
-        totals.add(row, line)
-    return totals.sealed(notes)
 
 
 def _written(value: object) -> str:

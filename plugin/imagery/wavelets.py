@@ -8,7 +8,8 @@ details (Mallat 1989), and the chain of coarse components is enough: with E_r it
 and so for inner products of two clips. The chain runs in float32 where that is exact enough, else in float64; where a
 detail is too small even there to be a difference of energies, all components are computed one by one.
 
-Clips are arrays (bands, rows, columns). Each coefficient has the place where PyWavelets has it.
+Clips are arrays (bands, rows, columns) of any real type, finite, their sides multiples of ``2 ** levels``. Each
+coefficient has the place where PyWavelets has it. Whatever decomposes raises SettingsError as ``check_decomposition``.
 """
 from __future__ import annotations
 
@@ -90,11 +91,8 @@ def clip_curves(
     """Curves of all bands of a clip, and of its luminance when weights are given; and the coarse components at level R
     in the same order, luminance last.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``;
     ``luminance_weights`` has one weight for each of the first bands. The luminance has no transform of its own: its
     energies follow from the inner products of the bands (the homogeneity of Pyka 2009).
-
-    Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
     weights = np.asarray(luminance_weights, dtype=np.float64)
     mixed = len(weights)
@@ -119,12 +117,7 @@ def clip_curves(
 
 def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequence[Pair] = ()) -> Products:
     """Energies of the components of every band, and inner products of the given pairs of bands, which may stem from
-    different rasters.
-
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``.
-
-    Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
-    """
+    different rasters."""
     check_decomposition(wavelet, levels)
     filters = filter_pair(wavelet)
     single = (
@@ -142,12 +135,9 @@ def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequ
 def detail_components(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool = False) -> Iterator[np.ndarray]:
     """The detail components of every band less its mean, level by level from the finest on.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``. Each
-    level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH; coefficient (i, j) belongs to the pixels from
+    Each level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH; coefficient (i, j) belongs to the pixels from
     (2^r i, 2^r j) on. In float32 for 8 and 16 bit values and float32, else in float64. Beyond their edges the bands go
     on periodically, or ``mirrored``.
-
-    Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
     check_decomposition(wavelet, levels)
     dtype = np.float32 if np.can_cast(bands.dtype, np.float32) else np.float64
