@@ -10,9 +10,7 @@ twenty times as long; SciPy's BLAS is reached there by other names.
 from __future__ import annotations
 
 import ctypes
-import math
 import os
-import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
@@ -84,8 +82,6 @@ MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS sta
 _PIECE = 64  # samples summed in their own type
 _AT_A_TIME = 512 * 512  # samples of a band
 
-_memory = threading.local()
-
 
 def halved(
     bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtype: type, pairs: Sequence[Pair]
@@ -102,7 +98,7 @@ def halved(
         height = samples.shape[1] - 2 * margin
         inner = samples[:, margin : margin + min(height, rows - start), margin : margin + columns]
         products += sums_of_products(inner, pairs)
-        low = reused("low", (count, height // 2, samples.shape[2]), dtype)
+        low = np.empty((count, height // 2, samples.shape[2]), dtype)
         _banded(samples, matrix, low.reshape(count, -1, BLOCK, samples.shape[2]))
         target = coarse[:, start // 2 : (start + height) // 2].swapaxes(1, 2)
         _banded(low.swapaxes(1, 2), matrix, target.reshape(count, -1, BLOCK, height // 2))
@@ -124,9 +120,9 @@ def split(
         for start, samples in _strips(bands[alone], offsets[alone], margin, dtype, mirrored):
             height, across = samples.shape[1] - 2 * margin, parts.shape[-1] // BLOCK
             # Of each block of rows both filters' outputs, then the same of each block of columns.
-            down = reused("down", (1, height, samples.shape[2]), dtype)
+            down = np.empty((1, height, samples.shape[2]), dtype)
             _banded(samples, matrix, down.reshape(1, -1, 2 * BLOCK, samples.shape[2]))
-            both = reused("both", (1, across, height, 2 * BLOCK), dtype)
+            both = np.empty((1, across, height, 2 * BLOCK), dtype)
             _banded(down.swapaxes(1, 2), matrix, both.swapaxes(2, 3))
             target = parts[:, :, band, start // 2 : (start + height) // 2].reshape(2, 2, -1, BLOCK, across, BLOCK)
             target[...] = both.reshape(across, -1, 2, BLOCK, 2, BLOCK).transpose(4, 2, 1, 3, 0, 5)
@@ -161,7 +157,7 @@ def _strips(
     count, rows, columns = bands.shape
     most = max(_AT_A_TIME // (columns * 2 * BLOCK), 1) * 2 * BLOCK
     inside = slice(margin, margin + columns)
-    buffer = reused("samples", (count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
+    buffer = np.empty((count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
     left, right = (
         _continued(beyond, columns, mirrored)
         for beyond in (np.arange(-margin, 0), np.arange(columns, buffer.shape[2] - margin))
@@ -235,19 +231,6 @@ def numpy_has_plain_products() -> bool:
     except (AttributeError, OSError, TypeError):  # none of these names, as on other systems and in plain Python
         return False
     return process == gsl
-
-
-def reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
-    """An array in this thread's own memory, to be used until the next one of that name.
-
-    Pages fresh from the system would cost half as much time as the arithmetic. It is some 7 MB for any clip.
-    """
-    size = math.prod(shape) * np.dtype(dtype).itemsize
-    memory = getattr(_memory, name, None)
-    if memory is None or memory.size < size:
-        memory = np.empty(size, dtype=np.uint8)
-        setattr(_memory, name, memory)
-    return memory[:size].view(dtype).reshape(shape)
 
 
 _BLOCK = 4  # rows of outputs per matrix product
