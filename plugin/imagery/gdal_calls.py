@@ -78,13 +78,13 @@ def gdal_writing(failure: Message) -> Iterator[None]:
         gdal.ErrorReset()
         try:
             yield
-            failed = gdal.GetLastErrorType() >= gdal.CE_Failure
-        except (RuntimeError, AttributeError) as error:  # of the None that GDAL gives for what it can't make
-            failed = isinstance(error, RuntimeError) or gdal.GetLastErrorType() >= gdal.CE_Failure
-            if not failed:
+        except RuntimeError:
+            raise RasterError(failure) from None
+        except AttributeError:  # of the None that GDAL gives for what it can't make
+            if gdal.GetLastErrorType() < gdal.CE_Failure:
                 raise
-    if failed:
-        raise RasterError(failure)
+        if gdal.GetLastErrorType() >= gdal.CE_Failure:
+            raise RasterError(failure)
 
 
 def vsi_bytes(path: str, most: int | None = None) -> bytes:
