@@ -133,8 +133,7 @@ def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer
 def _seal(layer: ScannedLayer, totals: RowTotals, pieces: Sequence[DeliveredPiece]) -> Seal:
     if not layer.is_sealed:
         return Seal.NOT_ASKED
-    is_sealed = totals.is_sealed_by(layer.notes)
-    if is_sealed is None:
+    if (is_sealed := totals.is_sealed_by(layer.notes)) is None:
         return Seal.MISSING
     system = layer.notes.get(SYSTEM, "")
     is_same = layer.wkt == system
@@ -157,8 +156,8 @@ def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
     return DeliveredPiece(**{
         **values, "number": 0, "sheet": _text(row.get("sheet")) or sheet, "seam_id": _text(row.get("seam_id")),
         "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible(values["kept_1"], MOST_KEPT),
-        "vertices": line,
-        "sample_number": None if sample is None else int(sample), "profile": profile_of(_text(row.get("profile"))),
+        "vertices": line, "sample_number": None if sample is None else int(sample),
+        "profile": profile_of(_text(row.get("profile"))),
         "has_detail": _text(row.get("state")) != PieceState.NO_DETAIL.value,
     })  # fmt: skip
 
