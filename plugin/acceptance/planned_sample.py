@@ -14,7 +14,7 @@ from ..imagery.grids import PixelWindow, standard_side_px, standard_window
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
-from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, PieceState, profile_text, sealed_notes
+from ..imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, PieceState, RowTotals, profile_text
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
@@ -119,7 +119,6 @@ def write_sample(
         names = [column.name for column in columns]
         rows = [dict(zip(names, column_values(columns, item))) for item in items]
         run.close()
-        run.note(destination, TOTALS_DOMAIN, sealed_notes(
-            {**united_settings(delivery.layers), SYSTEM: wkt}, zip(rows, (piece.vertices for piece in sample))
-        ))  # fmt: skip
+        totals = RowTotals(zip(rows, (piece.vertices for piece in sample)))
+        run.note(destination, TOTALS_DOMAIN, totals.sealed({**united_settings(delivery.layers), SYSTEM: wkt}))
     return destination

@@ -7,7 +7,7 @@ import shutil
 import tempfile
 import zlib
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from itertools import count
 from pathlib import Path
 
@@ -89,18 +89,13 @@ class UnfinishedFile:
         before the new one comes, which they would spoil; with an OSError all stay as they were."""
         with suppress(OSError):
             shutil.copymode(self._path, self.written)
-        aside: dict[Path, Path] = {}
-        try:
-            for older in map(self._path.with_name, companions):
-                if older.exists():
-                    aside[older] = Path(tempfile.mkdtemp(dir=self._folder)) / older.name
-                    os.replace(older, aside[older])
+        with ExitStack() as undo:
+            for older in filter(Path.exists, map(self._path.with_name, companions)):
+                aside = Path(tempfile.mkdtemp(dir=self._folder)) / older.name
+                os.replace(older, aside)
+                undo.callback(os.replace, aside, older)
             self._move(self._path)
-        except OSError:
-            for older, place in aside.items():
-                with suppress(OSError):
-                    os.replace(place, older)
-            raise
+            undo.pop_all()
         self.drop()
 
     def keep_beside(self) -> Path:

@@ -15,7 +15,7 @@ from scipy import ndimage
 from . import limits, messages
 from .errors import NotCoveredError, RasterError, Stated
 from .gdal_calls import gdal_call
-from .grids import Extent, Grid, NumberedWindow, PixelWindow
+from .grids import Extent, Grid, NumberedWindow, PixelWindow, middle_of
 from .open_raster import OpenRaster, PixelBlock, placed
 from .rasters import MAX_SYSTEM_SHIFT_PX, Raster
 from .reference_systems import extent_on, same_coordinates
@@ -100,14 +100,26 @@ def read_clip(
     """
     source = source.upright
     raster, grid = placed(source.raster), mosaic.grid
-    if (
+    if not (
         raster.is_north_up
         and same_coordinates(raster.wkt, mosaic.wkt, mosaic.extent, MAX_SYSTEM_SHIFT_PX * grid.pixel_width)
         and abs(raster.grid.pixel_width / grid.pixel_width - 1) <= limits.MAX_PIXEL_SIZE_DIFFERENCE
         and abs(raster.grid.pixel_height / grid.pixel_height - 1) <= limits.MAX_PIXEL_SIZE_DIFFERENCE
     ):
-        return _clip_as_it_is(source, grid.window_extent(window), window, partly, holes)
-    return _clip_warped(source, mosaic, window, partly, holes)
+        return _clip_warped(source, mosaic, window, partly, holes)
+    x, y = middle_of(grid.window_extent(window))
+    column, row = raster.grid.column_at(x) - window.width / 2, raster.grid.row_at(y) - window.height / 2
+    under = replace(window, column=round(column), row=round(row))
+    # Six decimals: below that it is rounding of coordinates of millions of metres.
+    offsets = round(column - under.column, 6), round(row - under.row, 6)
+    inside, most = under.cut_to(source.columns, source.rows), MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
+    if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * under.width * under.height:
+        raise NotCoveredError(messages.NOT_COVERED(name=source.ref.name))
+    bands, invalid = block = _without_pads(source, inside)
+    if inside != under:
+        margins = under.margins_of(inside)
+        bands, invalid = np.pad(bands, ((0, 0), *margins)), np.pad(~block.valid, margins, constant_values=True)
+    return _filled(Clip(source.raster, bands, 0.0, *offsets), invalid, partly, holes)
 
 
 def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[PixelBlock, Extent] | None:
@@ -130,25 +142,6 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     reduction = max(1.0, max(window.width, window.height) / longest_px)
     size = max(1, round(window.width / reduction)), max(1, round(window.height / reduction))
     return source.read(window, size), grid.window_extent(window)
-
-
-def _clip_as_it_is(source: OpenRaster, extent: Extent, window: PixelWindow, partly: bool, holes: bool) -> Clip:
-    grid, (xmin, ymin, xmax, ymax) = source.raster.grid, extent
-    column = grid.column_at((xmin + xmax) / 2) - window.width / 2
-    row = grid.row_at((ymin + ymax) / 2) - window.height / 2
-    under = replace(window, column=round(column), row=round(row))
-    # Six decimals: below that it is rounding of coordinates of millions of metres.
-    offsets = round(column - under.column, 6), round(row - under.row, 6)
-    inside, most = under.cut_to(source.columns, source.rows), _most_missing(partly)
-    if min(inside.width, inside.height) <= 0 or inside.width * inside.height < (1 - most) * under.width * under.height:
-        raise NotCoveredError(messages.NOT_COVERED(name=source.ref.name))
-    bands, invalid = _without_pads(source, inside)
-    if inside != under:
-        margins = under.margins_of(inside)
-        bands = np.pad(bands, ((0, 0), *margins))
-        invalid = np.zeros((inside.height, inside.width), bool) if invalid is None else invalid
-        invalid = np.pad(invalid, margins, constant_values=True)
-    return _filled(Clip(source.raster, bands, 0.0, *offsets), invalid, partly, holes)
 
 
 def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly: bool, holes: bool) -> Clip:
@@ -197,19 +190,29 @@ def _warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, times: floa
     return PixelBlock(pixels[:-1], pixels[-1] == 0)
 
 
-def _most_missing(partly: bool) -> float:
-    """Share of a window that may lack."""
-    return MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE
-
-
 def _without_pads(source: OpenRaster, window: PixelWindow) -> PixelBlock:
-    """Pixels of a raster without its pads."""
+    """Pixels of a raster without its pads of black or white."""
     bands, invalid = source.read(window)
-    if _may_have_pads(bands) and (values := _pad_values(source)):
+    if bands.dtype.kind != "u":
+        return PixelBlock(bands, invalid)
+    rows, columns = (np.append(np.arange(0, length, PAD_PX // 2), length - 1) for length in bands.shape[1:])
+    few = bands[:, rows[:, np.newaxis], columns]  # which no pad can miss
+    extremes = 0, int(np.iinfo(bands.dtype).max)
+    values = [value for value in extremes if _is_of(few, value).any() and _is_padded(source, value)]
+    if values:
         beyond = PixelWindow(0, 0, source.columns, source.rows).margins_of(window)
         beside = _pads(bands, values, [tuple(0 if more else PAD_PX for more in sides) for sides in beyond])
         invalid = beside if invalid is None else invalid | beside
     return PixelBlock(bands, invalid)
+
+
+def _is_padded(source: OpenRaster, value: int) -> bool:
+    """Whether around an image there is a value that its file doesn't name, or that a codec changed: where the rim of
+    one of its corners is of that along a side."""
+    if not (source.is_all_valid or source.raster.is_lossy):
+        return False
+    squares = (square for corner in source.corners for square in (corner, corner.swapaxes(1, 2)))
+    return any(_is_of(square[:, row], value).all() for square in squares for row in (0, -1))
 
 
 def _filled(clip: Clip, invalid: np.ndarray | None, partly: bool, holes: bool) -> Clip:
@@ -219,7 +222,7 @@ def _filled(clip: Clip, invalid: np.ndarray | None, partly: bool, holes: bool) -
     """
     if invalid is None:
         return clip
-    most, pixels = _most_missing(partly), invalid.size
+    most, pixels = MAX_MISSING_SHARE if partly else limits.MAX_INVALID_SHARE, invalid.size
     share = int(np.count_nonzero(invalid)) / pixels
     if share > most:
         raise NotCoveredError(
@@ -233,28 +236,11 @@ def _filled(clip: Clip, invalid: np.ndarray | None, partly: bool, holes: bool) -
     for band in bands:
         mean = band[some][known].mean(dtype=np.float64)
         np.copyto(band, mean if bands.dtype.kind == "f" else np.rint(mean), where=invalid, casting="unsafe")
-    is_told = share > limits.MAX_INVALID_SHARE or (holes and _has_hole(invalid))
+    # More than single pixels, which may be dark ground that has the value of no data.
+    rows, columns = (length // HOLE_PX for length in invalid.shape)
+    squares = invalid[: rows * HOLE_PX, : columns * HOLE_PX].reshape(rows, HOLE_PX, columns, HOLE_PX)
+    is_told = share > limits.MAX_INVALID_SHARE or (holes and squares.all(axis=(1, 3)).any())
     return replace(clip, bands=bands, invalid_share=share, valid=valid if is_told else None)
-
-
-def _may_have_pads(bands: np.ndarray) -> bool:
-    """Whether any of the places that a pad in these bands, (bands, rows, columns), can't miss is black or white."""
-    if bands.dtype.kind != "u":
-        return False
-    rows, columns = (np.append(np.arange(0, length, PAD_PX // 2), length - 1) for length in bands.shape[1:])
-    few = bands[:, rows[:, np.newaxis], columns]
-    return bool(_is_of(few, 0).any() or _is_of(few, int(np.iinfo(bands.dtype).max)).any())
-
-
-def _pad_values(source: OpenRaster) -> tuple[int, ...]:
-    """Values of pads around an image that its file doesn't name, or that a codec changed: black or white, where the rim
-    of one of its corners is of that along a side."""
-    if not (source.is_all_valid or source.raster.is_lossy) or source.corners[0].dtype.kind != "u":
-        return ()
-    values = 0, int(np.iinfo(source.corners[0].dtype).max)
-    squares = [square for corner in source.corners for square in (corner, corner.swapaxes(1, 2))]
-    rims = [square[:, row] for square in squares for row in (0, -1)]
-    return tuple(value for value in values if any(_is_of(rim, value).all() for rim in rims))
 
 
 def _pads(bands: np.ndarray, values: Sequence[int], beyond: Sequence[tuple[int, ...]]) -> np.ndarray:
@@ -281,10 +267,3 @@ def _pads(bands: np.ndarray, values: Sequence[int], beyond: Sequence[tuple[int, 
 def _is_of(bands: np.ndarray, value: int) -> np.ndarray:
     off = _MOST_OFF if bands.dtype == np.uint8 else 0
     return np.asarray((bands <= off if value == 0 else bands >= value - off).all(axis=0))
-
-
-def _has_hole(invalid: np.ndarray) -> bool:
-    """Whether more than single pixels lack somewhere; those may be dark ground that has the value of no data."""
-    rows, columns = (length // HOLE_PX * HOLE_PX for length in invalid.shape)
-    across = np.logical_and.reduceat(invalid[:rows, :columns], np.arange(0, columns, HOLE_PX), axis=1)
-    return bool(across.reshape(rows // HOLE_PX, HOLE_PX, columns // HOLE_PX).all(axis=1).any())

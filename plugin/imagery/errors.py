@@ -108,10 +108,6 @@ class Stated(float):
         made.limit = limit
         return made
 
-    def __getnewargs__(self) -> tuple[float, float]:  # type: ignore[override]
-        """What a copy, or another process, makes it of."""
-        return float(self), self.limit
-
     limit: float
 
     def __format__(self, spec: str) -> str:

@@ -25,20 +25,10 @@ from osgeo import gdal
 from . import messages
 from .atomic_files import UnfinishedFile, files_written
 from .documents import json_document
-from .errors import RasterError, SettingsError
+from .errors import SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
-from .gdal_paths import (
-    ANYTHING,
-    begins_vrt,
-    check_raster_path,
-    is_remote,
-    local_file,
-    open_dataset,
-    readable_path,
-    vrt_parts,
-    with_parts,
-)
-from .remote_files import forget_fetched
+from .gdal_paths import ANYTHING, RASTERS, begins_vrt, is_remote, local_file, open_dataset, vrt_parts, with_parts
+from .remote_files import remote_state
 
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
@@ -125,9 +115,9 @@ def files_beside(path: str) -> set[str]:
     name = os.path.basename(path)
     called = {name + ending for ending in (".aux.xml", ".msk", ".ovr")}
     with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
-        dataset = opened_checked(path, gdal.OF_RASTER) if os.path.isfile(path) and not is_database(path) else None
+        dataset = open_dataset(path, RASTERS) if os.path.isfile(path) and not is_database(path) else None
         if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
-            names = {os.path.basename(file) for file in dataset.GetFileList() or ()} - {name}
+            names = {os.path.basename(file) for file in _files_of(dataset)} - {name}
             called |= {other for other in names if other.startswith(os.path.splitext(name)[0])}
     return called
 
@@ -155,18 +145,12 @@ def _read_with(given: DataPlace, is_opened: bool = False) -> Iterator[DataPlace]
         yield from (DataPlace(part, table), DataPlace(file, table))
         # Other tables of a database may be written.
         if not is_database(part) and ((is_opened and part == given.path) or vrt_parts(part)):
-            dataset = opened_checked(part)
-            files = (dataset.GetFileList() or []) if dataset is not None else []
+            files = _files_of(open_dataset(part, ANYTHING))
             yield from (DataPlace(beside) for beside in files if not is_database(beside))
 
 
-def opened_checked(path: str, flags: int = 0) -> gdal.Dataset | None:
-    """An input, or what is to be replaced, to see which files it is; None where it can't be opened, or must not be."""
-    try:
-        check_raster_path(path, path)
-    except RasterError:  # what must not be opened is refused by whoever needs it
-        return None
-    return open_dataset(path, ANYTHING, flags)
+def _files_of(dataset: gdal.Dataset | None) -> list[str]:
+    return [] if dataset is None else dataset.GetFileList() or []
 
 
 def _identity(path: str) -> _Identity:
@@ -223,8 +207,7 @@ def local_states(paths: Iterable[str]) -> dict[str, FileState]:
         for part in (part for path in paths for part in with_parts(path) if not is_remote(part)):
             file, beside = local_file(part), [part + _MASK]
             if os.path.exists(file) and not vrt_parts(part):
-                dataset = opened_checked(part, gdal.OF_RASTER)
-                beside += map(local_file, (dataset.GetFileList() or ()) if dataset is not None else ())
+                beside += map(local_file, _files_of(open_dataset(part, RASTERS)))
             beside = [name for name in beside if not name.lower().endswith(_NOT_PIXELS)]
             files.update(dict.fromkeys(map(os.path.abspath, (file, *beside))))
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # digests are made while Python waits
@@ -296,14 +279,3 @@ def _looks(size: int) -> Iterator[tuple[int, int]]:
     for number, start in enumerate(range(0, size, _STRETCH_BYTES)):
         yield start + number * _LOOK_STEP % (_STRETCH_BYTES - _LOOK_BYTES), _LOOK_BYTES
     yield size - _LOOK_BYTES, _LOOK_BYTES
-
-
-def remote_state(path: str) -> str:
-    """Size, time of change and entity tag of what a server has, as far as it tells them now."""
-    path = readable_path(path)
-    forget_fetched(path)
-    with gdal_silenced(), suppress(RuntimeError):
-        status, headers = gdal.VSIStatL(path), gdal.GetFileMetadata(path, "HEADERS") or {}
-        tags = [value for name, value in headers.items() if name.lower() == "etag"]
-        return f"{status and status.size} {status and status.mtime} {''.join(tags)}"
-    return ""

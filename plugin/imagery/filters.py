@@ -10,15 +10,14 @@ twenty times as long; SciPy's BLAS is reached there by other names.
 from __future__ import annotations
 
 import ctypes
-import math
 import os
-import threading
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
 import numpy as np
 import pywt
+from numpy.lib.stride_tricks import sliding_window_view
 
 BLOCK = 8
 """Outputs of each filter per matrix product."""
@@ -39,7 +38,8 @@ class FilterPair:
     def delays_px(self, level: int) -> tuple[float, float]:
         """How far behind its own pixels lies what a coefficient of a level comes from, by the energy of the taps: along
         an axis that the low-pass and one that the high-pass came over last."""
-        low, high = (_middle(taps) - (len(taps) - 1) / 2 for taps in (self.low, self.high))
+        energies = (np.square(taps) for taps in (self.low, self.high))
+        low, high = (float(taps @ np.arange(len(taps)) / taps.sum()) - (len(taps) - 1) / 2 for taps in energies)
         before = low * (2 ** (level - 1) - 1)
         return before + 2 ** (level - 1) * low, before + 2 ** (level - 1) * high
 
@@ -49,12 +49,6 @@ def filter_pair(wavelet: str) -> FilterPair:
     """Filters of a wavelet of PyWavelets."""
     bank = pywt.Wavelet(wavelet)
     return FilterPair(tuple(reversed(bank.dec_lo)), tuple(reversed(bank.dec_hi)))
-
-
-@lru_cache(maxsize=1024)
-def _both_matrix(filters: FilterPair, dtype: type) -> np.ndarray:
-    """(2 BLOCK, 2 BLOCK + L - 2): the low-pass as it is, below it the high-pass."""
-    return np.concatenate([_band_matrix(taps, 1.0, dtype) for taps in (filters.low, filters.high)])
 
 
 @lru_cache(maxsize=1024)
@@ -81,19 +75,12 @@ def scale(taps: tuple[float, ...], dtype: type) -> float:
     return float(factors[np.abs(gains - exact_gains).max(axis=1).argmin(), 0])
 
 
-def _middle(taps: Sequence[float]) -> float:
-    energies = np.square(taps)
-    return float(energies @ np.arange(len(taps)) / energies.sum())
-
-
 Pair = tuple[int, int]
 """Two bands by their index in a clip."""
 
 MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS starts threads, which get in ours' way
 _PIECE = 64  # samples summed in their own type
 _AT_A_TIME = 512 * 512  # samples of a band
-
-_memory = threading.local()
 
 
 def halved(
@@ -111,7 +98,7 @@ def halved(
         height = samples.shape[1] - 2 * margin
         inner = samples[:, margin : margin + min(height, rows - start), margin : margin + columns]
         products += sums_of_products(inner, pairs)
-        low = reused("low", (count, height // 2, samples.shape[2]), dtype)
+        low = np.empty((count, height // 2, samples.shape[2]), dtype)
         _banded(samples, matrix, low.reshape(count, -1, BLOCK, samples.shape[2]))
         target = coarse[:, start // 2 : (start + height) // 2].swapaxes(1, 2)
         _banded(low.swapaxes(1, 2), matrix, target.reshape(count, -1, BLOCK, height // 2))
@@ -126,16 +113,16 @@ def split(
     Beyond their edges the bands go on periodically, or ``mirrored``.
     """
     count, rows, columns = bands.shape
-    matrix, margin = _both_matrix(filters, dtype), filters.margin
+    matrix, margin = np.concatenate([_band_matrix(t, 1.0, dtype) for t in (filters.low, filters.high)]), filters.margin
     parts = np.empty((2, 2, count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     for band in range(count):
         alone = slice(band, band + 1)
         for start, samples in _strips(bands[alone], offsets[alone], margin, dtype, mirrored):
             height, across = samples.shape[1] - 2 * margin, parts.shape[-1] // BLOCK
             # Of each block of rows both filters' outputs, then the same of each block of columns.
-            down = reused("down", (1, height, samples.shape[2]), dtype)
+            down = np.empty((1, height, samples.shape[2]), dtype)
             _banded(samples, matrix, down.reshape(1, -1, 2 * BLOCK, samples.shape[2]))
-            both = reused("both", (1, across, height, 2 * BLOCK), dtype)
+            both = np.empty((1, across, height, 2 * BLOCK), dtype)
             _banded(down.swapaxes(1, 2), matrix, both.swapaxes(2, 3))
             target = parts[:, :, band, start // 2 : (start + height) // 2].reshape(2, 2, -1, BLOCK, across, BLOCK)
             target[...] = both.reshape(across, -1, 2, BLOCK, 2, BLOCK).transpose(4, 2, 1, 3, 0, 5)
@@ -170,7 +157,7 @@ def _strips(
     count, rows, columns = bands.shape
     most = max(_AT_A_TIME // (columns * 2 * BLOCK), 1) * 2 * BLOCK
     inside = slice(margin, margin + columns)
-    buffer = reused("samples", (count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
+    buffer = np.empty((count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
     left, right = (
         _continued(beyond, columns, mirrored)
         for beyond in (np.arange(-margin, 0), np.arange(columns, buffer.shape[2] - margin))
@@ -246,19 +233,6 @@ def numpy_has_plain_products() -> bool:
     return process == gsl
 
 
-def reused(name: str, shape: tuple[int, ...], dtype: type) -> np.ndarray:
-    """An array in this thread's own memory, to be used until the next one of that name.
-
-    Pages fresh from the system would cost half as much time as the arithmetic. It is some 7 MB for any clip.
-    """
-    size = math.prod(shape) * np.dtype(dtype).itemsize
-    memory = getattr(_memory, name, None)
-    if memory is None or memory.size < size:
-        memory = np.empty(size, dtype=np.uint8)
-        setattr(_memory, name, memory)
-    return memory[:size].view(dtype).reshape(shape)
-
-
 _BLOCK = 4  # rows of outputs per matrix product
 _STRIP = 64  # rows worked on at a time, so that what lies between two steps stays in the cache
 
@@ -269,23 +243,16 @@ def correlated(plane: np.ndarray, taps: np.ndarray) -> np.ndarray:
     As ``scipy.ndimage.correlate`` with the mode ``nearest``, in a sixth of its time for 5 x 5 taps.
     """
     (rows, columns), (down, across) = plane.shape, taps.shape
-    above, left = down // 2, across // 2
     matrix = np.zeros((_BLOCK, _BLOCK + down - 1, across), np.float32)
     for i in range(_BLOCK):
         matrix[i, i : i + down] = taps
-    matrix = matrix.reshape(_BLOCK, -1)
     made = np.empty((-(-rows // _BLOCK) * _BLOCK, columns), np.float32)
+    below = down - 1 - down // 2 + len(made) - rows
+    padded = np.pad(plane, ((down // 2, below), (across // 2, across - 1 - across // 2)), "edge")
     for start in range(0, rows, _STRIP):
-        height = min(_STRIP, len(made) - start)
-        needed = np.arange(start - above, start + height + down - 1 - above).clip(0, rows - 1)
-        padded = reused("padded", (len(needed), columns + across - 1), np.float32)
-        padded[:, left : left + columns] = plane[needed]
-        padded[:, :left] = plane[needed, :1]
-        padded[:, left + columns :] = plane[needed, -1:]
+        target = made[start : start + _STRIP]
+        needed = padded[start : start + len(target) + down - 1]
         # Each row once for each column of taps: a block of rows is one matrix then.
-        beside = reused("beside", (len(needed), across, columns), np.float32)
-        for column in range(across):
-            beside[:, column] = padded[:, column : column + columns]
-        target = made[start : start + height].reshape(1, -1, _BLOCK, columns)
-        _banded(beside.reshape(1, -1, columns), matrix, target, _BLOCK * across)
+        beside = sliding_window_view(needed, columns, axis=1).reshape(1, -1, columns)
+        _banded(beside, matrix.reshape(_BLOCK, -1), target.reshape(1, -1, _BLOCK, columns), _BLOCK * across)
     return made[:rows]

@@ -21,14 +21,23 @@ def gdal_silenced() -> Iterator[None]:
         gdal.PopErrorHandler()
 
 
+@contextmanager
+def gdal_heard() -> Iterator[list[tuple[int, str]]]:
+    """What GDAL says in this thread, each time with its level, instead of its printing it."""
+    said: list[tuple[int, str]] = []
+    gdal.PushErrorHandler(lambda level, number, text: said.append((level, text)))
+    try:
+        yield said
+    finally:
+        gdal.PopErrorHandler()
+
+
 def gdal_call(call: Callable[[], Any], failure: Message) -> Any:
     """What a GDAL call returns; RasterError when it fails."""
-    result = None
     with gdal_silenced(), suppress(RuntimeError):
-        result = call()
-    if result is None:
-        raise RasterError(failure)
-    return result
+        if (result := call()) is not None:
+            return result
+    raise RasterError(failure)
 
 
 _DAMAGE = re.compile(r"JPEGLib|libpng|libjpeg: (?!.* extraneous)|Decod|corrupt|premature", re.I)
@@ -39,14 +48,9 @@ tile of a TIFF there are none."""
 def gdal_pixels(call: Callable[[], Any], failure: Message, damage: Callable[[str], Message]) -> Any:
     """What a call that reads pixels returns. Raises RasterError with ``failure`` when it fails, and with ``damage``,
     which is given GDAL's words, when it goes on after a warning that pixels can't be decoded."""
-    said: list[tuple[int, str]] = []
-    gdal.PushErrorHandler(lambda level, number, text: said.append((level, text)))
-    try:
+    result = None
+    with gdal_heard() as said, suppress(RuntimeError):
         result = call()
-    except RuntimeError:
-        result = None
-    finally:
-        gdal.PopErrorHandler()
     if result is None or any(level >= gdal.CE_Failure for level, _ in said):
         raise RasterError(failure)
     for text in filter(_DAMAGE.search, (text for _, text in said)):
@@ -74,18 +78,18 @@ def gdal_writing(failure: Message) -> Iterator[None]:
         gdal.ErrorReset()
         try:
             yield
-            failed = gdal.GetLastErrorType() >= gdal.CE_Failure
-        except (RuntimeError, AttributeError) as error:  # of the None that GDAL gives for what it can't make
-            failed = isinstance(error, RuntimeError) or gdal.GetLastErrorType() >= gdal.CE_Failure
-            if not failed:
+        except RuntimeError:
+            raise RasterError(failure) from None
+        except AttributeError:  # of the None that GDAL gives for what it can't make
+            if gdal.GetLastErrorType() < gdal.CE_Failure:
                 raise
-    if failed:
-        raise RasterError(failure)
+        if gdal.GetLastErrorType() >= gdal.CE_Failure:
+            raise RasterError(failure)
 
 
 def vsi_bytes(path: str, most: int | None = None) -> bytes:
     """The first bytes of a file that GDAL can open, or all; none of one that it can't."""
-    file = gdal.VSIFOpenL(path, "rb")
+    file = gdal.VSIFOpenExL(path, "rb", 1)
     if file is None:
         return b""
     try:

@@ -44,9 +44,10 @@ _DRIVERS = {RASTERS: _IMAGES, FEATURES: _TABLES, ANYTHING: (*_IMAGES, *_TABLES, 
 
 
 def open_dataset(path: str, kind: int, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
-    """None for what can't be opened by the drivers that are allowed. GDAL says nothing."""
-    with gdal_silenced(), suppress(RuntimeError):
-        return gdal.OpenEx(readable_path(path), kind | flags, list(_DRIVERS[kind]))
+    """None for what has no end, and what can't be opened by the drivers that are allowed. GDAL says nothing."""
+    if not is_endless(path):
+        with gdal_silenced(), suppress(RuntimeError):
+            return gdal.OpenEx(readable_path(path), kind | flags, list(_DRIVERS[kind]))
     return None
 
 

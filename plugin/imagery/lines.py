@@ -141,22 +141,22 @@ def _passed_nodes(nodes: np.ndarray, ends: np.ndarray, tolerance: float) -> tupl
     return passing[inside], node[inside]
 
 
-def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and edges (m, 2) that have one feature's polygon on their left and another feature's on their right.
+def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Nodes; pairs of them (m, 2) that are joined and have polygons on both sides; and the lowest and the highest owner
+    on the left and on the right of each, (2, m).
 
-    ``pieces``: (n, 2) of all rings, the interior on their left; ``owner``: (n,) the feature of each.
+    ``pieces``: (n, 2) of all rings, the interior on their left; ``owner``: (n,) number of the owner of each.
     """
     nodes, edges, piece = network(pieces, SNAP_PX)
     owner = owner[piece]
     forward = edges[:, 0] < edges[:, 1]
     pairs, pair = undirected(edges, len(nodes))
-    left, right = np.zeros((2, len(pairs)), dtype=bool)
-    left[pair[forward]] = True
-    right[pair[~forward]] = True
-    first, last = np.full(len(pairs), owner.max()), np.zeros(len(pairs), dtype=int)
-    np.minimum.at(first, pair, owner)
-    np.maximum.at(last, pair, owner)
-    return nodes, pairs[left & right & (first < last)]
+    low, high = np.full((2, len(pairs)), owner.max() + 1), np.full((2, len(pairs)), -1)
+    for side, chosen in enumerate((forward, ~forward)):
+        np.minimum.at(low[side], pair[chosen], owner[chosen])
+        np.maximum.at(high[side], pair[chosen], owner[chosen])
+    both = (high >= 0).all(axis=0)
+    return nodes, pairs[both], low[:, both], high[:, both]
 
 
 def undirected(edges: np.ndarray, node_count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -247,11 +247,10 @@ class Seam:
 
 
 def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Seam]:
-    """The seams that a layer's lines and polygons describe.
+    """The seams that a layer's lines and polygons describe: lines themselves, the borders between polygons once.
 
-    ``geometries``: WKB of each feature in the mosaic's CRS; points, None and empty ones are skipped. Lines are seams
-    themselves; polygons yield the borders between different features, each once. ``pixel_size``: the mosaic's, in map
-    units; borders and lines up to half a pixel apart or over each other are taken as one.
+    ``geometries``: WKB of each feature in the mosaic's CRS; points, None and empty ones are skipped. ``pixel_size``:
+    the mosaic's, in map units; borders and lines up to half a pixel apart or over each other are taken as one.
 
     Raises SeamlineError when the layer is empty, holds no seam, can't be read, or is of another size than the mosaic.
     """
@@ -268,7 +267,8 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
     nodes, edges = np.empty(0, dtype=complex), np.empty((0, 2), dtype=int)
     if rings:
         pieces, ring = line_pieces(rings)
-        nodes, edges = borders((pieces - origin) / pixel_size, np.array(owners)[ring])
+        nodes, edges, low, high = borders((pieces - origin) / pixel_size, np.array(owners)[ring])
+        edges = edges[low.min(axis=0) < high.max(axis=0)]
     if lines:
         pieces = (line_pieces(lines)[0] - origin) / pixel_size
         nodes, edges, _ = network(np.concatenate([pieces, nodes[edges]]), SNAP_PX)
@@ -287,26 +287,21 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
 def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np.ndarray], list[int]]:
     """Lines, polygon rings with the interior on their left, and the feature each ring belongs to (map units)."""
     lines: list[np.ndarray] = []
-    rings: list[np.ndarray] = []
-    owners: list[int] = []
-    empty = True
+    rings: list[tuple[int, np.ndarray]] = []
+    is_empty = True
     for number, wkb in enumerate(geometries, start=1):
-        if not wkb:
+        geometry = read_geometry(wkb, number) if wkb else None
+        if geometry is None or geometry.IsEmpty():
             continue
-        geometry = read_geometry(wkb, number)
-        if geometry.IsEmpty():
-            continue
-        empty = False
+        is_empty = False
         for part in simple_parts(geometry):
-            if is_line(part):
-                lines += [line_points(part)] if part.GetPointCount() > 1 else []
-            else:
-                of_part = list(polygon_rings(part, number))
-                rings += of_part
-                owners += [number] * len(of_part)
-    if empty:
+            if is_polygon(part):
+                rings += [(number, ring) for ring in polygon_rings(part, number)]
+            elif part.GetPointCount() > 1:
+                lines.append(line_points(part))
+    if is_empty:
         raise SeamlineError(messages.SEAMLINES_EMPTY())
-    return lines, rings, owners
+    return lines, [ring for _, ring in rings], [number for number, _ in rings]
 
 
 def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:
@@ -374,8 +369,7 @@ def directed(path: np.ndarray) -> np.ndarray:
     """A path in its standard direction: west to east, or a ring counter-clockwise from its westernmost vertex."""
     if path[0] != path[-1]:
         return path if (path[0].real, path[0].imag) < (path[-1].real, path[-1].imag) else path[::-1]
-    ring = path[:-1]
-    ring = np.roll(ring, -int(np.lexsort((ring.imag, ring.real))[0]))
+    ring = np.roll(path[:-1], -int(np.lexsort((path[:-1].imag, path[:-1].real))[0]))
     ring = np.append(ring, ring[0])
     return ring if signed_area(ring) > 0 else ring[::-1]
 
@@ -383,8 +377,7 @@ def directed(path: np.ndarray) -> np.ndarray:
 def straightened(path: np.ndarray, tolerance: float = STRAIGHTEN_PX) -> np.ndarray:
     """A path without the vertices that lie within ``tolerance`` of it (Douglas-Peucker)."""
     header = struct.pack("<BII", 1, ogr.wkbLineString, len(path))
-    line = ogr.CreateGeometryFromWkb(header + path.astype("<c16").tobytes())
-    return line_points(line.Simplify(tolerance))
+    return line_points(ogr.CreateGeometryFromWkb(header + path.astype("<c16").tobytes()).Simplify(tolerance))
 
 
 def signed_area(ring: np.ndarray) -> float:

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial, reduce
 from typing import Any, Callable, NamedTuple, NoReturn, TypeVar
 
@@ -328,14 +328,13 @@ class OpenRaster:
         tile_width = min(tile_width, self.columns)
         wide = min(max(most_pixels // (tile_width * tile_height), 1), -(-window.width // tile_width)) * tile_width
         high = max(most_pixels // (wide * tile_height), 1) * tile_height
-        for top in range(window.row // high * high, window.row + window.height, high):
-            for left in range(window.column // wide * wide, window.column + window.width, wide):
-                column, row = max(left, window.column), max(top, window.row)
-                right = min(left + wide, window.column + window.width)
-                bottom = min(top + high, window.row + window.height)
-                rows = max(max(_MOST_OF_A_TILE, most_pixels) // wide, 1)
-                for start in range(row, bottom, rows):
-                    yield PixelWindow(column, start, right - column, min(rows, bottom - start))
+        rows = max(max(_MOST_OF_A_TILE, most_pixels) // wide, 1)
+        for top in range(-(window.row % high), window.height, high):
+            for left in range(-(window.column % wide), window.width, wide):
+                part = PixelWindow(left, top, wide, high).cut_to(window.width, window.height)
+                part = part.moved_by(window.column, window.row)
+                for start in range(0, part.height, rows):
+                    yield replace(part, row=part.row + start, height=min(rows, part.height - start))
 
     def _block(self, data: np.ndarray, mask: np.ndarray | None) -> PixelBlock:
         """All bands into those that are measured and what is invalid in them; ``mask`` is 0 there."""

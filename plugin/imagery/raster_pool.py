@@ -8,13 +8,14 @@ import os
 import threading
 import weakref
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any, TypeVar
 
 from .errors import RasterError
-from .gdal_paths import Stamp, file_stamp, readable_path
+from .gdal_paths import file_stamp, readable_path
 from .open_raster import OpenRaster
 from .rasters import RasterRef
 from .remote_files import forget_failures
@@ -28,7 +29,12 @@ def open_raster(ref: RasterRef) -> OpenRaster:
 
     Raises RasterError when it can't be opened or used.
     """
-    return _pool().open(ref)
+    key = replace(ref, path=readable_path(ref.path)), file_stamp(ref.path)
+    raster = _kept()(*key)
+    if raster.is_broken:
+        _kept().cache_clear()
+        raster = _kept()(*key)
+    return raster
 
 
 @contextmanager
@@ -45,55 +51,25 @@ def rasters_kept() -> Iterator[None]:
 
 def close_rasters() -> None:
     """Close what is kept open in all threads of this process; what failed over the network is asked for again."""
-    with _all_pools_lock:
-        pools = list(_all_pools)
-    for pool in pools:
-        pool.close()
+    with _lock:
+        every = list(_kept_by_all)
+    for kept in every:
+        kept.cache_clear()
     forget_failures()
 
 
-class RasterPool:
-    """The rasters that one thread keeps open; another one may close them."""
-
-    def __init__(self, most: int = KEPT_OPEN) -> None:
-        self._most = most
-        self._kept: dict[RasterRef, tuple[OpenRaster, Stamp | None]] = {}  # the one used last at the end
-
-    def open(self, ref: RasterRef) -> OpenRaster:
-        """Raises RasterError when it can't be opened or used."""
-        ref, kept = replace(ref, path=readable_path(ref.path)), self._kept
-        stamp = file_stamp(ref.path)
-        raster, kept_stamp = kept.pop(ref, (None, None))
-        if raster is None or raster.is_broken or kept_stamp != stamp:
-            raster = OpenRaster(ref)
-        kept[ref] = raster, stamp
-        while len(kept) > self._most:
-            del kept[next(iter(kept))]
-        return raster
-
-    def __enter__(self) -> RasterPool:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """Forget all of them, and close those that nobody is reading."""
-        self._kept = {}
-
-
 _threads = threading.local()
-_all_pools: weakref.WeakSet[RasterPool] = weakref.WeakSet()  # a pool lives as long as its thread
-_all_pools_lock = threading.Lock()
+_kept_by_all: weakref.WeakSet[Any] = weakref.WeakSet()  # what a thread keeps lives as long as it
+_lock = threading.Lock()
 
 
-def _pool() -> RasterPool:
-    pool: RasterPool | None = getattr(_threads, "pool", None)
-    if pool is None:
-        pool = _threads.pool = RasterPool()
-        with _all_pools_lock:
-            _all_pools.add(pool)
-    return pool
+def _kept() -> Any:
+    """The rasters that this thread keeps open; another one may close them."""
+    if not hasattr(_threads, "kept"):
+        _threads.kept = lru_cache(KEPT_OPEN)(lambda ref, stamp: OpenRaster(ref))
+        with _lock:
+            _kept_by_all.add(_threads.kept)
+    return _threads.kept
 
 
 AHEAD = 2  # requests under way per worker: one is measured while the next waits
@@ -159,25 +135,22 @@ class ReadingLanes:
         self._lock = threading.Lock()
 
     def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]:
-        futures = [self.submit(ref, work) for ref, work in readings]
+        lane_of, every = self._lane_of, self._lanes
+        with self._lock:
+            lanes = ((lane_of.setdefault(ref, every[len(lane_of) % len(every)]), ref, work) for ref, work in readings)
+            futures = [lane.submit(read_one, open_raster, ref, work) for lane, ref, work in lanes]
         try:
             return [future.result() for future in futures]
         finally:
             for future in futures:
                 future.cancel()
 
-    def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
-        """Have one raster read, unless whoever asks for it is cancelled before."""
-        with self._lock:
-            lane = self._lane_of.setdefault(ref, self._lanes[len(self._lane_of) % len(self._lanes)])
-            return lane.submit(read_one, open_raster, ref, work)
-
     def let_go(self) -> None:
         """Close all files, in their threads, as a large one takes its time: when what was asked for has been read."""
         with self._lock:
             for lane in {*self._lane_of.values()}:
                 with suppress(RuntimeError):  # closed meanwhile: its thread closes them as it ends
-                    lane.submit(lambda: _pool().close())
+                    lane.submit(lambda: _kept().cache_clear())
             self._lane_of.clear()
 
     def close(self) -> None:

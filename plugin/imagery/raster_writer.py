@@ -19,8 +19,6 @@ from .rasters import Raster
 
 GEOTIFF = "GTiff"
 
-_COLOURS = (gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand)
-
 
 @contextmanager
 def whole_raster(path: str) -> Iterator[str]:
@@ -73,14 +71,10 @@ def raster_writer(path: str, like: Raster, bands: WrittenBands) -> Iterator[Rast
             dataset.SetGeoTransform(like.geotransform)
         if like.wkt:
             dataset.SetProjection(like.wkt)
-        for index in range(1, bands.count + 1):
-            band = dataset.GetRasterBand(index)
-            if bands.colours:
-                band.SetColorInterpretation(_COLOURS[index - 1])
-            if bands.nodata is not None:
-                band.SetNoDataValue(bands.nodata)
+        if bands.nodata is not None:
+            dataset.GetRasterBand(1).SetNoDataValue(bands.nodata)  # that of all bands
         writer = RasterWriter(dataset, failure)
-        del dataset, band
+        del dataset
         try:
             yield writer
             writer.close()

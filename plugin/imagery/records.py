@@ -144,10 +144,9 @@ def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, n
     (length,) = _LENGTH.unpack_from(record)
     place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
+        held, place = record[place : place + size], place + size
         if names is not None and name not in names:
-            place += size
             continue
-        held = record[place : place + size]
         whole = math.prod(shape) * np.dtype(kind).itemsize
         room -= max(whole, size)
         if room < 0:
@@ -155,7 +154,6 @@ def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, n
         if is_compressed:
             held = zlib.decompressobj().decompress(held, max(whole, 1))
         arrays[name] = np.frombuffer(held, kind).reshape(shape)
-        place += size
     return arrays
 
 

@@ -17,23 +17,17 @@ from .grids import Extent
 
 
 def extent_on(extent: Extent, wkt: str, target_wkt: str) -> Extent:
-    """The bounding box, in the target reference system, of an extent in another one.
-
-    Raises RasterError when the extent can't be transformed.
-    """
+    """The bounding box of an extent in the target reference system. Raises RasterError when it can't be transformed."""
     if same_system(wkt, target_wkt):
         return extent
     bounds = _moved(lambda: _transformation(wkt, target_wkt).TransformBounds(*extent, 21))
-    if bounds is None or not all(map(math.isfinite, bounds)):
+    if bounds is None:
         raise RasterError(messages.EXTENT_NOT_TRANSFORMED())
-    return tuple(bounds)
+    return tuple(bounds.tolist())
 
 
 def geometry_on(geometry: ogr.Geometry, wkt: str, target_wkt: str) -> ogr.Geometry:
-    """A geometry in the target reference system.
-
-    Raises RasterError when it can't be transformed.
-    """
+    """A geometry in the target reference system. Raises RasterError when it can't be transformed."""
     if same_system(wkt, target_wkt):
         return geometry
     moved = geometry.Clone()
@@ -42,11 +36,12 @@ def geometry_on(geometry: ogr.Geometry, wkt: str, target_wkt: str) -> ogr.Geomet
     return moved
 
 
-def _moved(transform: Callable[[], Any]) -> Any:
-    """What a transformation gives; None where PROJ knows none, or it fails."""
+def _moved(transform: Callable[[], Any]) -> np.ndarray | None:
+    """Numbers that a transformation gives; None where PROJ knows none, or it fails."""
     # RuntimeError with GDAL's exceptions, the others without them.
     with gdal_silenced(), suppress(RuntimeError, TypeError, AttributeError, ValueError, IndexError):
-        return transform()
+        moved = np.array(transform(), float)
+        return moved if moved.size and np.isfinite(moved).all() else None
     return None
 
 
@@ -141,8 +136,7 @@ def transform_points(points: np.ndarray, wkt: str, target_wkt: str) -> np.ndarra
 
 def moved_points(transformation: Callable[[], osr.CoordinateTransformation], points: np.ndarray) -> np.ndarray | None:
     """Points (n, 3) of points (n, 2) or (n, 3); None where one of them has no place."""
-    moved = _moved(lambda: np.array(transformation().TransformPoints(points.tolist()), float))
-    return moved if moved is not None and moved.ndim == 2 and np.isfinite(moved).all() else None
+    return _moved(lambda: transformation().TransformPoints(points.tolist()))
 
 
 def authority_code(wkt: str) -> str:

@@ -5,14 +5,14 @@ import os
 import re
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Callable, TypeVar
 
 from osgeo import gdal
 
 from . import messages
 from .errors import Message, RasterError
-from .gdal_calls import gdal_settings, gdal_silenced
+from .gdal_calls import gdal_heard, gdal_settings, gdal_silenced, vsi_bytes
 from .gdal_paths import is_remote, readable_path, with_parts
 
 Result = TypeVar("Result")
@@ -84,7 +84,7 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     except RasterError as error:
         if error.message.template not in _MAY_BE_THE_NETWORK:
             raise
-    forget_fetched(path)
+    gdal.VSICurlClearCache()  # what was fetched, and what is said to be there
     probed = ((part, _said_on_reading(part)) for part in remote_parts(path)[:_MOST_PROBED])
     part, said = next(((part, said) for part, said in probed if said), (path, ""))
     shown = (name if part == path else os.path.basename(part)).partition("?")[0]  # without what may be a password
@@ -104,37 +104,31 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     raise RasterError(failure)
 
 
-def forget_fetched(path: str) -> None:
-    """Drop what GDAL keeps of a raster that was fetched, in memory and of its being there."""
+def remote_state(path: str) -> str:
+    """Size, time of change and entity tag of what a server has, as far as it tells them now."""
     path = readable_path(path)
-    with gdal_silenced():
-        if path.startswith("/vsicurl"):
-            gdal.VSICurlPartialClearCache(path)
-        else:
-            gdal.VSICurlClearCache()
+    gdal.VSICurlClearCache()
+    with gdal_silenced(), suppress(RuntimeError):
+        status, headers = gdal.VSIStatL(path), gdal.GetFileMetadata(path, "HEADERS") or {}
+        tags = [value for name, value in headers.items() if name.lower() == "etag"]
+        return f"{status and status.size} {status and status.mtime} {''.join(tags)}"
+    return ""
 
 
 def _said_on_reading(path: str) -> str:
     """GDAL's words for why the first bytes of a remote file can't be read; empty where they can."""
-    said: list[str] = []
-    gdal.PushErrorHandler(lambda level, number, text: said.append(text))
     try:
-        with remote_settings({"CPL_VSIL_CURL_USE_HEAD": "NO"}):  # bytes are asked for, as the pixels are
+        with gdal_heard() as said, remote_settings({"CPL_VSIL_CURL_USE_HEAD": "NO"}):  # bytes, as of the pixels
             gdal.VSIErrorReset()
-            file = gdal.VSIFOpenExL(readable_path(path), "rb", 1)
-            if file is None:
-                return gdal.VSIGetLastErrorMsg() or "".join(said[-1:]) or "unknown"
-            gdal.VSIFSeekL(file, 0, os.SEEK_END)
-            wanted = min(gdal.VSIFTellL(file), _PROBED_BYTES)
-            gdal.VSIFSeekL(file, 0, os.SEEK_SET)
-            if len(gdal.VSIFReadL(1, wanted, file) or b"") < wanted:
-                said.append(_TOO_SLOW)  # GDAL makes do with what came until it lost patience
-            gdal.VSIFCloseL(file)
+            content, status = vsi_bytes(readable_path(path), _PROBED_BYTES), gdal.VSIStatL(readable_path(path))
     except RuntimeError as error:
         return str(error)
-    finally:
-        gdal.PopErrorHandler()
-    return next((text for text in said if "Range downloading" in text or _SILENT.search(text)), "")
+    words = [text for _, text in said]
+    if status is None:
+        return gdal.VSIGetLastErrorMsg() or "".join(words[-1:]) or "unknown"
+    if len(content) < min(status.size, _PROBED_BYTES):
+        words.append(_TOO_SLOW)  # GDAL makes do with what came until it lost patience
+    return next((text for text in words if "Range downloading" in text or _SILENT.search(text)), "")
 
 
 def _server(path: str) -> str:

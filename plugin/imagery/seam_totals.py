@@ -47,11 +47,6 @@ def possible(value: float | None, most: float) -> float | None:
     return value if value is not None and 0 <= value <= most else None
 
 
-def possible_kept(value: float | None) -> float | None:
-    """A share of detail that a seam can keep; None for what no measurement gives."""
-    return possible(value, MOST_KEPT)
-
-
 def piece_state(
     kept: float | None, low: float | None, high: float | None, least: float, has_verdict: bool = True
 ) -> PieceState:
@@ -123,18 +118,15 @@ _SEALED = (
 """All fields that a decision reads, but words for people."""
 
 
-def has_seal(notes: Mapping[str, str]) -> bool:
-    """Whether a seal stands beside rows, be it broken."""
-    return _SEAL in notes
-
-
 class RowTotals:
-    """Adds up the rows of a layer of seams one by one."""
+    """Adds up the rows of a layer of seams: fields by name, and vertices, as ``add`` takes them."""
 
-    def __init__(self) -> None:
+    def __init__(self, rows: Iterable[tuple[Mapping[str, object], np.ndarray]] = ()) -> None:
         self._lines: list[str] = []
         self._metres: list[float] = []
         self._failed: list[float] = []
+        for row, line in rows:
+            self.add(row, line)
 
     def add(self, row: Mapping[str, object], line: np.ndarray) -> None:
         """One feature's fields by name, and the vertices of its line, (n, 2), as its layer has them."""
@@ -160,21 +152,14 @@ class RowTotals:
         noted.pop(_SEAL, None)
         return {**noted, _SEAL: self._seal(noted)}
 
-    def is_sealed_by(self, notes: Mapping[str, str]) -> bool:
-        """Whether rows, and what stands beside them, are as they were sealed."""
-        return notes.get(_SEAL) == self._seal({name: value for name, value in notes.items() if name != _SEAL})
+    def is_sealed_by(self, notes: Mapping[str, str]) -> bool | None:
+        """Whether rows, and what stands beside them, are as they were sealed; None without a seal."""
+        others = {name: value for name, value in notes.items() if name != _SEAL}
+        return notes[_SEAL] == self._seal(others) if _SEAL in notes else None
 
     def _seal(self, notes: Mapping[str, str]) -> str:
         lines = (self.digest, *(f"{name}\t{value}" for name, value in sorted(notes.items())))
         return hashlib.sha256("\n".join(lines).encode()).hexdigest()
-
-
-def sealed_notes(notes: Mapping[str, str], rows: Iterable[tuple[Mapping[str, object], np.ndarray]]) -> dict[str, str]:
-    """What stands beside the rows of a layer; ``rows``: fields by name and vertices, as ``RowTotals`` takes them."""
-    totals = RowTotals()
-    for row, line in rows:
-        totals.add(row, line)
-    return totals.sealed(notes)
 
 
 def _written(value: object) -> str:

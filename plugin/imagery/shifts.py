@@ -109,7 +109,9 @@ def find_shift(
     peaks: list[tuple[Shift, np.ndarray]] = []
     agreeing: list[np.ndarray] = []
     leader = None
-    for tile in _tiles(moved.pixels.shape, where):
+    tiles = _tiles(moved.pixels.shape, where)
+    # First that which is farthest from the first one, since two may be enough.
+    for tile in [*tiles[:1], *sorted(tiles[1:], key=lambda tile: -np.hypot(*np.subtract(tile, tiles[0])[:2]))]:
         side = tile[2]
         cross = fixed.of(tile).conj()
         cross *= moved.of(tile)
@@ -127,13 +129,10 @@ def find_shift(
 
 
 def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
-    """Tiles spread over the image, as large as they can be; of those the ones that lie mostly ``where`` it matters.
-
-    The second is the one farthest from the first, since two may be enough.
-    """
+    """Tiles spread over the image, as large as they can be; of those the ones that lie mostly ``where`` it matters."""
     side = min(_TILE_PX, *shape[:2])
     if where is None:
-        return _far_apart([(row, column, side) for row, column in product(*_places(shape, side, _TILES_A_SIDE))])
+        return [(row, column, side) for row, column in product(*_places(shape, side, _TILES_A_SIDE))]
     within = np.pad(where[::_STRIDE, ::_STRIDE].astype(np.int32).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     while side >= _LEAST_TILE_PX:
         rows, columns = (np.array(places) for places in _places(shape, side, -(-2 * max(shape[:2]) // side)))
@@ -144,14 +143,9 @@ def _tiles(shape: tuple[int, ...], where: np.ndarray | None) -> list[_Tile]:
         fullest = fullest[shares[fullest] >= MIN_TILE_SHARE]
         if len(fullest):
             places = (divmod(int(number), len(columns)) for number in fullest)
-            return _far_apart([(int(rows[row]), int(columns[column]), side) for row, column in places])
+            return [(int(rows[row]), int(columns[column]), side) for row, column in places]
         side //= 2
     return []
-
-
-def _far_apart(tiles: list[_Tile]) -> list[_Tile]:
-    first, *others = tiles
-    return [first, *sorted(others, key=lambda tile: -np.hypot(tile[0] - first[0], tile[1] - first[1]))]
 
 
 def _places(shape: tuple[int, ...], side: int, most: int) -> list[list[int]]:
@@ -206,10 +200,7 @@ def _nearest_pixel(cross: np.ndarray, plan: _TilePlan) -> Shift:
     row, column = (int(place) + 1 for place in np.unravel_index(surface[1:-1, 1:-1].argmax(), (3, 3)))
     top = surface[row, column]
     peak = top
-    for before, after in (
-        (surface[row - 1, column], surface[row + 1, column]),
-        (surface[row, column - 1], surface[row, column + 1]),
-    ):
+    for before, _, after in (surface[row - 1 : row + 2, column], surface[row, column - 1 : column + 2]):
         bend = 2 * top - before - after
         peak += (after - before) ** 2 / (8 * bend) if bend > 0 else 0.0
     return Shift(float(x + column - 2), float(y + row - 2), float(peak))

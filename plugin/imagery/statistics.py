@@ -25,9 +25,7 @@ class Operator(NamedTuple):
 FIRST = Operator("observer", "confidence", "remark")
 SECOND = Operator("observer_2", "confidence_2", "remark_2")
 OPERATORS = (FIRST, SECOND)
-JUDGING_FIELDS = {
-    field: kind for operator in OPERATORS for field, kind in zip(operator, ("text", "integer", "text"))
-}
+JUDGING_FIELDS = {field: kind for operator in OPERATORS for field, kind in zip(operator, ("text", "integer", "text"))}
 """The fields of both and their kinds. A window layer has those that were used, the first one's word always."""
 
 NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %

@@ -8,15 +8,14 @@ details (Mallat 1989), and the chain of coarse components is enough: with E_r it
 and so for inner products of two clips. The chain runs in float32 where that is exact enough, else in float64; where a
 detail is too small even there to be a difference of energies, all components are computed one by one.
 
-Clips are arrays (bands, rows, columns). Each coefficient has the place where PyWavelets has it.
+Clips are arrays (bands, rows, columns) of any real type, finite, their sides multiples of ``2 ** levels``. Each
+coefficient has the place where PyWavelets has it. Whatever decomposes raises SettingsError as ``check_decomposition``.
 """
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import combinations
-from typing import Callable
 
 import numpy as np
 import pywt
@@ -92,11 +91,8 @@ def clip_curves(
     """Curves of all bands of a clip, and of its luminance when weights are given; and the coarse components at level R
     in the same order, luminance last.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``;
     ``luminance_weights`` has one weight for each of the first bands. The luminance has no transform of its own: its
     energies follow from the inner products of the bands (the homogeneity of Pyka 2009).
-
-    Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
     weights = np.asarray(luminance_weights, dtype=np.float64)
     mixed = len(weights)
@@ -121,12 +117,7 @@ def clip_curves(
 
 def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequence[Pair] = ()) -> Products:
     """Energies of the components of every band, and inner products of the given pairs of bands, which may stem from
-    different rasters.
-
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``.
-
-    Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
-    """
+    different rasters."""
     check_decomposition(wavelet, levels)
     filters = filter_pair(wavelet)
     single = (
@@ -144,18 +135,17 @@ def component_products(bands: np.ndarray, wavelet: str, levels: int, pairs: Sequ
 def detail_components(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool = False) -> Iterator[np.ndarray]:
     """The detail components of every band less its mean, level by level from the finest on.
 
-    ``bands`` is (bands, rows, columns) of any real type, finite, rows and columns multiples of ``2 ** levels``. Each
-    level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH; coefficient (i, j) belongs to the pixels from
+    Each level is (3, bands, rows / 2^r, columns / 2^r): LH, HL and HH; coefficient (i, j) belongs to the pixels from
     (2^r i, 2^r j) on. In float32 for 8 and 16 bit values and float32, else in float64. Beyond their edges the bands go
     on periodically, or ``mirrored``.
-
-    Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
     check_decomposition(wavelet, levels)
     dtype = np.float32 if np.can_cast(bands.dtype, np.float32) else np.float64
-    halve = partial(split, filters=filter_pair(wavelet), dtype=dtype, mirrored=mirrored)
-    for parts in _levels(bands, _near_means(bands), levels, halve):
+    offsets = _near_means(bands)
+    for _ in range(levels):
+        parts = split(bands, offsets, filter_pair(wavelet), dtype, mirrored)
         yield parts[1:]
+        bands, offsets = parts[0], [0.0] * len(bands)
 
 
 def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
@@ -169,12 +159,10 @@ def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
     filters = filter_pair(wavelet)
     for level, parts in enumerate(detail_components(bands, wavelet, levels, mirrored=True), 1):
         low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
-        placed = np.empty_like(parts)
-        for part, by, target in zip(parts, ((high, low), (low, high), (high, high)), placed):
-            (above, below), (left, right) = ((max(shift, 0), max(-shift, 0)) for shift in by)
-            padded = np.pad(part, ((0, 0), (above, below), (left, right)), mode="edge")
-            target[...] = padded[:, below : below + part.shape[1], right : right + part.shape[2]]
-        yield placed
+        rows, columns = map(np.arange, parts.shape[2:])
+        for part, (down, across) in zip(parts, ((high, low), (low, high), (high, high))):
+            part[...] = part.take(rows - down, axis=1, mode="clip").take(columns - across, axis=2, mode="clip")
+        yield parts
 
 
 def _curve(energies: np.ndarray, total: float, pixels: int) -> Curve:
@@ -213,21 +201,11 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
     coarse -= coarse.mean(axis=(1, 2), keepdims=True)
     totals = sums_of_products(coarse, wanted)
     components = []
-    for parts in _levels(coarse, [0.0] * len(coarse), levels, partial(split, filters=filters, dtype=np.float64)):
-        components.append(sum(sums_of_products(detail, wanted) for detail in parts[1:]))
-    coarse = parts[0]
+    for _ in range(levels):
+        coarse, *details = split(coarse, [0.0] * len(coarse), filters, np.float64)
+        components.append(sum(sums_of_products(detail, wanted) for detail in details))
     components.append(sums_of_products(coarse, wanted))
     return Products(np.array(components).T, totals, coarse, MIN_EXACT_SHARE)
-
-
-def _levels(
-    bands: np.ndarray, offsets: Sequence[float], levels: int, halve: Callable[[np.ndarray, Sequence[float]], np.ndarray]
-) -> Iterator[np.ndarray]:
-    """For each level LL, LH, HL and HH of the bands less their offsets, (4, bands, rows / 2^r, columns / 2^r)."""
-    for _ in range(levels):
-        parts = halve(bands, offsets)
-        yield parts
-        bands, offsets = parts[0], [0.0] * len(bands)
 
 
 def _near_means(bands: np.ndarray) -> list[float]:
@@ -241,8 +219,6 @@ def _near_means(bands: np.ndarray) -> list[float]:
 
 Directions = tuple[tuple[float, ...], ...]
 """Relative variance of LH, HL and HH, for level 1 (finest), 2, ..., R; NaN for a constant clip."""
-
-_STRIP = 65536  # pixels worked on at a time, so that they stay in the cache
 
 
 def measure_bands(
@@ -276,16 +252,10 @@ def measure_directions(clip: Clip, wavelet: str, levels: int) -> dict[str, Direc
 
 def luminance(bands: np.ndarray) -> np.ndarray:
     """The luminance, (rows, columns) float32, of bands whose first three are red, green and blue."""
-    rows, columns = bands.shape[1:]
-    mixture = np.empty((rows, columns), np.float32)
-    strip = max(1, _STRIP // columns)
-    weighted = np.empty((min(strip, rows), columns), np.float32)
     red, *others = (np.float32(weight) for weight in limits.LUMINANCE_WEIGHTS)
-    for start in range(0, rows, strip):
-        part = mixture[start : start + strip]
-        np.multiply(bands[0, start : start + strip], red, out=part)
-        for band, weight in zip(bands[1:], others):
-            part += np.multiply(band[start : start + strip], weight, out=weighted[: len(part)])
+    mixture: np.ndarray = np.multiply(bands[0], red, dtype=np.float32)
+    for band, weight in zip(bands[1:], others):
+        mixture += np.multiply(band, weight, dtype=np.float32)
     return mixture
 
 

@@ -16,7 +16,6 @@ from ...imagery.gdal_calls import gdal_writing
 from ...imagery.limits import MAX_PIXEL_SIZE_DIFFERENCE
 from ...imagery.lines import burnt
 from ...imagery.open_raster import OpenRaster
-from ...imagery.raster_pool import RasterPool
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import geometry_on, same_system, system_name
 from . import messages
@@ -191,21 +190,20 @@ def _checked(
 def _missing(sheet: OrderedSheet, raster: Raster, tell: Callable[[float], None]) -> float | None:
     """The share of a sheet's outline where its file has no data, or none of its pixels; None where it can't be told.
     Raises RasterError where pixels can't be read."""
-    with RasterPool(most=1) as pool:
-        opened, pixels = pool.open(raster.ref), raster.columns * raster.rows
-        if sheet.outline is None:
-            return _invalid_pixels(opened, None, pixels, tell) / pixels
-        try:
-            outline = _placed_outline(sheet, raster)
-            pixel_area = abs(raster.grid.pixel_width) * abs(raster.grid.pixel_height)
-            area_px = outline.Area() / pixel_area
-            near, exact = (_area_beyond(outline, _reach(raster, by)) for by in (_EDGE_PX, 0.0))
-        except (RasterError, RuntimeError):
-            _invalid_pixels(opened, None, pixels, tell)
-            return None
-        beyond = exact / pixel_area if near else 0.0
-        invalid = _invalid_pixels(opened, outline, area_px - exact / pixel_area, tell)
-        return (beyond + invalid) / area_px if area_px else None
+    opened, pixels = OpenRaster(raster.ref), raster.columns * raster.rows
+    if sheet.outline is None:
+        return _invalid_pixels(opened, None, pixels, tell) / pixels
+    try:
+        outline = _placed_outline(sheet, raster)
+        pixel_area = abs(raster.grid.pixel_width) * abs(raster.grid.pixel_height)
+        area_px = outline.Area() / pixel_area
+        near, exact = (_area_beyond(outline, _reach(raster, by)) for by in (_EDGE_PX, 0.0))
+    except (RasterError, RuntimeError):
+        _invalid_pixels(opened, None, pixels, tell)
+        return None
+    beyond = exact / pixel_area if near else 0.0
+    invalid = _invalid_pixels(opened, outline, area_px - exact / pixel_area, tell)
+    return (beyond + invalid) / area_px if area_px else None
 
 
 def _placed_outline(sheet: OrderedSheet, raster: Raster) -> ogr.Geometry:

@@ -25,13 +25,13 @@ from ...imagery.reference_systems import (
 from ...imagery.seam_totals import (
     METRES,
     MOSAIC_FILES,
+    MOST_KEPT,
     SOURCE_FILES,
     STRETCH,
     SYSTEM,
     PieceState,
     RowTotals,
-    has_seal,
-    possible_kept,
+    possible,
     profile_of,
 )
 from . import messages
@@ -133,14 +133,14 @@ def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer
 def _seal(layer: ScannedLayer, totals: RowTotals, pieces: Sequence[DeliveredPiece]) -> Seal:
     if not layer.is_sealed:
         return Seal.NOT_ASKED
-    if not has_seal(layer.notes):
+    if (is_sealed := totals.is_sealed_by(layer.notes)) is None:
         return Seal.MISSING
     system = layer.notes.get(SYSTEM, "")
     is_same = layer.wkt == system
     if layer.wkt and system and pieces:
         extent = extent_of([pieces[0].vertices])
         is_same = same_coordinates(layer.wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
-    return Seal.WHOLE if is_same and totals.is_sealed_by(layer.notes) else Seal.BROKEN
+    return Seal.WHOLE if is_same and is_sealed else Seal.BROKEN
 
 
 def _is_no_share(row: SeamRow, piece: DeliveredPiece) -> bool:
@@ -155,8 +155,9 @@ def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
     sample = _number(row.get("sample"))
     return DeliveredPiece(**{
         **values, "number": 0, "sheet": _text(row.get("sheet")) or sheet, "seam_id": _text(row.get("seam_id")),
-        "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible_kept(values["kept_1"]), "vertices": line,
-        "sample_number": None if sample is None else int(sample), "profile": profile_of(_text(row.get("profile"))),
+        "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible(values["kept_1"], MOST_KEPT),
+        "vertices": line, "sample_number": None if sample is None else int(sample),
+        "profile": profile_of(_text(row.get("profile"))),
         "has_detail": _text(row.get("state")) != PieceState.NO_DETAIL.value,
     })  # fmt: skip
 

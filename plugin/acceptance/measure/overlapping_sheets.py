@@ -2,14 +2,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Callable
 
 import numpy as np
 
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
-from ...imagery.raster_pool import RasterPool
-from ...imagery.rasters import Raster
+from ...imagery.open_raster import OpenRaster
+from ...imagery.raster_pool import KEPT_OPEN
+from ...imagery.rasters import Raster, RasterRef
 
 AT_ONCE = 1 << 22  # pixels that are read at once
 _LEAST_PX = 2.0  # of an overlap: what is narrower comes of outlines that are drawn on the ground, not on pixels
@@ -34,20 +36,20 @@ def overlapping_otherwise(rasters: Sequence[Raster], tell: Callable[[float], Non
     others: list[list[int]] = [[] for _ in rasters]
     edges = np.array([raster.extent for raster in rasters]).reshape(-1, 4)
     least = np.array([_LEAST_PX * raster.grid.pixel_width for raster in rasters])
-    with RasterPool() as pool:
-        for number, raster in enumerate(rasters):
-            tell(number / len(rasters))
-            left, bottom, right, top = edges[number]
-            width = np.minimum(edges[:, 2], right) - np.maximum(edges[:, 0], left)
-            height = np.minimum(edges[:, 3], top) - np.maximum(edges[:, 1], bottom)
-            for other in np.flatnonzero((width > least) & (height > least)).tolist():
-                if other > number and _differ(raster, rasters[other], pool):
-                    others[number].append(other)
-                    others[other].append(number)
+    opened = lru_cache(KEPT_OPEN)(OpenRaster)
+    for number, raster in enumerate(rasters):
+        tell(number / len(rasters))
+        left, bottom, right, top = edges[number]
+        width = np.minimum(edges[:, 2], right) - np.maximum(edges[:, 0], left)
+        height = np.minimum(edges[:, 3], top) - np.maximum(edges[:, 1], bottom)
+        for other in np.flatnonzero((width > least) & (height > least)).tolist():
+            if other > number and _differ(raster, rasters[other], opened):
+                others[number].append(other)
+                others[other].append(number)
     return others
 
 
-def _differ(raster: Raster, other: Raster, pool: RasterPool) -> bool:
+def _differ(raster: Raster, other: Raster, opened: Callable[[RasterRef], OpenRaster]) -> bool:
     """Whether two rasters show different things; not where one of them can't be read, which is told elsewhere."""
     grid, (left, bottom, right, top) = raster.grid, other.extent
     aside = [grid.column_at(left), grid.column_at(right) - other.columns]
@@ -58,7 +60,7 @@ def _differ(raster: Raster, other: Raster, pool: RasterPool) -> bool:
     shared = PixelWindow(columns, rows, other.columns, other.rows).cut_to(raster.columns, raster.rows)
     is_lossy = raster.is_lossy or other.is_lossy
     try:
-        first, second = pool.open(raster.ref), pool.open(other.ref)
+        first, second = opened(raster.ref), opened(other.ref)
 
         def has_any(window: PixelWindow) -> bool:
             return bool(first.stored_share(window) or second.stored_share(window.moved_by(-columns, -rows)))

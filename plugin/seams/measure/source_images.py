@@ -12,8 +12,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, RasterError, SettingsError
 from ...imagery.gdal_paths import readable_path
 from ...imagery.grids import Extent, extents_meet
-from ...imagery.open_raster import placed
-from ...imagery.raster_pool import RasterPool
+from ...imagery.open_raster import describe, placed
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import extent_on
 from . import messages
@@ -48,24 +47,23 @@ def gather_sources(
     notices: list[Message] = []
     taken: set[str] = set()
     mosaic_key = None if mosaic is None else _key(_in_parts(mosaic))
-    with RasterPool(most=1) as pool:
-        for candidate in candidates:
-            ref = _in_parts(candidate.ref if isinstance(candidate, Source) else candidate)
-            key = _key(ref)
-            if key == mosaic_key:
-                notices.append(messages.MOSAIC_AMONG_SOURCES(name=ref.name))
-            elif key not in taken:
-                taken.add(key)
-                try:
-                    if isinstance(candidate, Source):
-                        extent = candidate.extent
-                    else:
-                        raster = placed(pool.open(ref).raster)
-                        extent = extent_on(raster.extent, raster.wkt, wkt)
-                        notices += raster.notices
-                    kept.append(Source(ref, extent))
-                except RasterError as error:
-                    notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
+    for candidate in candidates:
+        ref = _in_parts(candidate.ref if isinstance(candidate, Source) else candidate)
+        key = _key(ref)
+        if key == mosaic_key:
+            notices.append(messages.MOSAIC_AMONG_SOURCES(name=ref.name))
+        elif key not in taken:
+            taken.add(key)
+            try:
+                if isinstance(candidate, Source):
+                    extent = candidate.extent
+                else:
+                    raster = placed(describe(ref))
+                    extent = extent_on(raster.extent, raster.wkt, wkt)
+                    notices += raster.notices
+                kept.append(Source(ref, extent))
+            except RasterError as error:
+                notices.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
     return kept, notices
 
 

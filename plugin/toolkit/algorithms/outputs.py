@@ -14,7 +14,6 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from osgeo import gdal
 from qgis.core import (
     NULL,
     QgsDataSourceUri,
@@ -39,15 +38,8 @@ from qgis.PyQt.QtCore import QUrl
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.file_identity import (
-    DataPlace,
-    check_can_be_written,
-    check_is_file,
-    check_outputs,
-    is_database,
-    opened_checked,
-)
-from ...imagery.gdal_paths import path_from
+from ...imagery.file_identity import DataPlace, check_can_be_written, check_is_file, check_outputs, is_database
+from ...imagery.gdal_paths import FEATURES, open_dataset, path_from
 from .. import messages
 from . import parameters as common
 
@@ -220,7 +212,7 @@ def _queried(source: str, context: QgsProcessingContext, queries: frozenset[str]
 
 def _table(parts: dict[str, Any]) -> str:
     """The table of a database that an address names, else its first; empty when there is none."""
-    dataset = None if parts.get("layerName") else opened_checked(parts["path"], gdal.OF_VECTOR)
+    dataset = None if parts.get("layerName") else open_dataset(parts["path"], FEATURES)
     layer = dataset.GetLayer(parts.get("layerId") or 0) if dataset is not None else None
     return str(layer.GetName() if layer is not None else parts.get("layerName") or "")
 

@@ -9,7 +9,7 @@ from osgeo import osr
 from seam_inspector.plugin.acceptance.measure.delivered_rows import ScannedLayer, make_delivery, read_layers
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, Seal
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.seam_totals import SYSTEM, sealed_notes
+from seam_inspector.plugin.imagery.seam_totals import SYSTEM, RowTotals
 
 Rows = list[tuple[dict[str, object], np.ndarray]]
 STATES = "passed", "failed", "passed"
@@ -30,7 +30,7 @@ def read(held: Rows, notes: Mapping[str, str], wkt: str = "") -> DeliveredLayer:
 
 
 def sealed(**notes: str) -> dict[str, str]:
-    return sealed_notes(notes, rows())
+    return RowTotals(rows()).sealed(notes)
 
 
 def test_in_any_order() -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from qgis.core import NULL, QgsGeometry, QgsVectorLayer
-from seam_inspector.plugin.imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, sealed_notes
+from seam_inspector.plugin.imagery.seam_totals import SYSTEM, TOTALS_DOMAIN, RowTotals
 from seam_inspector.plugin.toolkit.layers import layer_notes, system_wkt, write_layer_notes
 
 from tests.qgis.runs import Run, run
@@ -51,7 +51,7 @@ def sealed(made: QgsVectorLayer, **notes: str) -> QgsVectorLayer:
          np.array([(point.x(), point.y()) for point in line.vertices()], float).reshape(-1, 2))
         for fields, line in held
     ]  # fmt: skip
-    write_layer_notes(made, TOTALS_DOMAIN, sealed_notes({SYSTEM: system_wkt(made.crs()), **notes}, rows))
+    write_layer_notes(made, TOTALS_DOMAIN, RowTotals(rows).sealed({SYSTEM: system_wkt(made.crs()), **notes}))
     return made
 
 

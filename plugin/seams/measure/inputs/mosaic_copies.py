@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import lru_cache
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -20,7 +21,8 @@ from ....imagery.clips import read_clip
 from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_paths import vrt_parts
 from ....imagery.grids import Extent, PixelWindow
-from ....imagery.raster_pool import RasterPool
+from ....imagery.open_raster import OpenRaster
+from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
 from ..following.boxes import in_squares
 from ..source_images import Footprints, Source, is_same_file
@@ -90,22 +92,21 @@ def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
     copies = [n for n in on_mosaic if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])]
     candidates = [n for n in on_mosaic if n not in copies]
     if candidates:
-        with RasterPool() as pool:
-            comparison = _Comparison(mosaic, sources, pool)
-            for n in filter(comparison.is_alike, candidates):
-                is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
-                if is_whole and is_shown:
-                    likeness[n] = Likeness.COPY
-                elif is_whole or is_shown:
-                    likeness[n] = Likeness.EQUAL if comparison.is_alike(n, ROUNDING) else Likeness.LIKE
-            others = {n for n in range(len(sources)) if n not in copies and likeness[n] is not Likeness.COPY}
-            while soft := [
-                (sharpness, n) for n in candidates if n in others
-                and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
-            ]:
-                softest = min(soft)[1]
-                others.remove(softest)  # which does not explain what it was made of
-                likeness[softest] = Likeness.OF_OTHERS
+        comparison = _Comparison(mosaic, sources)
+        for n in filter(comparison.is_alike, candidates):
+            is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
+            if is_whole and is_shown:
+                likeness[n] = Likeness.COPY
+            elif is_whole or is_shown:
+                likeness[n] = Likeness.EQUAL if comparison.is_alike(n, ROUNDING) else Likeness.LIKE
+        others = {n for n in range(len(sources)) if n not in copies and likeness[n] is not Likeness.COPY}
+        while soft := [
+            (sharpness, n) for n in candidates if n in others
+            and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
+        ]:
+            softest = min(soft)[1]
+            others.remove(softest)  # which does not explain what it was made of
+            likeness[softest] = Likeness.OF_OTHERS
     for n in copies:
         likeness[n] = Likeness.COPY
     return likeness
@@ -171,8 +172,8 @@ def _lacking(mosaic: _Patch, source: _Patch) -> float:
 class _Comparison:
     """A mosaic and what its sources lack of it, in the one of every two patches that has more detail."""
 
-    def __init__(self, mosaic: Raster, sources: Sequence[Source], pool: RasterPool) -> None:
-        self._mosaic, self._sources, self._pool = mosaic, sources, pool
+    def __init__(self, mosaic: Raster, sources: Sequence[Source]) -> None:
+        self._mosaic, self._sources, self._opened = mosaic, sources, lru_cache(KEPT_OPEN)(OpenRaster)
         self._known: dict[tuple[int, int], tuple[float, float]] = {}
         self._patches: dict[tuple[int, int], _Patch | None] = {}
         patches = []
@@ -264,14 +265,14 @@ class _Comparison:
             return np.nan, 1.0
         source, patch = self._patch(number, k), self._places[k][1]
         if source is not None and (number, k) not in self._known:
-            size = self._pool.open(self._sources[number].ref).raster.ground_sample_distance
+            size = self._opened(self._sources[number].ref).raster.ground_sample_distance
             side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
             lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
             self._known[number, k] = lacking, float((patch.valid & ~source.valid).mean())
         return self._known.get((number, k), (np.nan, 1.0))
 
     def _read(self, ref: RasterRef, window: PixelWindow) -> _Patch:
-        clip = read_clip(self._pool.open(ref), self._mosaic, window, partly=True)
+        clip = read_clip(self._opened(ref), self._mosaic, window, partly=True)
         valid = np.ones(clip.bands.shape[1:], bool) if clip.valid is None else clip.valid
         return _Patch(clip.bands[0].astype(np.float64), valid)
 

@@ -4,8 +4,9 @@ Taken one by one, the mosaic would follow now this part and now that one where t
 """
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import combinations, product
 
 import numpy as np
@@ -17,8 +18,7 @@ from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_paths import is_remote
 from ....imagery.grids import PixelWindow, extents_meet
 from ....imagery.open_raster import OpenRaster, placed
-from ....imagery.raster_pool import RasterPool
-from ....imagery.rasters import Raster
+from ....imagery.rasters import Raster, RasterRef
 from ..source_images import Footprints, Source
 from . import messages
 
@@ -35,20 +35,20 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
     Those on the mosaic whose footprints meet are compared at some places. Parts that come over the network are left as
     they are, as each had to be asked for.
     """
-    with RasterPool(_OPEN) as pool:
-        rasters = {number: raster for number, source in enumerate(sources) if (raster := _part(mosaic, source, pool))}
-        footprints, numbers = Footprints(sources[number] for number in rasters), list(rasters)
-        meeting = ((n, numbers[k]) for n in numbers for k in footprints.meeting(sources[n].extent) if numbers[k] > n)
+    opened = lru_cache(_OPEN)(OpenRaster)
+    rasters = {number: raster for number, source in enumerate(sources) if (raster := _part(mosaic, source, opened))}
+    footprints, numbers = Footprints(sources[number] for number in rasters), list(rasters)
+    meeting = ((n, numbers[k]) for n in numbers for k in footprints.meeting(sources[n].extent) if numbers[k] > n)
 
-        def show_same(first: int, second: int) -> bool:
-            try:
-                return _show_same(pool.open(sources[first].ref), pool.open(sources[second].ref))
-            except RasterError:
-                return False  # the scan says so where it needs it
+    def show_same(first: int, second: int) -> bool:
+        try:
+            return _show_same(opened(sources[first].ref), opened(sources[second].ref))
+        except RasterError:
+            return False  # the scan says so where it needs it
 
-        whole = _joined(sources, (
-            pair for pair in meeting if have_same_grid(*(rasters[number] for number in pair)) and show_same(*pair)
-        ))
+    whole = _joined(sources, (
+        pair for pair in meeting if have_same_grid(*(rasters[number] for number in pair)) and show_same(*pair)
+    ))
     return whole, images_in_parts(whole)
 
 
@@ -80,12 +80,12 @@ def images_in_parts(sources: Iterable[Source]) -> list[Message]:
     return [messages.ONE_IMAGE_IN_PARTS(name=ref.name, count=len(ref.parts)) for ref in refs]
 
 
-def _part(mosaic: Raster, source: Source, pool: RasterPool) -> Raster | None:
+def _part(mosaic: Raster, source: Source, opened: Callable[[RasterRef], OpenRaster]) -> Raster | None:
     """What a source is if it may be a part of an image on the mosaic."""
     if is_remote(source.ref.path) or not extents_meet(source.extent, mosaic.extent):
         return None
     try:
-        raster = placed(pool.open(source.ref).raster)
+        raster = placed(opened(source.ref).raster)
     except RasterError:
         return None
     return raster if raster.is_north_up else None

@@ -10,7 +10,7 @@ import numpy as np
 
 from ....imagery.errors import SettingsError
 from ....imagery.lines import as_xy, is_line, line_points, read_geometry, simple_parts, vertex_stations
-from ....imagery.seam_totals import STRETCH, PieceState, possible_kept
+from ....imagery.seam_totals import MOST_KEPT, STRETCH, PieceState, possible
 from ..judgement.verdicts import Verdict
 from ..limits import ALL, FAILED, MENDED_SEAMS, REDUCED
 from ..seamlines.seam_features import SeamFeature
@@ -79,7 +79,7 @@ def given_pieces(
         wanted = row["state"] == PieceState.FAILED.value or row["verdict"] in lost
         piece = SeamPiece(int(seam_id), station, length, points, left, right)
         wide = max(width or 0.0 for width in widths)
-        run = SeamRun(piece, possible_kept(kept), wanted and is_near(points), wide)
+        run = SeamRun(piece, possible(kept, MOST_KEPT), wanted and is_near(points), wide)
         is_ring = len(points) > 3 and (points[0] == points[-1]).all()  # which is cut in two halves
         runs += [part_of(run, 0, length / 2), part_of(run, length / 2, length)] if is_ring else [run]
     if not runs:

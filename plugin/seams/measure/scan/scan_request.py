@@ -13,7 +13,6 @@ from ....imagery.errors import Message, RasterError, SeamsElsewhereError, Settin
 from ....imagery.grids import PixelWindow
 from ....imagery.lines import points_at, vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
-from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey
@@ -205,14 +204,13 @@ def _check_readable(mosaic: Raster, sources: Iterable[RasterRef]) -> None:
 def _why_unreadable(refs: Iterable[RasterRef]) -> Message | None:
     """Why the first of some rasters can't be read where none of them can."""
     why: Message | None = None
-    with RasterPool(most=1) as pool:
-        for ref in refs:
-            try:
-                check_readable(pool.open(ref))
-            except RasterError as error:
-                why = why or error.message
-            else:
-                return None
+    for ref in refs:
+        try:
+            check_readable(OpenRaster(ref))
+        except RasterError as error:
+            why = why or error.message
+        else:
+            return None
     return why
 
 
@@ -302,8 +300,7 @@ def scan_request(
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
     _check_readable(mosaic, meeting)
     if given is not None and given.seams:
-        with RasterPool(most=1) as pool:
-            seams = parting_seams(given, request.named[0], pool.open(mosaic.ref))
+        seams = parting_seams(given, request.named[0], OpenRaster(mosaic.ref))
         request = replace(request, given=replace(given, seams=seams))
     seams_m = sum(piece.length_m for piece in request.pieces)
     if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * seams_m:

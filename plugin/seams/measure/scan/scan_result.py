@@ -17,7 +17,7 @@ from ....imagery.lines import line_wkt, points_at, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import GEOMETRY, Column, Row, TableRows, kinds_of, rows_of
-from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, piece_state, sealed_notes
+from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, SYSTEM, PieceState, RowTotals, piece_state
 from .. import messages
 from ..following.likely_source import MIN_FIT
 from ..following.unexplained import MIN_TEXTURE
@@ -334,7 +334,7 @@ def seam_notes(result: ScanResult) -> dict[str, str]:
     """What stands beside the rows of SEAMS: how and of what they were measured, their totals, and the seal."""
     notes = {"version": plugin_version(), **result.told}
     lines = (feature.piece.vertices for feature in result.features)
-    return sealed_notes(notes, zip(_field_rows(result.features), lines))
+    return RowTotals(zip(_field_rows(result.features), lines)).sealed(notes)
 
 
 def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:

@@ -98,17 +98,9 @@ class _Network:
         names, owner = np.unique(owners, return_inverse=True)
         ends, ring = seamlines.line_pieces(rings)
         shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = seamlines.network(ends, seamlines.SNAP_PX)
-        of_edge = owner[ring[piece]]
-        pairs, pair = seamlines.undirected(edges, len(nodes))
-        forward = edges[:, 0] < edges[:, 1]
+        nodes, pairs, low, high = seamlines.borders(ends, owner[ring])
         # Two owners on one side overlap there: the line is inside one of them, and no border.
-        low = np.full((2, len(pairs)), len(names))
-        high = np.full((2, len(pairs)), -1)
-        for side, chosen in enumerate((forward, ~forward)):
-            np.minimum.at(low[side], pair[chosen], of_edge[chosen])
-            np.maximum.at(high[side], pair[chosen], of_edge[chosen])
-        border = (high >= 0).all(axis=0) & (low == high).all(axis=0) & (low[0] != low[1])
+        border = (low == high).all(axis=0) & (low[0] != low[1])
         self._parts.append((nodes + shift, pairs[border], low[:, border].T, [str(name) for name in names]))
 
     def add_lines(self, lines: Sequence[np.ndarray], sides: Sequence[tuple[str, str]]) -> None:
