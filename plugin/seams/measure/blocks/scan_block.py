@@ -65,6 +65,11 @@ class BlockRequest:
     """(SQUARES + 2, SQUARES + 2) uint8: what they found followed in its squares and in those around it, else
     ``UNKNOWN``; None: any source may be."""
 
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Paths of the sources."""
+        return tuple(source.ref.path for source in self.sources)
+
 
 @dataclass(frozen=True, eq=False)
 class BlockScan:
@@ -194,7 +199,7 @@ def _pixels(request: BlockRequest, window: PixelWindow, margin_px: int | None) -
 
 def called_for(
     source: np.ndarray, unknown: int = UNKNOWN, midway: tuple[np.ndarray, np.ndarray] | None = None,
-    pairs: Sequence[int] | None = None,
+    pairs: range | None = None,
 ) -> np.ndarray:
     """Units between squares that follow different sources, bool; ``source``: (rows, columns) of squares.
 
@@ -364,7 +369,7 @@ class _Block:
         table = CellTable.joined([CellTable.empty(levels), *self._tables])
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
-            request.key, tuple(source.ref.path for source in request.sources), self._squares, self._dense, self._wanted,
+            request.key, request.paths, self._squares, self._dense, self._wanted,
             self._labels,
             self._mixture, self._grey, self._grain, table, beside, self._ground(),
             self._learned, notices,

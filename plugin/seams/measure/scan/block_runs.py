@@ -40,11 +40,8 @@ _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
 Request = Any
 """Has the ``key`` of its block."""
 Scan = Any
-"""Has the ``key`` of its block, its ``reading``, and ``notices``: what could not be read, which the block lacks."""
-
-
-def _always(_scan: Scan, _request: Request) -> bool:
-    return True
+"""Has the ``key`` of its block, the paths of its ``sources``, its ``reading``, and ``notices``: what could not be read,
+which the block lacks."""
 
 
 @dataclass(frozen=True)
@@ -59,8 +56,6 @@ class BlockLook:
     record_of: Callable[[Scan], bytes]
     scan_of: Callable[[bytes], Scan]
     """Raises NotUnderstoodError for what no scan of ours has written."""
-    is_of: Callable[[Scan, Request], bool] = _always
-    """Whether what an earlier run has kept of a block is what is asked for."""
     brief: Callable[[Scan], Any] = attrgetter("key")
     """What has to be known of it to hand out more blocks."""
 
@@ -141,7 +136,7 @@ def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan 
         if record is None:
             return None
         scan = look.scan_of(record)
-        if scan.key == request.key and look.is_of(scan, request):
+        if scan.key == request.key and scan.sources == request.paths:
             return scan
     except (NotUnderstoodError, OSError):
         pass  # damaged: it is measured again
@@ -253,46 +248,38 @@ class BlockRun:
         self._request, self._journal = request, journal
         blocks = request.blocks
         self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NOTHING, np.int32)
-        self._wanted: dict[BlockKey, bytes] = {}
+        self._wanted = np.zeros((blocks.rows * UNITS, blocks.columns * UNITS), bool)
         self._known: dict[int, dict[BlockKey, tuple[float, np.ndarray]]] = {}
         """The share that a source leaves over, and its filter, in each block that tells what came over it."""
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """First the patches of every block; then its seams, by what all blocks tell of their sources."""
-        blocks = JournaledBlocks(self._journal, workers)
-        for step in blocks.steps(FIRST_LOOK, self._request.keys(), self._request.block):
-            look, (rows, columns) = step.brief, place_of(step.key, SQUARES)
-            numbers = global_numbers(look.sources, self._request.numbers)
-            self._squares[1:-1, 1:-1][rows, columns] = numbers[look.squares]
-            self._wanted[step.key] = look.wanted
-            if (learned := look.learned) is not None:
+        blocks, keys, squares = JournaledBlocks(self._journal, workers), self._request.keys(), self._squares[1:-1, 1:-1]
+        for step in blocks.steps(FIRST_LOOK, keys, self._request.block):
+            sources, followed, wanted, learned = step.brief
+            numbers = global_numbers(sources, self._request.numbers)
+            squares[place_of(step.key, SQUARES)] = numbers[followed]
+            self._wanted[place_of(step.key, UNITS)] = wanted
+            if learned is not None:
                 for place, taps in learned.taps.items():
                     self._known.setdefault(int(numbers[place]), {})[step.key] = learned.left_over[place], taps
             yield step
         if not workers.cancelled():
-            second = [key for key in self._wanted if self._called_for(key).any()]
+            # And at the borders of blocks what only neighbours together show.
+            self._wanted |= called_for(squares, NOTHING, pairs=range(SQUARES - 1, max(squares.shape), SQUARES))
+            second = [key for key in keys if self._wanted[place_of(key, UNITS)].any()]
             yield from blocks.steps(SECOND_LOOK, second, self._looked_at_again)
 
-    def _around(self, key: BlockKey) -> np.ndarray:
-        """(SQUARES + 2, SQUARES + 2): what the squares of a block follow, and those around it."""
-        rows, columns = place_of(key, SQUARES)
-        return self._squares[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
-
-    def _called_for(self, key: BlockKey) -> np.ndarray:
-        """(UNITS, UNITS) bool: what a block calls for itself, and at its borders what only neighbours together show."""
-        side = UNITS // SQUARES
-        across = called_for(self._around(key), NOTHING, pairs=(0, SQUARES))[side:-side, side:-side]
-        return across | (np.unpackbits(np.frombuffer(self._wanted[key], np.uint8)).reshape(UNITS, UNITS) > 0)
-
     def _looked_at_again(self, key: BlockKey) -> BlockRequest:
-        request, around = self._request.block(key), self._around(key)
-        followed = np.full(around.shape, UNKNOWN, np.uint8)
-        numbers = [self._request.numbers[source.ref.path] for source in request.sources]
-        for place, number in enumerate(numbers):
+        request, (rows, columns) = self._request.block(key), place_of(key, SQUARES)
+        around = self._squares[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
+        followed, taps = np.full(around.shape, UNKNOWN, np.uint8), {}
+        for place, path in enumerate(request.paths):
+            number = self._request.numbers[path]
             followed[around == number] = place
-        known = ((place, self._taps(key, number)) for place, number in enumerate(numbers))
-        taps = {place: taps for place, taps in known if taps is not None}
-        return replace(request, wanted=self._called_for(key), taps=taps, followed=followed)
+            if (nearest := self._taps(key, number)) is not None:
+                taps[place] = nearest
+        return replace(request, wanted=self._wanted[place_of(key, UNITS)], taps=taps, followed=followed)
 
     def _taps(self, key: BlockKey, number: int) -> np.ndarray | None:
         """The filter of a source near a block: of the nearest one that explains its ground about as well as any does,
@@ -305,28 +292,8 @@ class BlockRun:
         return known[min(good, key=lambda block: (math.dist(key, block), block))][1]
 
 
-def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
-    return scan.sources == tuple(source.ref.path for source in request.sources)
-
-
-@dataclass(frozen=True, eq=False)
-class _SeenBlock:
-    """What has to be known of a block to measure its seams and those of its neighbours."""
-
-    sources: tuple[str, ...]
-    squares: np.ndarray
-    """(SQUARES, SQUARES) uint8: which of the sources squares follow."""
-    wanted: bytes
-    """Units that are to be measured, eight a byte."""
-    learned: Learned | None
-
-    @classmethod
-    def of(cls, scan: BlockScan) -> _SeenBlock:
-        return cls(scan.sources, scan.squares, np.packbits(scan.wanted).tobytes(), scan.learned)
-
-
-SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources)
-FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=_SeenBlock.of)
+SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of)
+FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=attrgetter("sources", "squares", "wanted", "learned"))
 
 
 def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:

@@ -9,6 +9,7 @@ import json
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
+from dataclasses import replace
 from functools import partial
 from typing import Any, Callable
 
@@ -27,7 +28,6 @@ from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, Bloc
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
-from ..profile.seam_sums import StripProfile
 from ..seamlines.label_borders import LabelTile, SourceBorder
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
@@ -38,14 +38,12 @@ from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .piece_sums import (
     REACH_PX,
     BlockOutputs,
-    MeasuredPieces,
     OutputsRequest,
     PiecesRequest,
     around_pieces,
     block_outputs,
     by_blocks,
     measure_pieces,
-    visibilities,
 )
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
@@ -141,16 +139,19 @@ class Gathering:
     ) -> tuple[tuple[JudgedPiece, ...], dict[str, str], list[Message]]:
         """The pieces of seam with their verdicts, and what there is to tell of those that may be none."""
         request = self._request
-        measured, unchanged = self._measured(pieces, crew)
-        judged = tuple(
-            judge_piece(figures, (self._name(figures.piece.left), self._name(figures.piece.right)),
-                        request.mosaic.ground_sample_distance)
-            for figures in measured
-        )
+        measured, brightest = self._measured(pieces, crew)
+        white = white_grey(request.mosaic, brightest)
+        judged = []
+        for figures in measured:
+            sides = [self._name(side) for side in (figures.piece.left, figures.piece.right)]
+            judged.append(judge_piece(figures, sides, request.mosaic.ground_sample_distance, white))
         if not request.given:
-            return judged, {"seams": "found"}, []
+            return tuple(judged), {"seams": "found"}, []
         # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
-        alike = {number for number in unchanged if judged[number].state is PieceState.NOT_MEASURED}
+        alike = {
+            number for number, figures in enumerate(measured)
+            if figures.is_unchanged and judged[number].state is PieceState.NOT_MEASURED
+        }
         named = {number for number in alike if pieces[number].left or pieces[number].right}
         counted = {number for number in named if request.counts(pieces[number])}
         notes = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in counted]):.1f}"}
@@ -207,28 +208,20 @@ class Gathering:
         meeting = self._request.footprints.meeting(self._request.mosaic.grid.window_extent(window))
         return {self._request.sources[number].ref.path: number for number in meeting}
 
-    def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], list[int]]:
-        """Pieces with what lies beside them, and which of them have one source on both sides."""
+    def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], float]:
+        """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
         index = PieceIndex(pieces, self._blocks.grid)
         groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
-        whole, brightest = list(pieces), 0.0
-        unchanged: list[int] = []
-        strips: list[StripProfile] = [NOTHING] * len(pieces)
-        profiles = [""] * len(pieces)
-        grey, grain = np.full((2, len(pieces)), np.nan)
         requests = (self._pieces(pieces, index, numbers) for numbers in groups)
-        measured: Iterator[MeasuredPieces] = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
-        for group in measured:
-            grey[group.numbers], grain[group.numbers] = group.grey, group.grain
-            brightest = max(brightest, group.brightest)
-            for place, number in enumerate(group.numbers.tolist()):
-                strips[number], profiles[number] = group.strips[place], group.profiles[place]
-                if group.beside is not None:
-                    whole[number] = sided(pieces[number], group.beside[place].tolist(), self._request.named[0])
-            unchanged += group.numbers[group.unchanged].tolist()
-        white = white_grey(self._request.mosaic, brightest)
-        grains = [None if np.isnan(grain_dn) else grain_dn / white for grain_dn in grain.tolist()]
-        return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains, profiles)), unchanged
+        of_piece, brightest = dict[int, PieceFigures](), 0.0
+        measured = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
+        for numbers, (group, brightest_of_group) in zip(groups, measured):
+            brightest = max(brightest, brightest_of_group)
+            for number, figures in zip(numbers.tolist(), group):
+                if figures.beside is not None:
+                    figures = replace(figures, piece=sided(figures.piece, figures.beside, self._request.named[0]))
+                of_piece[number] = figures
+        return [of_piece[number] for number in range(len(pieces))], brightest
 
     def _pieces(self, pieces: Sequence[SeamPiece], index: PieceIndex, numbers: np.ndarray) -> PiecesRequest:
         own_pieces = [pieces[number] for number in numbers.tolist()]
@@ -260,10 +253,6 @@ def _notices(ground: FollowedGround) -> Iterator[Message]:
         yield messages.BORDERS_WITHOUT_SEAM(
             metres=sum(border.metres for border in ground.unseen), longest=place.metres, x=place.x, y=place.y
         )
-
-
-NOTHING = StripProfile(None, 0.0, 0.0, 0.0)
-"""Profile of a piece that no cell is near to."""
 
 
 class _Crew:

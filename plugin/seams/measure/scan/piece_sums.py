@@ -22,7 +22,6 @@ from ....imagery.seam_totals import KeptBeside, profile_text
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey
 from ..blocks.scan_block import CELLS, NOT_LOOKED
-from ..judgement.visibility import visibility
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround, grounds
@@ -35,6 +34,7 @@ from ..while_measuring import measuring
 from .block_runs import NOTHING, block_labels, global_numbers, whole_block
 from .loss_raster import NODATA, loss_cells
 from .scan_journal import not_saved
+from .scan_result import PieceFigures
 
 REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""
@@ -165,30 +165,10 @@ class PiecesRequest:
     """Whether it is asked which sources lie beside them."""
 
 
-@dataclass(frozen=True, eq=False)
-class MeasuredPieces:
-    """What comes back, an entry for each piece."""
-
-    numbers: np.ndarray
-    strips: Sequence[StripProfile]
-    """Without the bins of their profiles."""
-    profiles: Sequence[str]
-    """What is kept of the finest detail by distance from each, as ``profile_text`` writes it; empty for nothing."""
-    grey: np.ndarray
-    """(pieces,) mean of the mosaic in the strip, NaN where it is not known."""
-    brightest: float
-    """Cell of any strip."""
-    grain: np.ndarray
-    """(pieces,) largest rms of the finest detail of its sources, DN; NaN where nothing was measured densely."""
-    beside: np.ndarray | None
-    """(pieces, 2) as in ``sources_beside``; None where it was not asked for."""
-    unchanged: np.ndarray
-    """(pieces,) bool: those along which the mosaic shows one source on both sides, as far as a line may lie aside."""
-
-
 @measuring()
-def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
-    """Some pieces by the blocks around them. Raises SettingsError where what was measured can't be read any more."""
+def measure_pieces(request: PiecesRequest) -> tuple[list[PieceFigures], float]:
+    """Some pieces by the blocks around them, their profiles without bins; and the brightest cell of any strip. Raises
+    SettingsError where what was measured can't be read any more."""
     grid, files = request.blocks.grid, request.files
     around = around_pieces(request.pieces, grid, REACH_PX)
     rows, columns = (
@@ -208,16 +188,23 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
-    strips = without_even(sums.profiles(), grain, grey)
-    profiles = [_profile_text(strip.profile, grid.ground_sample_distance) for strip in strips]
-    strips = [replace(strip, profile=strip.profile and replace(strip.profile, bins=())) for strip in strips]
-    labels = partial(_labels_at, request) if request.looks_beside else None
-    beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
-    unchanged = np.zeros(len(request.pieces), bool)
-    if labels is not None and beside is not None:
+    figures = []
+    for piece, strip, *mean_and_grain in zip(
+        request.pieces, without_even(sums.profiles(), grain, grey), grey.tolist(), grain.tolist()
+    ):
+        text = _profile_text(strip.profile, grid.ground_sample_distance)
+        strip = replace(strip, profile=strip.profile and replace(strip.profile, bins=()))
+        figures.append(PieceFigures(piece, strip, *mean_and_grain, text))
+    if request.looks_beside:
+        labels = partial(_labels_at, request)
+        beside = sources_beside(request.pieces, labels, grid, LABEL_PX)
         aside = sources_beside(request.pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
         unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
-    return MeasuredPieces(request.numbers, strips, profiles, grey, brightest, grain, beside, unchanged)
+        figures = [
+            replace(piece, beside=tuple(sides), is_unchanged=is_unchanged)
+            for piece, sides, is_unchanged in zip(figures, beside.tolist(), unchanged.tolist())
+        ]
+    return figures, brightest
 
 
 def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
@@ -232,18 +219,9 @@ def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
 
 def without_even(strips: Sequence[StripProfile], grain: np.ndarray, grey: np.ndarray) -> list[StripProfile]:
     """Pieces along even ground without a profile: what little detail is there reaches in from beside, and its ratios
-    are those of rounding. ``grain``, ``grey``: as ``MeasuredPieces`` has them."""
+    are those of rounding. ``grain``, ``grey``: (pieces,) as ``PieceFigures`` has them."""
     is_even = grain <= ROUNDING * np.abs(grey)  # never where that is not known
     return [replace(strip, profile=None) if even else strip for strip, even in zip(strips, is_even.tolist())]
-
-
-def visibilities(strips: Sequence[StripProfile], grey: np.ndarray, white: float) -> list[float | None]:
-    """Visibility of the losses of pieces, in just noticeable differences at 2x. ``grey``: as ``MeasuredPieces`` has it;
-    ``white``: what is white on a screen."""
-    return [
-        visibility(strip.profile.kept, strip.profile.energy, mean, white) if strip.profile else None
-        for strip, mean in zip(strips, grey.tolist())
-    ]
 
 
 def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
