@@ -60,6 +60,14 @@ def place_of(key: BlockKey, side: int) -> tuple[slice, slice]:
     return slice(row * side, (row + 1) * side), slice(column * side, (column + 1) * side)
 
 
+def squares_met(window: PixelWindow, side_px: int) -> tuple[slice, slice]:
+    """Rows and columns of the squares that a window meets, counted from the corner of its grid."""
+    return (
+        slice(window.row // side_px, -(-(window.row + window.height) // side_px)),
+        slice(window.column // side_px, -(-(window.column + window.width) // side_px)),
+    )
+
+
 MARGIN_PX = 16
 """Around a rectangle: what labels and the finest details need to know beyond it."""
 _MOST_UNITS = 2560  # of a rectangle, 2.6 million px: beyond that it only takes memory

@@ -63,8 +63,6 @@ class SquareLook:
     """uint8: number of the source that is followed, ``UNKNOWN`` where none explains it or there are no pixels."""
     doubtful: np.ndarray
     """bool: where a patch shows more than one source, or none for sure."""
-    empty: np.ndarray
-    """bool: where the mosaic has no pixels at all."""
     cells: CellTable
     """One cell of each patch that follows one source for sure, finest level only."""
     learned: Learned | None = None
@@ -86,13 +84,13 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         empty = ~with_patch & ~has_any
     if not planes.sources or empty.all():
         nothing = np.full(shape, UNKNOWN, np.uint8)
-        return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
+        return SquareLook(nothing, np.zeros(shape, bool), CellTable.empty(levels))
     fine = high_pass(planes.mosaic)
     fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
     patches = _patches(fine, fines, planes, with_patch, empty)
     if not patches.sampled.any():
         nothing = CellTable.empty(levels)
-        return SquareLook(patches.source, patches.doubtful, empty, nothing, plain=_is_plain(fine, shape))
+        return SquareLook(patches.source, patches.doubtful, nothing, plain=_is_plain(fine, shape))
 
     def cells_of(patches: _Patches) -> tuple[CellTable, Learned]:
         return _cells(planes, patches.sampled_source, (rows, columns), wavelet, levels)
@@ -115,7 +113,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         patches = patches.without(strangers)
         cells, learned = cells_of(patches)
     learned = Learned({**supposed, **learned.taps}, {**dict.fromkeys(supposed, 1.0), **learned.left_over})
-    return SquareLook(patches.source, patches.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
+    return SquareLook(patches.source, patches.doubtful, cells, learned, plain=_is_plain(fine, shape))
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,7 +18,18 @@ from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
 from ..source_images import Source
 from ..while_measuring import measuring
-from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
+from .block_grid import (
+    BLOCK_PX,
+    LABEL_PX,
+    LABELS,
+    SQUARE_PX,
+    SQUARES,
+    UNIT_PX,
+    UNITS,
+    BlockKey,
+    rectangles,
+    squares_met,
+)
 from .block_parts import BLOCK_MARGIN_PX, DensePart, PartRequest, measure_part, measure_plain
 from .block_pixels import BlockPixels
 from .mosaic_reading import ALL_READ, BlockReading
@@ -64,11 +75,8 @@ class BlockRequest:
     followed: np.ndarray | None = None
     """(SQUARES + 2, SQUARES + 2) uint8: what they found followed in its squares and in those around it, else
     ``UNKNOWN``; None: any source may be."""
-
-    @property
-    def paths(self) -> tuple[str, ...]:
-        """Paths of the sources."""
-        return tuple(source.ref.path for source in self.sources)
+    numbers: tuple[int, ...] = ()
+    """What its sources are numbered in the whole scan."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +84,8 @@ class BlockScan:
     """What was measured in one block."""
 
     key: BlockKey
-    sources: tuple[str, ...]
-    """Paths of the sources that its numbers mean."""
+    sources: tuple[int, ...]
+    """Numbers in the whole scan of the sources that its own mean."""
     squares: np.ndarray
     """(SQUARES, SQUARES) uint8: number of the source that the patch of each square follows, or ``UNKNOWN``."""
     dense: np.ndarray
@@ -238,11 +246,9 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     everyone, sides, decomposition = pixels.numbers, request.sides, (request.settings.wavelet, request.settings.levels)
     around = set(everyone)
     if request.followed is not None:
-        rows, columns = (
-            slice(first // SQUARE_PX, -(-(first + length) // SQUARE_PX) + 2)
-            for first, length in ((window.row, window.height), (window.column, window.width))
-        )
-        around = set(np.unique(request.followed[rows, columns]).tolist())
+        rows, columns = squares_met(window, SQUARE_PX)  # and those around them, as the array begins a square before
+        nearby = request.followed[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
+        around = set(np.unique(nearby).tolist())
     named = sides.named_near(placed) if sides is not None else set()
     likely = tuple(i for i in everyone if i in named | around)
     if len(likely) > 1:
@@ -369,7 +375,7 @@ class _Block:
         table = CellTable.joined([CellTable.empty(levels), *self._tables])
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
-            request.key, request.paths, self._squares, self._dense, self._wanted,
+            request.key, request.numbers, self._squares, self._dense, self._wanted,
             self._labels,
             self._mixture, self._grey, self._grain, table, beside, self._ground(),
             self._learned, notices,

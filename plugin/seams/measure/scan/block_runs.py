@@ -40,8 +40,8 @@ _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
 Request = Any
 """Has the ``key`` of its block."""
 Scan = Any
-"""Has the ``key`` of its block, the paths of its ``sources``, its ``reading``, and ``notices``: what could not be read,
-which the block lacks."""
+"""Has the ``key`` of its block, the numbers of its ``sources``, its ``reading``, and ``notices``: what could not be
+read, which the block lacks."""
 
 
 @dataclass(frozen=True)
@@ -136,7 +136,7 @@ def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan 
         if record is None:
             return None
         scan = look.scan_of(record)
-        if scan.key == request.key and scan.sources == request.paths:
+        if scan.key == request.key and scan.sources == request.numbers:
             return scan
     except (NotUnderstoodError, OSError):
         pass  # damaged: it is measured again
@@ -200,7 +200,7 @@ def record_of(scan: BlockScan) -> bytes:
     for table, names in _TABLES.items():
         arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
-    arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
+    arrays["sources"] = np.array(scan.sources, np.int32)
     learned = scan.learned or Learned({}, {})
     of = sorted(learned.taps)
     taps = np.array([learned.taps[number] for number in of], np.float32)
@@ -221,7 +221,8 @@ def scan_of(record: bytes) -> BlockScan:
         if any(column.shape[-1] != len(table.row) for table in (cells, beside) for column in vars(table).values()):
             raise NotUnderstoodError("a table with holes")
         arrays = {name: held[name] for name in _ARRAYS}
-        return BlockScan((row, column), _names(held), **arrays, cells=cells, beside=beside, learned=_learned(held))
+        sources, learned = tuple(held["sources"].tolist()), _learned(held)
+        return BlockScan((row, column), sources, **arrays, cells=cells, beside=beside, learned=learned)
 
 
 def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
@@ -230,11 +231,6 @@ def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
         raise NotUnderstoodError("filters of another kind")
     numbers = of.tolist()
     return Learned(dict(zip(numbers, taps)), dict(zip(numbers, left_over.tolist()))) if numbers else None
-
-
-def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
-    names = held["sources"].tobytes().decode()
-    return tuple(names.split("\n")) if names else ()
 
 
 NOTHING = -1
@@ -257,7 +253,7 @@ class BlockRun:
         blocks, keys, squares = JournaledBlocks(self._journal, workers), self._request.keys(), self._squares[1:-1, 1:-1]
         for step in blocks.steps(FIRST_LOOK, keys, self._request.block):
             sources, followed, wanted, learned = step.brief
-            numbers = global_numbers(sources, self._request.numbers)
+            numbers = global_numbers(sources)
             squares[place_of(step.key, SQUARES)] = numbers[followed]
             self._wanted[place_of(step.key, UNITS)] = wanted
             if learned is not None:
@@ -274,8 +270,7 @@ class BlockRun:
         request, (rows, columns) = self._request.block(key), place_of(key, SQUARES)
         around = self._squares[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
         followed, taps = np.full(around.shape, UNKNOWN, np.uint8), {}
-        for place, path in enumerate(request.paths):
-            number = self._request.numbers[path]
+        for place, number in enumerate(request.numbers):
             followed[around == number] = place
             if (nearest := self._taps(key, number)) is not None:
                 taps[place] = nearest
@@ -303,25 +298,24 @@ def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
 
 
 def block_labels(
-    files: RecordFiles, key: BlockKey, numbers: Mapping[str, int],
-    place: tuple[slice, slice] = (slice(LABELS), slice(LABELS)),
+    files: RecordFiles, key: BlockKey, place: tuple[slice, slice] = (slice(LABELS), slice(LABELS))
 ) -> np.ndarray | None:
-    """(rows, columns) int32 of the labels of one block by both looks, ``numbers`` of the sources by their paths,
-    ``NOTHING`` where none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
+    """(rows, columns) int32 of the labels of one block by both looks, in numbers of the whole scan, ``NOTHING`` where
+    none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
     labels = None
     for look in (FIRST_LOOK, SECOND_LOOK):
         parts = held(look, files, key, partial(unpacked, names=("sources", "labels", "dense")))
         if parts is not None:
-            look_labels = global_numbers(_names(parts), numbers)[parts["labels"][place]]
+            look_labels = global_numbers(parts["sources"])[parts["labels"][place]]
             dense = enlarged(parts["dense"], LABELS // UNITS)[place]
             labels = look_labels if labels is None else np.where(dense, look_labels, labels)
     return labels
 
 
-def global_numbers(sources: Sequence[str], numbers: Mapping[str, int]) -> np.ndarray:
+def global_numbers(sources: Sequence[int] | np.ndarray) -> np.ndarray:
     """(256,) int32: the number in the whole scan of each source of a block; ``NOTHING`` for ``UNKNOWN``."""
     by_label = np.full(UNKNOWN + 1, NOTHING, np.int32)
-    by_label[: len(sources)] = [numbers[path] for path in sources]
+    by_label[: len(sources)] = sources
     return by_label
 
 

@@ -10,7 +10,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
 from dataclasses import replace
-from functools import partial
 from typing import Any, Callable
 
 import numpy as np
@@ -19,12 +18,11 @@ from osgeo import ogr
 from ....imagery import messages as imagery_messages
 from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamInspectorError
-from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import RasterRef
 from ....imagery.seam_totals import PieceState
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
+from ..blocks.block_grid import LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of, squares_met
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
@@ -104,19 +102,17 @@ class Gathering:
         too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
         pieces = [] if too_many else pieces
         for unread in self._reading.unread:
-            first, last = (unread.row, unread.column), (unread.row + unread.height, unread.column + unread.width)
-            self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
+            self._units[squares_met(unread, UNIT_PX)] = NOT_LOOKED
         if request.counted is not None:  # what lies beside it is counted where it belongs
-            window, whole = request.counted, np.full_like(self._units, EMPTY)
-            starts, lengths = (window.row, window.column), (window.height, window.width)
-            place = tuple(slice(a // UNIT_PX, -(-(a + b) // UNIT_PX)) for a, b in zip(starts, lengths))
-            whole[place] = self._units[place]
-            self._units = whole
+            elsewhere = np.ones(self._units.shape, bool)
+            elsewhere[squares_met(request.counted, UNIT_PX)] = False
+            self._units[elsewhere] = EMPTY
         crew.tell(_CUT)
         judged, notes, notices = self._judged(pieces, crew)
         ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], request.settings.piece_m)
         judged = tuple(part for part in judged if request.counts(part.piece))
-        notes.update(self._reading.told)
+        of_reading, unread = self._reading.told
+        notes.update(of_reading)
         if names := request.not_given:
             notes["not_given"] = ", ".join(names)
         if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
@@ -127,7 +123,7 @@ class Gathering:
             settings = {**notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
             raster.close([request.source_names[number] for number in self._shown], settings)
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
-        notices = [*self._reading.notices, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
+        notices = [*unread, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
         if not (pieces or request.given or too_many):
             followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
@@ -198,15 +194,7 @@ class Gathering:
         """``rows``, ``columns`` of labels of the whole mosaic."""
         row, column = (place * LABELS for place in key)
         tile = LabelTile(row, column, min(LABELS, rows - row), min(LABELS, columns - column), rows, columns)
-        window = self._blocks.window(key).with_margin(BLOCK_PX)
-        return OutputsRequest(
-            self._journal.files, key, tile, self._numbers(window), cell_px, traces and min(tile.height, tile.width) > 0
-        )
-
-    def _numbers(self, window: PixelWindow) -> dict[str, int]:
-        """Numbers of the sources that meet a window, by their paths."""
-        meeting = self._request.footprints.meeting(self._request.mosaic.grid.window_extent(window))
-        return {self._request.sources[number].ref.path: number for number in meeting}
+        return OutputsRequest(self._journal.files, key, tile, cell_px, traces and min(tile.height, tile.width) > 0)
 
     def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], float]:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
@@ -229,7 +217,7 @@ class Gathering:
         around = around_pieces(own_pieces, self._blocks.grid, 2 * REACH_PX)
         return PiecesRequest(
             self._journal.files, own_pieces, numbers, index.near(around, 0.0), self._blocks,
-            self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, self._request.given is not None,
+            self._request.settings.levels, self._request.given is not None,
         )
 
 
@@ -274,9 +262,7 @@ class _Crew:
         """What is found of each request, in their order; the share grows from ``first`` to ``last``. Raises what it
         raises."""
         done, crew = 0, Workers(self._executor, self._ahead, lambda: not self._goes_on(self._share))
-        for result in in_order(requests, partial(_result_of, work), _raised, crew, crew.together):
-            if isinstance(result, Message):
-                raise SeamInspectorError(result)
+        for result in in_order(requests, work, _raised, crew, crew.together):
             yield result
             done += 1
             self.tell(first + (last - first) * done / count)
@@ -284,16 +270,8 @@ class _Crew:
             raise CancelledError(imagery_messages.CANCELLED())
 
 
-def _result_of(work: Callable[[Any], Any], request: Any) -> Any:
-    """What is found of a request, or the sentence that ends all."""
-    try:
-        return work(request)
-    except SeamInspectorError as error:
-        return error.message
-
-
-def _raised(_request: Any, reason: Message) -> Message:
-    return reason
+def _raised(_request: Any, reason: Message) -> Any:
+    raise SeamInspectorError(reason)
 
 
 def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:

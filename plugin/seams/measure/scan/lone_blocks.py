@@ -166,7 +166,7 @@ class LoneScan:
     """What could not be read; the block then lacks it."""
     reading: BlockReading = ALL_READ
     """What could be read."""
-    sources: tuple[str, ...] = ()
+    sources: tuple[int, ...] = ()
     """None."""
 
     @classmethod

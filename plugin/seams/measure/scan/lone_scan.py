@@ -91,8 +91,9 @@ class LoneScanning:
             [judged for judged in of_kind if self._request.counts(judged.piece)] for of_kind in (pieces, stretches)
         )
         worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
-        notices += (*self._reading.notices, *without_verdict(pieces))
-        notes = {"orthoimages": "none", **self._reading.told}
+        of_reading, unread = self._reading.told
+        notices += (*unread, *without_verdict(pieces))
+        notes = {"orthoimages": "none", **of_reading}
         result = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), notes)
         return result if goes_on(1.0) else None
 

@@ -6,7 +6,7 @@ what is kept along pieces of seam: the cells of all blocks beside them, added up
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -20,7 +20,7 @@ from ....imagery.record_store import RecordFiles
 from ....imagery.records import record_of, value_of
 from ....imagery.seam_totals import KeptBeside, profile_text
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey
+from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
@@ -50,8 +50,6 @@ class OutputsRequest:
     key: BlockKey
     tile: LabelTile
     """Its samples of the labels."""
-    numbers: Mapping[str, int]
-    """Numbers of the sources of it and its neighbours, by their paths."""
     cell_px: int
     """Side of the picture's cells; 0: none is wanted."""
     traces: bool
@@ -84,12 +82,12 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     measured can't be read any more, or nothing can be kept."""
     files, key = request.files, request.key
     scan = whole_block(files, key)
-    numbers = None if scan is None else global_numbers(scan.sources, request.numbers)
-    labels = None if scan is None or numbers is None else numbers[scan.labels]
+    numbers = global_numbers(() if scan is None else scan.sources)
+    labels = None if scan is None else numbers[scan.labels]
     edges = np.zeros((4, 0), np.int64)
     if request.traces:
         edges = cleaned_edges(_labels_around(request, labels), request.tile, LABEL_PX)
-    if scan is None or numbers is None or labels is None:
+    if scan is None or labels is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
     ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
@@ -129,7 +127,7 @@ def _labels_around(request: OutputsRequest, block: np.ndarray | None) -> np.ndar
             if (row, column) == request.key:
                 labels = None if block is None else block[theirs]
             else:
-                labels = block_labels(request.files, (row, column), request.numbers, theirs)
+                labels = block_labels(request.files, (row, column), theirs)
             if labels is not None:
                 labels_around[ours] = labels
     return labels_around
@@ -158,8 +156,6 @@ class PiecesRequest:
     index: PieceIndex
     """With all that lies near them."""
     blocks: BlockGrid
-    sources: Mapping[str, int]
-    """Numbers of those around, by their paths."""
     levels: int
     looks_beside: bool
     """Whether it is asked which sources lie beside them."""
@@ -171,19 +167,15 @@ def measure_pieces(request: PiecesRequest) -> tuple[list[PieceFigures], float]:
     SettingsError where what was measured can't be read any more."""
     grid, files = request.blocks.grid, request.files
     around = around_pieces(request.pieces, grid, REACH_PX)
-    rows, columns = (
-        slice(first // CELL_PX, -(-(first + length) // CELL_PX))
-        for first, length in ((around.row, around.height), (around.column, around.width))
-    )
+    place = squares_met(around, CELL_PX)
     sums, along = PieceSums(request.numbers, request.index, request.levels), _cells_along(request.pieces, grid)
     grain = np.full(len(request.pieces), np.nan)
     for key in blocks_of(around, request.blocks):
         window = request.blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
-            numbers = global_numbers(scan.sources, request.sources)
+            numbers = global_numbers(scan.sources)
             mixture = replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
-            place = rows, columns
             sums.add(scan.cells.within(place), mixture.within(place), held_ground(files, key), window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
@@ -234,13 +226,8 @@ def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> P
 
 def blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
     """The blocks that a window meets, row by row."""
-    rows, columns = (
-        range(max(first // BLOCK_PX, 0), min(-(-(first + length) // BLOCK_PX), count))
-        for first, length, count in (
-            (around.row, around.height, blocks.rows), (around.column, around.width, blocks.columns)
-        )
-    )
-    return [(row, column) for row in rows for column in columns]
+    rows, columns = squares_met(around.cut_to(blocks.grid.columns, blocks.grid.rows), BLOCK_PX)
+    return [(row, column) for row in range(rows.start, rows.stop) for column in range(columns.start, columns.stop)]
 
 
 def by_blocks(pieces: Sequence[SeamPiece], blocks: BlockGrid, together: int = 1) -> list[np.ndarray]:
@@ -260,7 +247,7 @@ def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) ->
     inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
     number = np.where(inside, rows // LABELS * blocks.columns + columns // LABELS, -1)
     for block in np.unique(number[inside]).tolist():
-        labels, in_block = block_labels(request.files, divmod(block, blocks.columns), request.sources), number == block
+        labels, in_block = block_labels(request.files, divmod(block, blocks.columns)), number == block
         if labels is not None:
             labels_at[in_block] = labels[rows[in_block] % LABELS, columns[in_block] % LABELS]
     return labels_at

@@ -120,11 +120,6 @@ class ScanRequest:
         return Footprints(self.sources)
 
     @cached_property
-    def numbers(self) -> dict[str, int]:
-        """Numbers of the sources by their paths."""
-        return {source.ref.path: number for number, source in enumerate(self.sources)}
-
-    @cached_property
     def seam_squares(self) -> SeamSquares | None:
         """What the seamlines call for; None without them."""
         if self.given is None:
@@ -156,42 +151,43 @@ class ScanRequest:
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
-        meeting = self.footprints.meeting(self.mosaic.grid.window_extent(window))
-        sources = largest(tuple(self.sources[number] for number in meeting), self.mosaic, window)
-        request = BlockRequest(self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor)
+        numbers = self._sources_in(window)
+        sources = tuple(self.sources[number] for number in numbers)
+        request = BlockRequest(
+            self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor, numbers=tuple(numbers)
+        )
         squares = self.seam_squares
         if squares is None:
             return request
-        return replace(request, along_seams=squares.dense_in(key), sides=self._sides(window, sources))
+        return replace(request, along_seams=squares.dense_in(key), sides=self._sides(window, numbers))
 
-    def _sides(self, window: PixelWindow, sources: Sequence[Source]) -> SeamSides:
-        """Sides of the given seams near a window, by the numbers that the sources of its block have."""
+    def _sources_in(self, window: PixelWindow) -> list[int]:
+        """Numbers of the sources that meet a window, as many as can be told apart: those that cover most of it."""
+        left, bottom, right, top = extent = self.mosaic.grid.window_extent(window)
+        meeting = self.footprints.meeting(extent)
+        if len(meeting) <= UNKNOWN:
+            return meeting
+        extents = np.array([self.sources[number].extent for number in meeting])
+        width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
+        height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
+        chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
+        return [meeting[place] for place in np.sort(chosen).tolist()]
+
+    def _sides(self, window: PixelWindow, numbers: Sequence[int]) -> SeamSides:
+        """Sides of the given seams near a window, by the places that the sources of its block have."""
         near, named = self._index.near(window, REACH_PX), self.named[0]
-        number_of = {source.ref.path: number for number, source in enumerate(sources)}
 
-        def source(name: Side) -> int | None:
-            place = named.get(name) if isinstance(name, str) else None
-            return None if place is None else number_of.get(self.sources[place].ref.path)
+        def place(name: Side) -> int | None:
+            number = named.get(name) if isinstance(name, str) else None
+            return numbers.index(number) if number in numbers else None
 
         beside = ((number, self.pieces[number]) for number in near.numbers.tolist())
-        return SeamSides(near, {number: (source(piece.left), source(piece.right)) for number, piece in beside})
+        return SeamSides(near, {number: (place(piece.left), place(piece.right)) for number, piece in beside})
 
     @cached_property
     def _index(self) -> PieceIndex:
         """The given seams by place."""
         return PieceIndex(self.pieces, self.mosaic.grid)
-
-
-def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) -> tuple[Source, ...]:
-    """Sources that meet a window, as many as can be told apart: those that cover most of it, in their order."""
-    if len(sources) <= UNKNOWN:
-        return sources
-    left, bottom, right, top = mosaic.grid.window_extent(window)
-    extents = np.array([source.extent for source in sources])
-    width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
-    height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
-    chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
-    return tuple(sources[number] for number in np.sort(chosen).tolist())
 
 
 def _check_readable(mosaic: Raster, sources: Iterable[RasterRef]) -> None:
