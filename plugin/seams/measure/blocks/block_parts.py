@@ -1,8 +1,8 @@
 """Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import ndimage
@@ -24,6 +24,7 @@ from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
 from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
+from .scan_settings import ScanSettings
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
 """Pixels whose labels are kept."""
@@ -55,30 +56,21 @@ class DensePart:
     """Share of the mosaic's valid pixels that no source explains."""
 
 
-@dataclass(frozen=True, eq=False)
-class PartRequest:
-    """A rectangle that is to be measured, and what is known of it."""
-
-    window: PixelWindow
-    """On the mosaic's grid."""
-    numbers: tuple[int, ...]
-    """The sources of its block that it is measured by."""
-    taps: Mapping[int, np.ndarray] = field(default_factory=dict)
-    """Filters of those of which it is known what came over them."""
-
-
-def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels: int) -> DensePart:
-    """Measure a rectangle of a block. Raises RasterError where the mosaic can't be read."""
-    window = request.window
-    around = window.with_margin(MARGIN_PX)
-    planes = pixels.part(around, request.numbers)
+def measure_part(
+    pixels: BlockPixels, window: PixelWindow, numbers: Sequence[int], taps: Mapping[int, np.ndarray],
+    settings: ScanSettings,
+) -> DensePart:
+    """Measure a rectangle of a block, on the mosaic's grid, by some sources of the block; ``taps``: filters of those of
+    which it is known what came over them. Raises RasterError where the mosaic can't be read."""
+    around, levels = window.with_margin(MARGIN_PX), settings.levels
+    planes = pixels.part(around, numbers)
     inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
     given = tuple(planes.sources)
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
     if not given or known[inside].mean() < MIN_VALID:
         return _nothing(window, levels, known[inside])
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
-    filters = known_filters(request.taps, given)
+    filters = known_filters(taps, given)
     if filters is not None and filters.taps:
         followed = follow_given(image, list(planes.sources.values()), filters)
     else:
@@ -88,7 +80,7 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     labels, likely, mixed = expected.labels, followed.following.likely, followed.following.mixed
     guessed = known & guesses(labels, likely | mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
-    details = list(placed_components(compared_planes(expected.filling(image), expected), wavelet, levels))
+    details = list(placed_components(compared_planes(expected.filling(image), expected), settings.wavelet, levels))
     sources = MeetingSources.of(replace(expected, labels=labels))
     cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
     labels = filled_in(labels, guessed)

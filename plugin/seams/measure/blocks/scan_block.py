@@ -30,7 +30,7 @@ from .block_grid import (
     rectangles,
     squares_met,
 )
-from .block_parts import BLOCK_MARGIN_PX, DensePart, PartRequest, measure_part, measure_plain
+from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
 from .block_pixels import BlockPixels
 from .mosaic_reading import ALL_READ, BlockReading
 from .patches import SquareLook, look_at_squares, middle_sources
@@ -243,7 +243,7 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
-    everyone, sides, decomposition = pixels.numbers, request.sides, (request.settings.wavelet, request.settings.levels)
+    everyone, sides = pixels.numbers, request.sides
     around = set(everyone)
     if request.followed is not None:
         rows, columns = squares_met(window, SQUARE_PX)  # and those around them, as the array begins a square before
@@ -254,12 +254,12 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
-        part = measure_part(pixels, PartRequest(placed, likely, request.taps), *decomposition)
+        part = measure_part(pixels, placed, likely, request.taps, request.settings)
         if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
             return part
     if _is_crowded(everyone, window):
         return None
-    return measure_part(pixels, PartRequest(placed, everyone, request.taps), *decomposition)
+    return measure_part(pixels, placed, everyone, request.taps, request.settings)
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:

@@ -5,6 +5,7 @@ Taken one by one, the mosaic would follow now this part and now that one where t
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations, product
 
@@ -16,9 +17,9 @@ from ....imagery.clips import Clip
 from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_paths import is_remote
 from ....imagery.grids import PixelWindow, extents_meet
-from ....imagery.open_raster import OpenRaster, placed
+from ....imagery.open_raster import placed
 from ....imagery.raster_pool import RasterPool
-from ....imagery.rasters import Raster
+from ....imagery.rasters import Raster, RasterRef
 from ..source_images import Footprints, Source
 from . import messages
 
@@ -40,14 +41,9 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
         footprints, numbers = Footprints(sources[number] for number in rasters), list(rasters)
         meeting = ((n, numbers[k]) for n in numbers for k in footprints.meeting(sources[n].extent) if numbers[k] > n)
 
-        def show_same(first: int, second: int) -> bool:
-            try:
-                return _show_same(pool.open(sources[first].ref), pool.open(sources[second].ref))
-            except RasterError:
-                return False  # the scan says so where it needs it
-
         whole = _joined(sources, (
-            pair for pair in meeting if have_same_grid(*(rasters[number] for number in pair)) and show_same(*pair)
+            (n, k) for n, k in meeting
+            if have_same_grid(rasters[n], rasters[k]) and _show_same(pool, sources[n].ref, sources[k].ref)
         ))
     return whole, images_in_parts(whole)
 
@@ -103,16 +99,18 @@ def have_same_grid(first: Raster, second: Raster) -> bool:
     return max(abs(column - round(column)), abs(row - round(row)), far * growth) < _MOST_OFF_PX
 
 
-def _show_same(first: OpenRaster, second: OpenRaster) -> bool:
-    """Whether both show the same, by some places. Raises RasterError where one can't be read."""
-    is_any_same = False
-    for place, others_place in _shared(first.raster, second.raster):
-        block, other = first.read(place), second.read(others_place)
-        is_same = _same_content(block.bands, other.bands, block.valid & other.valid)
-        if is_same is False:
-            return False
-        is_any_same = is_any_same or is_same is True
-    return is_any_same
+def _show_same(pool: RasterPool, ref: RasterRef, other_ref: RasterRef) -> bool:
+    """Whether both show the same, by some places."""
+    are_same = []
+    with suppress(RasterError):  # the scan says so where it needs it
+        first, second = pool.open(ref), pool.open(other_ref)
+        for place, others_place in _shared(first.raster, second.raster):
+            block, other = first.read(place), second.read(others_place)
+            are_same.append(_same_content(block.bands, other.bands, block.valid & other.valid))
+            if are_same[-1] is False:
+                return False
+        return True in are_same
+    return False
 
 
 def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelWindow]]:

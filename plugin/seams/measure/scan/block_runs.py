@@ -27,6 +27,7 @@ from ..following.boxes import enlarged
 from ..following.source_filters import UNTOUCHED, Learned
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import UNKNOWN
+from ..seamlines.label_borders import NONE
 from ..workers import Workers, in_order, unforeseen
 from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest
@@ -233,17 +234,13 @@ def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
     return Learned(dict(zip(numbers, taps)), dict(zip(numbers, left_over.tolist()))) if numbers else None
 
 
-NOTHING = -1
-"""Number in place of a source's in the whole scan: none is followed."""
-
-
 class BlockRun:
     """Measures the blocks that a journal doesn't hold yet."""
 
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
         blocks = request.blocks
-        self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NOTHING, np.int32)
+        self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NONE, np.int32)
         self._wanted = np.zeros((blocks.rows * UNITS, blocks.columns * UNITS), bool)
         self._known: dict[int, dict[BlockKey, tuple[float, np.ndarray]]] = {}
         """The share that a source leaves over, and its filter, in each block that tells what came over it."""
@@ -262,7 +259,7 @@ class BlockRun:
             yield step
         if not workers.cancelled():
             # And at the borders of blocks what only neighbours together show.
-            self._wanted |= called_for(squares, NOTHING, pairs=range(SQUARES - 1, max(squares.shape), SQUARES))
+            self._wanted |= called_for(squares, NONE, pairs=range(SQUARES - 1, max(squares.shape), SQUARES))
             second = [key for key in keys if self._wanted[place_of(key, UNITS)].any()]
             yield from blocks.steps(SECOND_LOOK, second, self._looked_at_again)
 
@@ -300,7 +297,7 @@ def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
 def block_labels(
     files: RecordFiles, key: BlockKey, place: tuple[slice, slice] = (slice(LABELS), slice(LABELS))
 ) -> np.ndarray | None:
-    """(rows, columns) int32 of the labels of one block by both looks, in numbers of the whole scan, ``NOTHING`` where
+    """(rows, columns) int32 of the labels of one block by both looks, in numbers of the whole scan, ``NONE`` where
     none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
     labels = None
     for look in (FIRST_LOOK, SECOND_LOOK):
@@ -313,8 +310,8 @@ def block_labels(
 
 
 def global_numbers(sources: Sequence[int] | np.ndarray) -> np.ndarray:
-    """(256,) int32: the number in the whole scan of each source of a block; ``NOTHING`` for ``UNKNOWN``."""
-    by_label = np.full(UNKNOWN + 1, NOTHING, np.int32)
+    """(256,) int32: the number in the whole scan of each source of a block; ``NONE`` for ``UNKNOWN``."""
+    by_label = np.full(UNKNOWN + 1, NONE, np.int32)
     by_label[: len(sources)] = sources
     return by_label
 

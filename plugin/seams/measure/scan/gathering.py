@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
 from dataclasses import replace
+from functools import partial
 from typing import Any, Callable
 
 import numpy as np
@@ -22,11 +23,11 @@ from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import RasterRef
 from ....imagery.seam_totals import PieceState
 from .. import messages
-from ..blocks.block_grid import LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of, squares_met
+from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, place_of, squares_met
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
-from ..seamlines.label_borders import LabelTile, SourceBorder
+from ..seamlines.label_borders import SourceBorder
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
 from ..seamlines.seam_tracing import SourcePolygon, polygons_of, seams_of, trace_borders
@@ -36,7 +37,6 @@ from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .piece_sums import (
     REACH_PX,
     BlockOutputs,
-    OutputsRequest,
     PiecesRequest,
     around_pieces,
     block_outputs,
@@ -79,14 +79,12 @@ class Gathering:
         ``goes_on`` takes the share that is done; where it says no the result is None. Raises SettingsError when the
         journal can't be read, RasterError when the picture can't be written.
         """
-        settings = self._request.settings
         try:
             with ExitStack() as stack:
                 if not self._journal.is_shared:
                     executor, ahead = stack.enter_context(own_threads())
-                raster = stack.enter_context(
-                    loss_raster(loss_path, self._request.mosaic, settings.cell_px, settings.told)
-                ) if loss_path else None
+                picture = loss_raster(loss_path, self._request.mosaic, self._request.settings.cell_px)
+                raster = stack.enter_context(picture) if loss_path else None
                 return self._result(_Crew(executor, ahead, goes_on), raster)
         except CancelledError:  # which leaves no picture
             return None
@@ -120,7 +118,7 @@ class Gathering:
         notes.update(ground.told)
         if raster is not None:
             sources = _listed(source.ref for source in request.sources)
-            settings = {**notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
+            settings = {**request.settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
             raster.close([request.source_names[number] for number in self._shown], settings)
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         notices = [*unread, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
@@ -169,9 +167,9 @@ class Gathering:
         edges = [np.zeros((4, 0), np.int64)]
         rows, columns = (-(-(length - half) // LABEL_PX) for length in (mosaic.rows, mosaic.columns))
         cell_px = self._request.settings.cell_px if raster is not None else 0
-        requests = (self._outputs(key, rows, columns, cell_px, traces) for key in self._blocks)
+        work = partial(block_outputs, self._journal.files, (columns, rows), cell_px, traces)
         total = self._blocks.rows * self._blocks.columns
-        outputs: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
+        outputs: Iterator[BlockOutputs] = crew.map(work, self._blocks, total, 0, _TRACED)
         for block in outputs:
             edges.append(block.edges)
             self._units[place_of(block.key, UNITS)] = block.ground
@@ -189,12 +187,6 @@ class Gathering:
             if losses is not None and cells is not None:
                 cells[SOURCE_BAND - 1][losses[SOURCE_BAND - 1] == source + 1] = number
         return cells
-
-    def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
-        """``rows``, ``columns`` of labels of the whole mosaic."""
-        row, column = (place * LABELS for place in key)
-        tile = LabelTile(row, column, min(LABELS, rows - row), min(LABELS, columns - column), rows, columns)
-        return OutputsRequest(self._journal.files, key, tile, cell_px, traces and min(tile.height, tile.width) > 0)
 
     def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], float]:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""

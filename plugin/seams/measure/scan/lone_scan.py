@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Callable
 
 import numpy as np
@@ -38,7 +38,7 @@ class LoneScanning:
         self._index = PieceIndex(request.pieces, request.mosaic.grid)
         self._journal, self._blocks = journal, request.blocks
         self._along = SeamSquares(request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
-        self._table = lru_cache(_HELD)(self._table_of)
+        self._scan = lru_cache(_HELD)(partial(held, LONE_LOOK, journal.files))
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """Every block that a seam meets."""
@@ -64,7 +64,7 @@ class LoneScanning:
         for done, numbers in enumerate(groups):
             pieces_here = [self._pieces[number] for number in numbers.tolist()]
             near = blocks_of(around_pieces(pieces_here, mosaic.grid, BLOCK_PX), self._blocks)
-            tables = [table for key in near if (table := self._table(key)) is not None]
+            tables = [scan.table for key in near if (scan := self._scan(key)) is not None]
             if tables:
                 table = LoneTable.joined(tables)
                 parts.append(lone_stretches(table, self._pieces, numbers, self._index, pixel_m))
@@ -84,9 +84,9 @@ class LoneScanning:
                     messages.LONE_FROM_LENGTH(length=least * pixel_m) if least else messages.LONE_NEVER(),
                 )
         if loss_path:
-            with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
+            with loss_raster(loss_path, mosaic, settings.cell_px) as raster:
                 self._draw(raster, pieces, settings.cell_px)
-                raster.close([])
+                raster.close([], settings.told)
         pieces, stretches = (
             [judged for judged in of_kind if self._request.counts(judged.piece)] for of_kind in (pieces, stretches)
         )
@@ -112,8 +112,3 @@ class LoneScanning:
             cells = empty_cells(side)
             cells[0][number >= 0] = kept[number[number >= 0]]
             raster.write(*key, cells)
-
-    def _table_of(self, key: BlockKey) -> LoneTable | None:
-        """What the journal holds of one block."""
-        scan = held(LONE_LOOK, self._journal.files, key)
-        return None if scan is None else scan.table

@@ -9,6 +9,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 
 import numpy as np
 
@@ -27,11 +28,11 @@ from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
-from ..seamlines.label_borders import MARGIN, NONE, LabelTile, cleaned_edges
+from ..seamlines.label_borders import MARGIN, NONE, cleaned_edges
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, sources_beside
 from ..while_measuring import measuring
-from .block_runs import NOTHING, block_labels, global_numbers, whole_block
+from .block_runs import block_labels, global_numbers, whole_block
 from .loss_raster import NODATA, loss_cells
 from .scan_journal import not_saved
 from .scan_result import PieceFigures
@@ -40,20 +41,6 @@ REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""
 MOST_ASIDE_PX = 40.0
 """How far a line may lie from the seam that the mosaic shows, for that to be its seam."""
-
-
-@dataclass(frozen=True, eq=False)
-class OutputsRequest:
-    """All that is needed for it, in plain data that can cross threads and processes."""
-
-    files: RecordFiles
-    key: BlockKey
-    tile: LabelTile
-    """Its samples of the labels."""
-    cell_px: int
-    """Side of the picture's cells; 0: none is wanted."""
-    traces: bool
-    """Whether borders are wanted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,16 +64,23 @@ class _BlockGround:
 
 
 @measuring()
-def block_outputs(request: OutputsRequest) -> BlockOutputs:
+def block_outputs(
+    files: RecordFiles, size: tuple[int, int], cell_px: int, traces: bool, key: BlockKey
+) -> BlockOutputs:
     """Outputs of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was
-    measured can't be read any more, or nothing can be kept."""
-    files, key = request.files, request.key
+    measured can't be read any more, or nothing can be kept.
+
+    ``size``: columns and rows of labels of the whole mosaic; ``cell_px``: side of the picture's cells, 0 where none is
+    wanted; ``traces``: whether borders are.
+    """
     scan = whole_block(files, key)
     numbers = global_numbers(() if scan is None else scan.sources)
     labels = None if scan is None else numbers[scan.labels]
     edges = np.zeros((4, 0), np.int64)
-    if request.traces:
-        edges = cleaned_edges(_labels_around(request, labels), request.tile, LABEL_PX)
+    tile = _label_tile(key).cut_to(*size)
+    if traces and tile.width and tile.height:
+        around = tile.with_margin(MARGIN).cut_to(*size)
+        edges = cleaned_edges(_labels_in(around, files, key, labels), tile, size, LABEL_PX)
     if scan is None or labels is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
     ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
@@ -94,10 +88,10 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
         files.save(_ground_name(key), record_of(_BlockGround(tuple(ground))))
     except OSError as error:
         raise not_saved(files, system_reason(error)) from None
-    cells = loss_cells(scan, labels + 1, ground, request.cell_px) if request.cell_px else None
+    cells = loss_cells(scan, labels + 1, ground, cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
         cells = None
-    used = np.flatnonzero(np.bincount(labels.ravel() - NOTHING)[1:]).tolist()
+    used = np.flatnonzero(np.bincount(labels.ravel() - NONE)[1:]).tolist()
     ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
     return BlockOutputs(key, edges, cells, used, ground)
 
@@ -112,24 +106,21 @@ def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, 
     return () if record is None else value_of(_BlockGround, record, {}).levels
 
 
-def _labels_around(request: OutputsRequest, block: np.ndarray | None) -> np.ndarray:
-    """Labels of a block, ``block``, and of as much of its neighbours as cleaning has to know."""
-    place = request.tile.around(MARGIN)
-    labels_around = np.full([side.stop - side.start for side in place], NOTHING, np.int32)
-    first, last = [side.start // LABELS for side in place], [(side.stop - 1) // LABELS for side in place]
-    for row in range(first[0], last[0] + 1):
-        for column in range(first[1], last[1] + 1):
-            ours, theirs = zip(*(
-                (slice(max(start, side.start) - side.start, min(start + LABELS, side.stop) - side.start),
-                 slice(max(start, side.start) - start, min(start + LABELS, side.stop) - start))
-                for start, side in zip((row * LABELS, column * LABELS), place)
-            ))
-            if (row, column) == request.key:
-                labels = None if block is None else block[theirs]
-            else:
-                labels = block_labels(request.files, (row, column), theirs)
-            if labels is not None:
-                labels_around[ours] = labels
+def _label_tile(key: BlockKey) -> PixelWindow:
+    return PixelWindow(key[1] * LABELS, key[0] * LABELS, LABELS, LABELS)
+
+
+def _labels_in(around: PixelWindow, files: RecordFiles, key: BlockKey, of_block: np.ndarray | None) -> np.ndarray:
+    """Labels of a block, ``of_block``, and of as much of its neighbours as cleaning has to know."""
+    labels_around = np.full((around.height, around.width), NONE, np.int32)
+    rows, columns = squares_met(around, LABELS)
+    for beside in product(range(rows.start, rows.stop), range(columns.start, columns.stop)):
+        tile = _label_tile(beside).moved_by(-around.column, -around.row)
+        shared = tile.cut_to(around.width, around.height)
+        place = squares_met(shared.moved_by(-tile.column, -tile.row), 1)
+        labels = block_labels(files, beside, place) if of_block is None or beside != key else of_block[place]
+        if labels is not None:
+            labels_around[squares_met(shared, 1)] = labels
     return labels_around
 
 

@@ -96,10 +96,8 @@ class _Network:
     def add_polygons(self, rings: Sequence[np.ndarray], owners: Sequence[str]) -> None:
         """The borders that have one owner on their left and another on their right."""
         names, owner = np.unique(owners, return_inverse=True)
-        ends, ring = seamlines.line_pieces(rings)
-        shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = seamlines.network(ends, seamlines.SNAP_PX)
-        of_edge = owner[ring[piece]]
+        nodes, edges, ring, shift = self._joined(rings)
+        of_edge = owner[ring]
         pairs, pair = seamlines.undirected(edges, len(nodes))
         forward = edges[:, 0] < edges[:, 1]
         # Two owners on one side overlap there: the line is inside one of them, and no border.
@@ -115,13 +113,11 @@ class _Network:
         """Lines, those up to half a pixel apart as one."""
         names, side = np.unique(np.array(sides), return_inverse=True)
         side = side.reshape(-1, 2)
-        ends, line = seamlines.line_pieces(lines)
-        shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = seamlines.network(ends, seamlines.SNAP_PX)
+        nodes, edges, line, shift = self._joined(lines)
         pairs, pair = seamlines.undirected(edges, len(nodes))
         first = np.full(len(pairs), len(edges))
         np.minimum.at(first, pair, np.arange(len(edges)))
-        of_pair = side[line[piece[first]]]
+        of_pair = side[line[first]]
         backward = edges[first, 0] > edges[first, 1]
         of_pair[backward] = of_pair[backward, ::-1]
         self._parts.append((nodes + shift, pairs, of_pair, [str(name) for name in names]))
@@ -159,14 +155,17 @@ class _Network:
             named = (owner_name(names[side]) or None for side in (left, right))
             yield SidedSeam(seamlines.as_xy(seam * self._size + self._origin), *named)
 
-    def _in_pixels(self, ends: np.ndarray) -> tuple[complex, np.ndarray]:
-        """Places in pixels, none of them negative, and what has to be added to have them from the mosaic's corner."""
+    def _joined(self, lines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray, np.ndarray, complex]:
+        """Nodes and edges of lines, the line that each edge is of, and what has to be added to nodes, which are in
+        pixels and not negative, to have them from the mosaic's corner."""
+        ends, line = seamlines.line_pieces(lines)
         ends = (ends - self._origin) / self._size
         width, height = np.ptp(ends.real), np.ptp(ends.imag)
         if max(width, height) > seamlines.MAX_EXTENT_PX:
             raise SeamlineError(imagery_messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
         shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
-        return shift, ends - shift
+        nodes, edges, piece = seamlines.network(ends - shift, seamlines.SNAP_PX)
+        return nodes, edges, line[piece], shift
 
 
 WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged

@@ -17,6 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
+from ....imagery.grids import PixelWindow
+
 NONE = -1
 """The label where no source is followed, or nobody looked."""
 REACH = 96
@@ -94,47 +96,24 @@ class SourceBorder:
     """What its ends are known by: borders with an end of the same key meet there."""
 
 
-@dataclass(frozen=True)
-class LabelTile:
-    """A rectangle of the samples of a mosaic."""
-
-    row: int
-    """The first one, as the next."""
-    column: int
-    height: int
-    width: int
-    rows: int
-    """Number of rows of the whole mosaic, as the next of its columns."""
-    columns: int
-
-    def around(self, margin: int) -> tuple[slice, slice]:
-        """Its rows and columns and ``margin`` more on all sides, as far as the mosaic goes."""
-        return (
-            slice(max(self.row - margin, 0), min(self.row + self.height + margin, self.rows)),
-            slice(max(self.column - margin, 0), min(self.column + self.width + margin, self.columns)),
-        )
-
-
-def cleaned_edges(labels: np.ndarray, tile: LabelTile, label_px: int) -> np.ndarray:
+def cleaned_edges(labels: np.ndarray, tile: PixelWindow, size: tuple[int, int], label_px: int) -> np.ndarray:
     """A tile's own edges: those within it, on its upper and its left side, and on the mosaic's outline.
 
-    ``labels``: (rows, columns) int of samples of ``label_px``, of ``tile.around(MARGIN)``. First, narrow gaps are
+    ``labels``: (rows, columns) int of samples of ``label_px``, of the tile with ``MARGIN`` around as far as the mosaic
+    goes, which has a ``size`` of so many columns and rows. First, narrow gaps are
     closed, single wrong labels outvoted by their neighbours, and islands of less than 600 px squared given to what lies
     around them. Returns (4, n) int64: first and last node, left and right label; a node is twice its number, plus 1
     for the second of two in one place.
     """
     if (labels != labels[:1, :1]).any():
         labels = _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
-    places, margins = [], []
-    for inner, outer, first, length, end in zip(
-        tile.around(1), tile.around(MARGIN), (tile.row, tile.column), (tile.height, tile.width),
-        (tile.rows, tile.columns),
-    ):
-        places.append(slice(inner.start - outer.start, inner.stop - outer.start))
-        # Of the last tile the sample beyond is its own: there is nothing, and the outline lies before it.
-        last = first + length + (first + length == end)
-        margins.append((inner.start - first + 1, last + 1 - inner.stop))
-    return _edges(np.pad(labels[tuple(places)], margins, constant_values=NONE)[:-1], tile)
+    outer, inner = (tile.with_margin(margin).cut_to(*size) for margin in (MARGIN, 1))
+    (top, _), (left, _) = outer.margins_of(inner)
+    # Of the last tile the sample beyond is its own: there is nothing, and the outline lies before it.
+    beyond = tile.column + tile.width == size[0], tile.row + tile.height == size[1]
+    wanted = PixelWindow(tile.column - 1, tile.row - 1, tile.width + 2 + beyond[0], tile.height + 2 + beyond[1])
+    known = labels[top : top + inner.height, left : left + inner.width]
+    return _edges(np.pad(known, wanted.margins_of(inner), constant_values=NONE)[:-1], tile, size[0])
 
 
 def joined_borders(edges: np.ndarray, columns: int) -> list[SourceBorder]:
@@ -150,10 +129,9 @@ def joined_borders(edges: np.ndarray, columns: int) -> list[SourceBorder]:
     return sorted(borders, key=lambda border: (border.keys, border.left, border.right))
 
 
-def _edges(labels: np.ndarray, tile: LabelTile) -> np.ndarray:
+def _edges(labels: np.ndarray, tile: PixelWindow, width: int) -> np.ndarray:
     """(4, n) edges along the tops and the left sides of samples; ``labels`` begins with the row above and is a column
-    wider on either side."""
-    width = tile.columns
+    wider on either side. ``width`` of the whole mosaic."""
     upper, lower = labels[:-1], labels[1:]
     across = upper[:, 1:-1] != lower[:, 1:-1]  # between rows: (row, column)
     down = lower[:, :-1] != lower[:, 1:]  # between columns: (row, node column); the last one is the next tile's

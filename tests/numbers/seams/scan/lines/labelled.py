@@ -7,24 +7,26 @@ import numpy as np
 from scipy import ndimage
 from scipy.spatial import cKDTree
 from scipy.special import ndtri
-from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.seamlines.label_borders import MARGIN, LabelTile, cleaned_edges
+from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.seams.measure.blocks.block_grid import squares_met
+from seam_inspector.plugin.seams.measure.seamlines.label_borders import MARGIN, cleaned_edges
 
 LABEL_PX = 4
 
 
-def tiles_of(labels: np.ndarray, side: int = 512) -> Iterator[tuple[LabelTile, np.ndarray]]:
+def tiles_of(labels: np.ndarray, side: int = 512) -> Iterator[tuple[PixelWindow, np.ndarray]]:
     """Tiles that cover labels, each with those around that its edges are traced by."""
     rows, columns = labels.shape
     for row in range(0, rows, side):
         for column in range(0, columns, side):
-            tile = LabelTile(row, column, min(side, rows - row), min(side, columns - column), rows, columns)
-            yield tile, labels[tile.around(MARGIN)]
+            tile = PixelWindow(column, row, side, side).cut_to(columns, rows)
+            yield tile, labels[squares_met(tile.with_margin(MARGIN).cut_to(columns, rows), 1)]
 
 
 def edges_of(labels: np.ndarray, side: int = 512) -> np.ndarray:
     """Edges of all tiles, (4, n)."""
-    return np.concatenate([cleaned_edges(part, tile, LABEL_PX) for tile, part in tiles_of(labels, side)], axis=1)
+    size = labels.shape[1], labels.shape[0]
+    return np.concatenate([cleaned_edges(part, tile, size, LABEL_PX) for tile, part in tiles_of(labels, side)], axis=1)
 
 
 def estimated(labels: np.ndarray, seed: int, right_near: float = 0.94, right_far: float = 0.995) -> np.ndarray:
