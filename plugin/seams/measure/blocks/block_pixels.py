@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Callable
+from typing import Callable, NamedTuple
 
 import numpy as np
 
@@ -20,9 +20,6 @@ from ..inputs.grey_values import factor_of
 
 _Pick = Callable[[np.ndarray], np.ndarray]
 """Picks of pixels (..., rows, columns) those that are wanted, as an image of their own."""
-
-_Clips = tuple[Clip, dict[int, Clip]]
-"""What was read of one window: of the mosaic, and of sources by their numbers."""
 
 JUDGED = ("judged",)
 """The band of such an image."""
@@ -43,6 +40,13 @@ class Planes:
     """Sources by number, of one plane each."""
     resampled: frozenset[int]
     """Sources that had to be warped to the mosaic's grid."""
+
+
+class BlockClips(NamedTuple):
+    """What was read of one window: of the mosaic, and of sources by their numbers."""
+
+    mosaic: Clip
+    clips: dict[int, Clip]
 
 
 class BlockPixels:
@@ -69,7 +73,7 @@ class BlockPixels:
         self._held = None if margin_px is None else self._read(self._around, range(min(len(refs), MOST_HELD)))
 
     @property
-    def held(self) -> _Clips:
+    def held(self) -> BlockClips:
         """All that was read, as the files have it, of a block that was read as a whole."""
         assert self._held is not None
         return self._held
@@ -82,7 +86,7 @@ class BlockPixels:
     @property
     def valid(self) -> np.ndarray | None:
         """(rows, columns) bool: where the mosaic has pixels; None: everywhere."""
-        valid, first = None if self._held is None else self._held[0].valid, self._margin
+        valid, first = None if self._held is None else self._held.mosaic.valid, self._margin
         return None if valid is None else valid[first : first + self.window.height, first : first + self.window.width]
 
     def patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
@@ -95,7 +99,7 @@ class BlockPixels:
 
         planes = self._planes(*self.held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
-            more = self._planes(self.held[0], self._read_sources(self._around, [number]), pick)
+            more = self._planes(self.held.mosaic, self._read_sources(self._around, [number]), pick)
             planes = replace(
                 planes, sources={**planes.sources, **more.sources}, resampled=planes.resampled | more.resampled
             )
@@ -114,7 +118,7 @@ class BlockPixels:
         around = self._around
         left, top = window.column - around.column, window.row - around.row
         within = min(left, top) >= 0 and left + window.width <= around.width and top + window.height <= around.height
-        if self._held is None or not within or any(i not in self._held[1] for i in numbers):
+        if self._held is None or not within or any(i not in self._held.clips for i in numbers):
             return self._planes(*self._read(window, numbers))
         mosaic, clips = self._held
         return self._planes(
@@ -122,9 +126,9 @@ class BlockPixels:
             lambda pixels: pixels[..., top : top + window.height, left : left + window.width],
         )
 
-    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> _Clips:
+    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> BlockClips:
         mosaic = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
-        return mosaic, self._read_sources(window, numbers)
+        return BlockClips(mosaic, self._read_sources(window, numbers))
 
     def _read_sources(self, window: PixelWindow, numbers: Sequence[int]) -> dict[int, Clip]:
         clips = {}

@@ -109,7 +109,7 @@ class Gathering:
         judged, notes, notices = self._judged(pieces, crew)
         ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], request.settings.piece_m)
         judged = tuple(part for part in judged if request.counts(part.piece))
-        of_reading, unread = self._reading.told
+        of_reading, lost = self._reading.told
         notes.update(of_reading)
         if names := request.not_given:
             notes["not_given"] = ", ".join(names)
@@ -121,7 +121,7 @@ class Gathering:
             settings = {**request.settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
             raster.close([request.source_names[number] for number in self._shown], settings)
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
-        notices = [*unread, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
+        notices = [*lost, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
         if not (pieces or request.given or too_many):
             followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []

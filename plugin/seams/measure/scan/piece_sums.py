@@ -172,12 +172,11 @@ def measure_pieces(request: PiecesRequest) -> tuple[list[PieceFigures], float]:
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
     figures = []
-    for piece, strip, *mean_and_grain in zip(
-        request.pieces, without_even(sums.profiles(), grain, grey), grey.tolist(), grain.tolist()
-    ):
+    strips = without_even(sums.profiles(), grain, grey)
+    for piece, strip, mean, rms in zip(request.pieces, strips, grey.tolist(), grain.tolist()):
         text = _profile_text(strip.profile, grid.ground_sample_distance)
         strip = replace(strip, profile=strip.profile and replace(strip.profile, bins=()))
-        figures.append(PieceFigures(piece, strip, *mean_and_grain, text))
+        figures.append(PieceFigures(piece, strip, mean, rms, text))
     if request.looks_beside:
         labels = partial(_labels_at, request)
         beside = sources_beside(request.pieces, labels, grid, LABEL_PX)

@@ -93,7 +93,7 @@ class PieceFigures:
     profile: str = ""
     """Profile as ``JudgedPiece`` has it."""
     beside: tuple[int, int] | None = None
-    """As in ``sources_beside``; None where it was not asked for."""
+    """What ``sources_beside`` gives for it; None where it was not asked for."""
     is_unchanged: bool = False
     """Whether the mosaic shows one source on both sides, as far as a line may lie aside."""
 
