@@ -162,10 +162,8 @@ def _failed(look: BlockLook, files: RecordFiles, request: Request, reason: Messa
     return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
 
 
-def held(
-    look: BlockLook, files: RecordFiles, key: BlockKey, understood: Callable[[bytes], Any] | None = None
-) -> Any:
-    """The scan that was kept of one block, or what ``understood`` makes of its record; None where there is none.
+def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Any:
+    """The scan that was kept of one block; None where there is none.
 
     Raises SettingsError where it can't be read any more; it is then measured again when the scan is started again.
     """
@@ -173,8 +171,7 @@ def held(
     try:
         record = files.load(name)
         record = files.load(f"{INCOMPLETE} {name}") if record is None else record
-        with understanding():
-            return None if record is None else (understood or look.scan_of)(record)
+        return None if record is None else look.scan_of(record)
     except (OSError, NotUnderstoodError) as error:
         files.forget(name)
         why = system_reason(error) if isinstance(error, OSError) else str(error)
@@ -297,19 +294,13 @@ def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
 def block_labels(
     files: RecordFiles, key: BlockKey, place: tuple[slice, slice] = (slice(LABELS), slice(LABELS))
 ) -> np.ndarray | None:
-    """(rows, columns) int32 of the labels of one block by both looks, in numbers of the whole scan, ``NONE`` where
-    none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
-    labels = None
-    for look in (FIRST_LOOK, SECOND_LOOK):
-        parts = held(look, files, key, partial(unpacked, names=("sources", "labels", "dense")))
-        if parts is not None:
-            look_labels = global_numbers(parts["sources"])[parts["labels"][place]]
-            dense = enlarged(parts["dense"], LABELS // UNITS)[place]
-            labels = look_labels if labels is None else np.where(dense, look_labels, labels)
-    return labels
+    """(rows, columns) int32 of the labels of one block, in numbers of the whole scan, ``NONE`` where none is followed;
+    None where it was not measured. Raises SettingsError as ``held`` does."""
+    scan = whole_block(files, key)
+    return None if scan is None else global_numbers(scan.sources)[scan.labels[place]]
 
 
-def global_numbers(sources: Sequence[int] | np.ndarray) -> np.ndarray:
+def global_numbers(sources: Sequence[int]) -> np.ndarray:
     """(256,) int32: the number in the whole scan of each source of a block; ``NONE`` for ``UNKNOWN``."""
     by_label = np.full(UNKNOWN + 1, NONE, np.int32)
     by_label[: len(sources)] = sources
