@@ -19,7 +19,7 @@ from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.documents import plugin_version, xml_root
 from ....imagery.errors import Message, SettingsError
-from ....imagery.file_identity import OF_NO_CONSEQUENCE, local_state, local_states, remote_state
+from ....imagery.file_identity import OF_NO_CONSEQUENCE, known_states, local_state
 from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import RasterRef
@@ -62,7 +62,8 @@ def fingerprint_of(
             for item in (path, *_states(path, asked))
         ),
         "places": _digest([
-            mosaic.wkt, mosaic.nodata, place, *((source.ref.wkt, source.ref.nodata, source.extent) for source in sources)
+            mosaic.wkt, mosaic.nodata, place,
+            *((source.ref.wkt, source.ref.nodata, source.extent) for source in sources),
         ]),
         "settings": _digest([settings]),
         "seams": _digest(seams),
@@ -94,14 +95,10 @@ def _digest(items: Iterable[object]) -> str:
 
 def _states(path: str, ask: bool) -> Iterator[str]:
     """What is known of a raster's files, those that say where it lies too, without reading its pixels."""
-    if is_remote(path):
-        if ask:
-            yield remote_state(path)
-        return
-    for file, state in local_states([path]).items():
+    for file, state in known_states([path], ask).items():
         yield f"{file} {state}"
     for part in with_parts(path):
-        if local_file(part) == part and (said := _said_beside(part + _SAID)):
+        if not is_remote(part) and local_file(part) == part and (said := _said_beside(part + _SAID)):
             yield said
 
 

@@ -47,6 +47,7 @@ def taken(files: dict[str, str], settings: ScanSettings = SETTINGS, seams: objec
     return fingerprint_of(RasterRef(files["mosaic"]), sources, settings, seams)  # type: ignore[arg-type]
 
 
+PLACED = "1\n0\n0\n-1\n0\n0\n"
 PLACES = "where the mosaic or one of the sources lies"
 
 
@@ -73,8 +74,7 @@ def touch(path: str) -> None:
         (lambda files: Path(files["part"]).unlink(), "the sources or one of their files"),
         (lambda files: rewrite(files["mosaic"]), "the mosaic"),
         (lambda files: rewrite(files["part"]), "the sources or one of their files"),
-        (lambda files: Path(files["bare"]).with_suffix(".pgw").write_text("1\n0\n0\n-1\n0\n0\n"), "the sources or one of "
-         "their files"),
+        (lambda files: Path(files["bare"]).with_suffix(".wld").write_text(PLACED), "the sources or one of their files"),
     ],
 )
 def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dict[str, str]], None], what: str) -> None:
