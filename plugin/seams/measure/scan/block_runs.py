@@ -26,8 +26,7 @@ from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan
 from ..following.boxes import enlarged
 from ..following.source_filters import UNTOUCHED, Learned
 from ..profile.cell_table import CellTable, MixtureTable
-from ..seam_cells import UNKNOWN
-from ..seamlines.label_borders import NONE
+from ..seam_cells import NONE, UNKNOWN
 from ..workers import Workers, in_order, unforeseen
 from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest

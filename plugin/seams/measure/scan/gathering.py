@@ -27,10 +27,9 @@ from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, place_of, squares_met
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
-from ..seamlines.label_borders import SourceBorder
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourcePolygon, polygons_of, seams_of, trace_borders
+from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
 from ..workers import Workers, in_order
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster

@@ -28,9 +28,10 @@ from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
-from ..seamlines.label_borders import MARGIN, NONE, cleaned_edges
+from ..seam_cells import NONE
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, sources_beside
+from ..seamlines.seam_tracing import MARGIN, cleaned_edges
 from ..while_measuring import measuring
 from .block_runs import block_labels, global_numbers, whole_block
 from .loss_raster import NODATA, loss_cells

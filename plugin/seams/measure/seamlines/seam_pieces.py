@@ -12,7 +12,7 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid
 from ....imagery.lines import points_at, stretches_inside, vertex_stations
 from .. import messages
-from .label_borders import NONE
+from ..seam_cells import NONE
 
 TOLD_OUTSIDE_M = 1.0
 """Less than this beyond the mosaic's edge is how lines end, and nothing to tell."""

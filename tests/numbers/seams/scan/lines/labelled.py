@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 from scipy.special import ndtri
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.measure.blocks.block_grid import squares_met
-from seam_inspector.plugin.seams.measure.seamlines.label_borders import MARGIN, cleaned_edges
+from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import MARGIN, cleaned_edges
 
 LABEL_PX = 4
 
