@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Optional
 
 import numpy as np
 
@@ -16,12 +17,15 @@ from ..limits import FULL
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
+from ..seamlines.piece_index import PieceIndex
 from ..source_images import Source
 from ..while_measuring import measuring
 from .block_grid import (
+    BESIDE_PX,
     BLOCK_PX,
     LABEL_PX,
     LABELS,
+    MARGIN_PX,
     SQUARE_PX,
     SQUARES,
     UNIT_PX,
@@ -35,8 +39,12 @@ from .block_pixels import BlockPixels
 from .mosaic_reading import ALL_READ, BlockReading
 from .patches import SquareLook, look_at_squares, middle_sources
 from .scan_settings import ScanSettings
-from .seam_sides import SeamSides
 
+REACH_PX = 4.0 * BESIDE_PX
+"""From a given seam: what lies farther off may be beyond another one that nobody drew."""
+Sides = tuple[Optional[int], Optional[int]]
+"""Places among a block's sources of those on the left and right hand; None where nothing says. Producers often exchange
+them."""
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
 MOST_MEASURED_PX = 5_200_000  # of a part, times its sources: memory grows with that, time still faster
 CROWDED_PX = 384  # side of a part that is measured at once however many they are
@@ -68,8 +76,10 @@ class BlockRequest:
     """(UNITS, UNITS) bool, what given seams call for beside the patches."""
     grey_factor: float = 1.0
     """What floating point values are multiplied by."""
-    sides: SeamSides | None = None
-    """The seams that are given."""
+    pieces: PieceIndex | None = None
+    """The pieces of given seams that may matter in it."""
+    beside: Mapping[int, Sides] = field(default_factory=dict)
+    """What lies beside each of them."""
     taps: Mapping[int, np.ndarray] = field(default_factory=dict)
     """Filters of the sources, by their numbers, of which blocks told what came over them."""
     followed: np.ndarray | None = None
@@ -243,14 +253,14 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
-    everyone, sides = pixels.numbers, request.sides
+    everyone = pixels.numbers
     around = set(everyone)
     if request.followed is not None:
         rows, columns = squares_met(window, SQUARE_PX)  # and those around them, as the array begins a square before
         nearby = request.followed[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
         around = set(np.unique(nearby).tolist())
-    named = sides.named_near(placed) if sides is not None else set()
-    likely = tuple(i for i in everyone if i in named | around)
+    named = _named_near(placed, request)
+    likely = tuple(i for i in everyone if i in around or i in named)
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
@@ -260,6 +270,15 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     if _is_crowded(everyone, window):
         return None
     return measure_part(pixels, placed, everyone, request.taps, request.settings)
+
+
+def _named_near(window: PixelWindow, request: BlockRequest) -> set[int | None]:
+    """Sources that lie beside the seams in a window, on the mosaic's grid; none where one of them is not named."""
+    if request.pieces is None:
+        return set()
+    near = request.pieces.near(window, float(MARGIN_PX)).numbers.tolist()
+    named = {side for number in near for side in request.beside[number]}
+    return set() if None in named else named
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:

@@ -177,9 +177,9 @@ class LoneScan:
 
 @measuring()
 def scan_lone_block(request: BlockRequest) -> LoneScan:
-    """The cells along the seams of a block, which are its ``sides``. What can't be read is told in its notices."""
+    """The cells along the seams of a block, which are its ``pieces``. What can't be read is told in its notices."""
     assert request.wanted is not None
-    assert request.sides is not None
+    assert request.pieces is not None
     tables = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)]
     notices: list[Message] = []
     unread: list[PixelWindow] = []
@@ -197,7 +197,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
         else:
             bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
             pixels = MosaicPixels(around, judged_plane(bands, clip.raster.band_names), bands, clip.valid)
-            near = request.sides.pieces.near(around, REACH_PX)
+            near = request.pieces.near(around, REACH_PX)
             tables.append(lone_cells(pixels, window, near, request.settings.wavelet))
     reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
     return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)

@@ -9,10 +9,9 @@ import numpy as np
 
 from ....imagery.errors import Message
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, BlockKey
+from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import BlockRequest
-from ..blocks.seam_sides import SeamSides, SeamSquares
 from ..seamlines.piece_index import PieceIndex
 from ..workers import Workers
 from .block_runs import JournaledBlocks, ScanStep, held
@@ -44,10 +43,9 @@ class LoneScanning:
         """Every block that a seam meets."""
         def block(key: BlockKey) -> BlockRequest:
             window = self._blocks.window(key)
-            near = SeamSides(self._index.near(window, REACH_PX + MARGIN_PX), {})
             return BlockRequest(
                 self._mosaic, (), key, window, self._request.settings, self._along.dense_in(key),
-                grey_factor=self._request.grey_factor, sides=near,
+                grey_factor=self._request.grey_factor, pieces=self._index.near(window, REACH_PX + MARGIN_PX),
             )
 
         yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, self._along.met, block)

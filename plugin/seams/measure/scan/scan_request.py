@@ -16,10 +16,9 @@ from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
-from ..blocks.block_grid import BlockGrid, BlockKey
-from ..blocks.scan_block import BlockRequest
+from ..blocks.block_grid import BlockGrid, BlockKey, SeamSquares
+from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..blocks.scan_settings import ScanSettings
-from ..blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
 from ..inputs.grey_values import grey_factor
 from ..inputs.whole_images import whole_images
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
@@ -159,7 +158,15 @@ class ScanRequest:
         squares = self.seam_squares
         if squares is None:
             return request
-        return replace(request, along_seams=squares.dense_in(key), sides=self._sides(window, numbers))
+        near, named = self._index.near(window, REACH_PX), self.named[0]
+
+        def place(name: Side) -> int | None:
+            number = named.get(name) if isinstance(name, str) else None
+            return numbers.index(number) if number in numbers else None
+
+        pieces = ((number, self.pieces[number]) for number in near.numbers.tolist())
+        beside = {number: (place(piece.left), place(piece.right)) for number, piece in pieces}
+        return replace(request, along_seams=squares.dense_in(key), pieces=near, beside=beside)
 
     def _sources_in(self, window: PixelWindow) -> list[int]:
         """Numbers of the sources that meet a window, as many as can be told apart: those that cover most of it."""
@@ -172,17 +179,6 @@ class ScanRequest:
         height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
         chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
         return [meeting[place] for place in np.sort(chosen).tolist()]
-
-    def _sides(self, window: PixelWindow, numbers: Sequence[int]) -> SeamSides:
-        """Sides of the given seams near a window, by the places that the sources of its block have."""
-        near, named = self._index.near(window, REACH_PX), self.named[0]
-
-        def place(name: Side) -> int | None:
-            number = named.get(name) if isinstance(name, str) else None
-            return numbers.index(number) if number in numbers else None
-
-        beside = ((number, self.pieces[number]) for number in near.numbers.tolist())
-        return SeamSides(near, {number: (place(piece.left), place(piece.right)) for number, piece in beside})
 
     @cached_property
     def _index(self) -> PieceIndex:
