@@ -39,16 +39,9 @@ class DensePart:
 
     window: PixelWindow
     """On the mosaic's grid, without margins."""
-    labels: np.ndarray
-    """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
-    valid: np.ndarray
-    """(rows, columns) bool, as the labels: where the mosaic has pixels."""
-    mixture: np.ndarray
-    """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
-    grey: np.ndarray
-    """(rows, columns) float32 by cells of 16 px: mean of the mosaic."""
-    grain: np.ndarray
-    """(rows, columns) float32 by cells of 16 px: rms of the finest detail of the source that has most of it, DN."""
+    planes: dict[str, np.ndarray]
+    """(rows, columns) each: ``labels``, ``mixture``, ``grey`` and ``grain`` as ``BlockScan`` has them, and ``valid``,
+    bool as the labels: where the mosaic has pixels."""
     cells: CellTable
     beside: MixtureTable
     """What is mixed of what along its seams."""
@@ -87,17 +80,14 @@ def measure_part(
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
-    return DensePart(
-        window,
-        labels[inside][SAMPLED],
-        known[inside][SAMPLED],
-        square_shares(mixed[inside], CELL_PX),
-        square_shares(image.plane[inside], CELL_PX),
-        _grain(followed, known)[place],
-        cells.within(place).moved(*first),
-        beside.within(place).moved(*first),
-        np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside]),
-    )
+    planes_told = {
+        "labels": labels[inside][SAMPLED], "valid": known[inside][SAMPLED],
+        "mixture": square_shares(mixed[inside], CELL_PX), "grey": square_shares(image.plane[inside], CELL_PX),
+        "grain": _grain(followed, known)[place],
+    }
+    unexplained = np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside])
+    tables = cells.within(place).moved(*first), beside.within(place).moved(*first)
+    return DensePart(window, planes_told, *tables, unexplained)
 
 
 def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
@@ -127,11 +117,12 @@ def guesses(labels: np.ndarray, likely: np.ndarray) -> np.ndarray:
 
 def _nothing(window: PixelWindow, levels: int, known: np.ndarray) -> DensePart:
     nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
-    valid, tables = known[SAMPLED], (CellTable.empty(levels), MixtureTable.empty(levels))
-    labels = np.full(valid.shape, UNKNOWN, np.uint8)
-    return DensePart(
-        window, labels, valid, nothing, nothing, np.full_like(nothing, np.nan), *tables, float(known.any())
-    )
+    valid = known[SAMPLED]
+    planes = {
+        "labels": np.full(valid.shape, UNKNOWN, np.uint8), "valid": valid, "mixture": nothing, "grey": nothing,
+        "grain": np.full_like(nothing, np.nan),
+    }
+    return DensePart(window, planes, CellTable.empty(levels), MixtureTable.empty(levels), float(known.any()))
 
 
 BLOCK_MARGIN_PX = 32

@@ -304,9 +304,7 @@ class _Block:
         self._squares = np.full((SQUARES, SQUARES), UNKNOWN, np.uint8)
         self._dense, self._wanted = np.zeros((2, UNITS, UNITS), bool)
         self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
-        self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
-        self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
-        self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._mixture, self._grey, self._grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
         self._valid = np.ones((LABELS, LABELS), bool)
         self._plain = np.zeros((SQUARES, SQUARES), bool)
         self._learned: Learned | None = None
@@ -338,23 +336,14 @@ class _Block:
     def take_part(self, part: DensePart) -> None:
         """What was measured in a rectangle; what sticks out of the block is left out."""
         window = self._request.window
-        top, left = part.window.row - window.row, part.window.column - window.column
-
-        def place(step: int, length: int) -> tuple[slice, slice]:
-            rows, columns = (
-                slice(first // step, min((first + side) // step, length))
-                for first, side in ((top, part.window.height), (left, part.window.width))
-            )
-            return rows, columns
-
-        for target, values, step in (
-            (self._labels, part.labels, LABEL_PX), (self._valid, part.valid, LABEL_PX),
-            (self._mixture, part.mixture, CELL_PX), (self._grey, part.grey, CELL_PX),
-            (self._grain, part.grain, CELL_PX),
+        inside = part.window.moved_by(-window.column, -window.row).cut_to(BLOCK_PX, BLOCK_PX)
+        for target, name in (
+            (self._labels, "labels"), (self._valid, "valid"), (self._mixture, "mixture"), (self._grey, "grey"),
+            (self._grain, "grain"),
         ):
-            inside = place(step, len(target))
-            target[inside] = values[: inside[0].stop - inside[0].start, : inside[1].stop - inside[1].start]
-        self._dense[place(UNIT_PX, UNITS)] = True
+            place = target[squares_met(inside, BLOCK_PX // len(target))]
+            place[...] = part.planes[name][: place.shape[0], : place.shape[1]]
+        self._dense[squares_met(inside, UNIT_PX)] = True
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
