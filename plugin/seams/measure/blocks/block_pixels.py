@@ -115,10 +115,9 @@ class BlockPixels:
 
     def part(self, window: PixelWindow, numbers: Sequence[int]) -> Planes:
         """A window of the mosaic of some sources. Raises RasterError where the mosaic can't be read."""
-        around = self._around
-        left, top = window.column - around.column, window.row - around.row
-        within = min(left, top) >= 0 and left + window.width <= around.width and top + window.height <= around.height
-        if self._held is None or not within or any(i not in self._held.clips for i in numbers):
+        (top, below), (left, right) = self._around.margins_of(window)
+        is_within = min(top, below, left, right) >= 0
+        if self._held is None or not is_within or any(i not in self._held.clips for i in numbers):
             return self._planes(*self._read(window, numbers))
         mosaic, clips = self._held
         return self._planes(

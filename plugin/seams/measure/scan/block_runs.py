@@ -96,7 +96,7 @@ class JournaledBlocks:
         files, held = self._journal.files, self._journal.files.names
         self._total += len(keys)
         self._missing += sum(_name(look, key) not in held for key in keys)
-        measure, failed = partial(_looked_at, look, files), partial(_failed, look, files)
+        measure, failed = partial(_looked_at, look, files), partial(_without, look, files)
         for block in in_order(map(request, keys), measure, failed, self._workers, self._workers.together):
             yield self._step(look, block)
 
@@ -124,8 +124,13 @@ def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanSte
     try:
         scan = look.measure(request)
     except Exception as error:  # which costs this block only
-        scan = look.nothing(request, (unforeseen(error).as_warning(),))
+        return _without(look, files, request, unforeseen(error))
     return _kept(look, files, scan)
+
+
+def _without(look: BlockLook, files: RecordFiles, request: Request, reason: Message) -> ScanStep:
+    """A step of a block of which the measuring failed in a way that nobody foresaw."""
+    return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
 
 
 def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan | None:
@@ -154,11 +159,6 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
     except OSError as error:
         return replace(step, trouble=system_reason(error))
     return step
-
-
-def _failed(look: BlockLook, files: RecordFiles, request: Request, reason: Message) -> ScanStep:
-    """A step of a block of which the measuring failed in a way that nobody foresaw."""
-    return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
 
 
 def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Any:

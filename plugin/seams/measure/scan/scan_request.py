@@ -4,14 +4,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
+from typing import Callable
 
 import numpy as np
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, RasterError, SeamsElsewhereError, SettingsError
 from ....imagery.grids import PixelWindow
-from ....imagery.lines import points_at, vertex_stations
+from ....imagery.lines import vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
@@ -57,8 +58,7 @@ class ScanRequest:
         """Whether the middle of a piece lies where seams are counted."""
         if self.counted is None:
             return True
-        along = vertex_stations(piece.vertices)
-        x, y = points_at(piece.vertices, along, along[-1:] / 2)[0].tolist()
+        x, y = piece.middle
         column, row = self.mosaic.grid.column_at(x) - self.counted.column, self.mosaic.grid.row_at(y) - self.counted.row
         return 0 <= column < self.counted.width and 0 <= row < self.counted.height
 
@@ -186,26 +186,18 @@ class ScanRequest:
         return PieceIndex(self.pieces, self.mosaic.grid)
 
 
-def _check_readable(mosaic: Raster, sources: Iterable[RasterRef]) -> None:
-    """Raises RasterError where nothing of the mosaic, or not one of the sources, can be read."""
-    if (why := _why_unreadable([mosaic.ref])) is not None:
-        raise RasterError(messages.MOSAIC_NOT_READ(name=mosaic.ref.name, why=why))
-    if (why := _why_unreadable(sources)) is not None:
-        raise RasterError(messages.SOURCES_NOT_READ(why=why))
-
-
-def _why_unreadable(refs: Iterable[RasterRef]) -> Message | None:
-    """Why the first of some rasters can't be read where none of them can."""
+def _check_readable(refs: Iterable[RasterRef], not_read: Callable[..., Message]) -> None:
+    """Raises RasterError, which ``not_read`` says, where none of some rasters can be read; why the first can't."""
     why: Message | None = None
     with RasterPool(most=1) as pool:
         for ref in refs:
             try:
                 check_readable(pool.open(ref))
+                return
             except RasterError as error:
                 why = why or error.message
-            else:
-                return None
-    return why
+    if why is not None:
+        raise RasterError(not_read(why=why))
 
 
 def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRaster) -> tuple[SidedSeam, ...]:
@@ -292,7 +284,8 @@ def scan_request(
     meeting = [request.sources[number].ref for number in request.footprints.meeting(mosaic.extent)]
     if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
-    _check_readable(mosaic, meeting)
+    _check_readable([mosaic.ref], partial(messages.MOSAIC_NOT_READ, name=mosaic.ref.name))
+    _check_readable(meeting, messages.SOURCES_NOT_READ)
     if given is not None and given.seams:
         with RasterPool(most=1) as pool:
             seams = parting_seams(given, request.named[0], pool.open(mosaic.ref))

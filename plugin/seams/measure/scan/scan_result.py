@@ -15,7 +15,7 @@ from ....imagery import limits as imagery_limits
 from ....imagery.documents import plugin_version
 from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from ....imagery.lines import line_wkt, points_at, vertex_stations
+from ....imagery.lines import line_wkt
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import GEOMETRY, Column, Row, TableRows, kinds_of, rows_of
@@ -181,9 +181,7 @@ def worst_windows(
         judged = pieces[number]
         if len(worst) >= count:
             break
-        along = vertex_stations(judged.piece.vertices)
-        x, y = points_at(judged.piece.vertices, along, along[-1:] / 2)[0].tolist()
-        window = _fitting(x, y, grid, side, is_valid)
+        window = _fitting(*judged.piece.middle, grid, side, is_valid)
         if window is None or taken.shares_too_much(window):
             continue
         taken.add(window)

@@ -56,6 +56,13 @@ class SeamPiece:
     right: Side
     """The source on the right hand."""
 
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Map units."""
+        along = vertex_stations(self.vertices)
+        x, y = points_at(self.vertices, along, along[-1:] / 2)[0].tolist()
+        return x, y
+
 
 def cut_in_pieces(seams: Iterable[SidedSeam], piece_m: float, grid: Grid) -> list[SeamPiece]:
     """Seams in pieces of equal length each, as close to ``piece_m`` metres as their length allows.
