@@ -86,16 +86,15 @@ class JournaledBlocks:
 
     def __init__(self, journal: ScanJournal, workers: Workers) -> None:
         self._journal, self._workers = journal, workers
-        self._total = self._done = self._timed = self._missing = 0
+        self._total = self._done = self._timed = 0
         self._started = time.monotonic()
 
     def steps(
         self, look: BlockLook, keys: Sequence[BlockKey], request: Callable[[BlockKey], Request]
     ) -> Iterator[ScanStep]:
         """The blocks as they are measured, or were by an earlier run."""
-        files, held = self._journal.files, self._journal.files.names
+        files = self._journal.files
         self._total += len(keys)
-        self._missing += sum(_name(look, key) not in held for key in keys)
         measure, failed = partial(_looked_at, look, files), partial(_without, look, files)
         for block in in_order(map(request, keys), measure, failed, self._workers, self._workers.together):
             yield self._step(look, block)
@@ -107,13 +106,12 @@ class JournaledBlocks:
             self._journal.is_shared = False
             self._journal.save(_name(look, block.key, block.notices), block.record)
         self._done += 1
-        if block.was_held:
+        self._timed += not block.was_held
+        if block.was_held:  # by an earlier run, which began with the same blocks
             self._started = time.monotonic()
-        else:
-            self._timed, self._missing = self._timed + 1, self._missing - 1
         seconds_left = None
         if self._timed >= _FEWEST_TIMED:
-            seconds_left = (time.monotonic() - self._started) / self._timed * self._missing
+            seconds_left = (time.monotonic() - self._started) / self._timed * (self._total - self._done)
         return replace(block, record=None, share=self._done / self._total, seconds_left=seconds_left)
 
 

@@ -191,7 +191,7 @@ class Gathering:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
         index = PieceIndex(pieces, self._blocks.grid)
         groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
-        requests = (self._pieces(pieces, index, numbers) for numbers in groups)
+        requests = (self._pieces(index, numbers, [pieces[number] for number in numbers.tolist()]) for numbers in groups)
         of_piece, brightest = dict[int, PieceFigures](), 0.0
         measured = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
         for numbers, (group, brightest_of_group) in zip(groups, measured):
@@ -202,12 +202,10 @@ class Gathering:
                 of_piece[number] = figures
         return [of_piece[number] for number in range(len(pieces))], brightest
 
-    def _pieces(self, pieces: Sequence[SeamPiece], index: PieceIndex, numbers: np.ndarray) -> PiecesRequest:
-        own_pieces = [pieces[number] for number in numbers.tolist()]
-        # What lies nearer to a cell than any of them does.
-        around = around_pieces(own_pieces, self._blocks.grid, 2 * REACH_PX)
+    def _pieces(self, index: PieceIndex, numbers: np.ndarray, pieces: Sequence[SeamPiece]) -> PiecesRequest:
+        around = around_pieces(pieces, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
         return PiecesRequest(
-            self._journal.files, own_pieces, numbers, index.near(around, 0.0), self._blocks,
+            self._journal.files, pieces, numbers, index.near(around, 0.0), self._blocks,
             self._request.settings.levels, self._request.given is not None,
         )
 
