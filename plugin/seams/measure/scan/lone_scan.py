@@ -2,22 +2,37 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Callable
 
 import numpy as np
 
-from ....imagery.errors import Message
+from ....imagery.clips import read_clip
+from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.raster_pool import open_raster
+from ....imagery.records import packed, understanding, unpacked
+from ....imagery.wavelets import judged_plane
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares
-from ..blocks.mosaic_reading import MosaicReading
+from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares, rectangles
+from ..blocks.mosaic_reading import ALL_READ, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
 from ..seamlines.piece_index import PieceIndex
+from ..while_measuring import measuring
 from ..workers import Workers
-from .block_runs import JournaledBlocks, ScanStep, held
-from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
+from .block_runs import BlockLook, JournaledBlocks, ScanStep, held
 from .lone_kept import LoneSeams, judge_pieces, judge_stretches
-from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
+from .lone_stretches import (
+    MARGIN_PX,
+    REACH_PX,
+    STRIP_PX,
+    LoneStretches,
+    LoneTable,
+    MosaicPixels,
+    lone_cells,
+    lone_stretches,
+)
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
 from .piece_sums import around_pieces, blocks_of, by_blocks
 from .scan_journal import ScanJournal
@@ -26,6 +41,69 @@ from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 
 _HELD = 64  # tables of blocks that are kept: some rows of neighbours
 _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
+
+
+@dataclass(frozen=True, eq=False)
+class LoneScan:
+    """What was measured along the seams of one block."""
+
+    key: BlockKey
+    table: LoneTable
+    notices: tuple[Message, ...] = ()
+    """What could not be read; the block then lacks it."""
+    reading: BlockReading = ALL_READ
+    """What could be read."""
+    sources: tuple[int, ...] = ()
+    """None."""
+
+    @classmethod
+    def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> LoneScan:
+        """A block of which nothing could be measured."""
+        return cls(request.key, LoneTable.empty(), notices, BlockReading((request.window,), False))
+
+
+@measuring()
+def scan_lone_block(request: BlockRequest) -> LoneScan:
+    """The cells along the seams of a block, which are its ``pieces``. What can't be read is told in its notices."""
+    assert request.wanted is not None
+    assert request.pieces is not None
+    tables = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)]
+    notices: list[Message] = []
+    unread: list[PixelWindow] = []
+    parts = rectangles(request.wanted)
+    for part in parts:
+        window = part.moved_by(request.window.column, request.window.row)
+        try:
+            around = window.with_margin(MARGIN_PX)
+            clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
+        except NotCoveredError:
+            continue
+        except RasterError as error:
+            notices.append(error.message.as_warning())
+            unread.append(window)
+        else:
+            bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
+            pixels = MosaicPixels(around, judged_plane(bands, clip.raster.band_names), bands, clip.valid)
+            near = request.pieces.near(around, REACH_PX)
+            tables.append(lone_cells(pixels, window, near, request.settings.wavelet))
+    reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
+    return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
+
+
+def lone_record_of(scan: LoneScan) -> bytes:
+    """All but the notices, which are told once."""
+    return packed({"key": np.array(scan.key), **vars(scan.table)})
+
+
+def lone_scan_of(record: bytes) -> LoneScan:
+    """What ``lone_record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
+    with understanding():
+        kept = unpacked(record)
+        row, column = kept.pop("key").tolist()
+        return LoneScan((row, column), LoneTable(**kept))
+
+
+LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of)
 
 
 class LoneScanning:
