@@ -34,7 +34,7 @@ def files(make_raster: MakeRaster) -> dict[str, str]:
     with zipfile.ZipFile(folder / "archive.zip", "w") as archive:
         archive.write(made["inner"], "inner.tif")
     gdal.BuildVRT(str(folder / "of & parts.vrt"), [made["part"]]).FlushCache()
-    made["bare"] = str(folder / "bare.png")
+    made["bare"], made["wld"] = str(folder / "bare.png"), str(folder / "bare.wld")
     gdal.Translate(made["bare"], made["part"])
     Path(made["bare"] + ".aux.xml").unlink()
     made["archive"] = f"/vsizip/{folder}/archive.zip/inner.tif"
@@ -47,7 +47,6 @@ def taken(files: dict[str, str], settings: ScanSettings = SETTINGS, seams: objec
     return fingerprint_of(RasterRef(files["mosaic"]), sources, settings, seams)  # type: ignore[arg-type]
 
 
-PLACED = "1\n0\n0\n-1\n0\n0\n"
 PLACES = "where the mosaic or one of the sources lies"
 
 
@@ -74,7 +73,7 @@ def touch(path: str) -> None:
         (lambda files: Path(files["part"]).unlink(), "the sources or one of their files"),
         (lambda files: rewrite(files["mosaic"]), "the mosaic"),
         (lambda files: rewrite(files["part"]), "the sources or one of their files"),
-        (lambda files: Path(files["bare"]).with_suffix(".wld").write_text(PLACED), "the sources or one of their files"),
+        (lambda files: Path(files["wld"]).write_text("1\n0\n0\n-1\n0\n0\n"), "the sources or one of their files"),
     ],
 )
 def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dict[str, str]], None], what: str) -> None:

@@ -89,9 +89,8 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     grey, brightest = sums.grey
     (strip,) = sums.profiles()
     judged = judge_piece(PieceFigures(made_piece, strip, *grey), ("a", "b"), 0.1, white_grey(MOSAIC, brightest))
-    visibility = judged.visibility
-    assert visibility == pytest.approx(expected, rel=0.03, abs=0.03)
-    assert (visibility > 1) == (width > 0)
+    assert judged.visibility == pytest.approx(expected, rel=0.03, abs=0.03)
+    assert (judged.visibility > 1) == (width > 0)
 
 
 def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> None:
