@@ -141,12 +141,9 @@ def scan_block(request: BlockRequest) -> BlockScan:
         return BlockScan.nothing(request, ())
     except RasterError as error:
         nothing = BlockScan.nothing(request, (error.message.as_warning(),))
-        return nothing if request.along_seams is None else _along_seams(request, nothing)
-
-
-def _along_seams(request: BlockRequest, nothing: BlockScan) -> BlockScan:
-    """What can be read beside the given seams of a block that can't be read as a whole, and so was not looked at."""
-    try:
+    if request.along_seams is None:
+        return nothing
+    try:  # what can be read beside the given seams of a block that can't be read as a whole, and so was not looked at
         scanned = _scanned(replace(request, wanted=request.along_seams))
     except RasterError:
         return nothing
@@ -288,12 +285,11 @@ def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
 
 def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
     """Across its longer side, in whole squares."""
-    if window.width >= window.height:
-        first = -(-window.width // (2 * SQUARE_PX)) * SQUARE_PX
-        other = replace(window, column=window.column + first, width=window.width - first)
-        return replace(window, width=first), other
-    first = -(-window.height // (2 * SQUARE_PX)) * SQUARE_PX
-    return replace(window, height=first), replace(window, row=window.row + first, height=window.height - first)
+    length = max(window.width, window.height)
+    first = -(-length // (2 * SQUARE_PX)) * SQUARE_PX
+    if length == window.width:
+        return replace(window, width=first), replace(window, column=window.column + first, width=length - first)
+    return replace(window, height=first), replace(window, row=window.row + first, height=length - first)
 
 
 class _Block:

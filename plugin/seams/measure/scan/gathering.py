@@ -29,7 +29,7 @@ from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
+from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, parts_with_area, polygons_of, seams_of, trace_borders
 from ..workers import Workers, in_order
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
@@ -271,7 +271,6 @@ def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
     for cell in cells:
         if cell.source in numbers:
             whole = by_source.setdefault(numbers[cell.source], ogr.Geometry(ogr.wkbMultiPolygon))
-            outline = ogr.ForceToMultiPolygon(ogr.CreateGeometryFromWkb(cell.wkb))
-            for number in range(outline.GetGeometryCount()):
-                whole.AddGeometry(outline.GetGeometryRef(number))
+            for part in parts_with_area(ogr.CreateGeometryFromWkb(cell.wkb)):
+                whole.AddGeometry(part)
     return tuple(SourcePolygon(source, bytes(by_source[source].ExportToWkb())) for source in sorted(by_source))
