@@ -61,21 +61,20 @@ class Likeness(Enum):
     """Explained by other sources wherever it lies, with less detail."""
 
 
-_NOTICES = {
-    Likeness.COPY: messages.COPY_AMONG_SOURCES, Likeness.EQUAL: messages.MAY_BE_COPY,
-    Likeness.LIKE: messages.MAY_BE_ALTERED_COPY, Likeness.OF_OTHERS: messages.MADE_OF_OTHERS,
-}
-
-
 def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
     """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those and of doubtful ones."""
     likeness = likenesses(mosaic, sources)
-    kinds = list(zip(sources, likeness))
-    kept = [
-        replace(source, may_be_copy=kind is not Likeness.OTHER) for source, kind in kinds if kind is not Likeness.COPY
-    ]
-    return kept, [
-        notice(name=source.ref.name) for which, notice in _NOTICES.items() for source, kind in kinds if kind is which
+    named: dict[Likeness, list[Source]] = {kind: [] for kind in Likeness}
+    for source, kind in zip(sources, likeness):
+        named[kind].append(source)
+    return [
+        replace(source, may_be_copy=kind is not Likeness.OTHER) for source, kind in zip(sources, likeness)
+        if kind is not Likeness.COPY
+    ], [
+        *(messages.COPY_AMONG_SOURCES(name=source.ref.name) for source in named[Likeness.COPY]),
+        *(messages.MAY_BE_COPY(name=source.ref.name) for source in named[Likeness.EQUAL]),
+        *(messages.MAY_BE_ALTERED_COPY(name=source.ref.name) for source in named[Likeness.LIKE]),
+        *(messages.MADE_OF_OTHERS(name=source.ref.name) for source in named[Likeness.OF_OTHERS]),
     ]
 
 

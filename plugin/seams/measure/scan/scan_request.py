@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Callable
 
 import numpy as np
@@ -186,7 +186,7 @@ class ScanRequest:
         return PieceIndex(self.pieces, self.mosaic.grid)
 
 
-def _check_readable(refs: Iterable[RasterRef], not_read: Callable[..., Message]) -> None:
+def _check_readable(refs: Iterable[RasterRef], not_read: Callable[[Message], Message]) -> None:
     """Raises RasterError, which ``not_read`` says, where none of some rasters can be read; why the first can't."""
     why: Message | None = None
     with RasterPool(most=1) as pool:
@@ -197,7 +197,7 @@ def _check_readable(refs: Iterable[RasterRef], not_read: Callable[..., Message])
             except RasterError as error:
                 why = why or error.message
     if why is not None:
-        raise RasterError(not_read(why=why))
+        raise RasterError(not_read(why))
 
 
 def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRaster) -> tuple[SidedSeam, ...]:
@@ -284,8 +284,8 @@ def scan_request(
     meeting = [request.sources[number].ref for number in request.footprints.meeting(mosaic.extent)]
     if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
-    _check_readable([mosaic.ref], partial(messages.MOSAIC_NOT_READ, name=mosaic.ref.name))
-    _check_readable(meeting, messages.SOURCES_NOT_READ)
+    _check_readable([mosaic.ref], lambda why: messages.MOSAIC_NOT_READ(name=mosaic.ref.name, why=why))
+    _check_readable(meeting, lambda why: messages.SOURCES_NOT_READ(why=why))
     if given is not None and given.seams:
         with RasterPool(most=1) as pool:
             seams = parting_seams(given, request.named[0], pool.open(mosaic.ref))
