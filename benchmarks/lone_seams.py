@@ -21,9 +21,17 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
-from seam_inspector.plugin.seams.measure.scan.lone_blocks import REACH_PX, ZONES_PX, LoneTable, MosaicPixels, lone_cells
 from seam_inspector.plugin.seams.measure.scan.lone_kept import LoneSeams
-from seam_inspector.plugin.seams.measure.scan.lone_stretches import STRIP_PX, LoneStretches, lone_stretches
+from seam_inspector.plugin.seams.measure.scan.lone_stretches import (
+    REACH_PX,
+    STRIP_PX,
+    ZONES_PX,
+    LoneStretches,
+    LoneTable,
+    MosaicPixels,
+    lone_cells,
+    lone_stretches,
+)
 from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam, cut_in_pieces
 from skimage import graph, measure

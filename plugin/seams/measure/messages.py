@@ -50,8 +50,7 @@ WINDOWS_PLACED_IN_PART = Message(
 )
 WINDOWS_PLACED_BESIDES = Message(
     "Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are "
-    "ready.",
-    INFO,
+    "ready.", INFO
 )
 WINDOWS_THERE_ALREADY = Message("No window was placed: all {there} places along the seams have theirs already.", INFO)
 NO_RECTANGLE = Message(
@@ -71,16 +70,13 @@ NO_SOURCES = Message("No source covers the window; add the orthoimages that over
 NO_SOURCE_COMPARABLE = Message("No source can be compared here: {why}", INFO)
 MOSAIC_CONSTANT = Message("The mosaic has no variance in the window; choose a place with content.", INFO)
 SOURCE_CONSTANT = Message("{name} has no variance in the window; choose a place with content.")
-SOURCES_WITHOUT_DETAIL = Message(
-    "No source has detail at level 1 in the window; choose a place with some.", INFO
-)
+SOURCES_WITHOUT_DETAIL = Message("No source has detail at level 1 in the window; choose a place with some.", INFO)
 BANDS_DIFFER = Message("{name} has no {band} (its bands: {bands}); choose sources with the mosaic's bands.")
 COMPOSITE_UNCLEAR = Message(
     "No source explains the mosaic's fine detail here; add the orthoimages that it was made from.", INFO
 )
 NO_SEAM = Message(
-    "No change from one source to another is found in the window; the verdict is based on sharpness alone.",
-    INFO
+    "No change from one source to another is found in the window; the verdict is based on sharpness alone.", INFO
 )
 MIXED_ALL_OVER = Message(
     "Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.",
@@ -90,8 +86,7 @@ TOO_LITTLE_GROUND = Message(
     "There is too little ground beside the seam to compare it with; take a larger window, or move it.", INFO
 )
 SEAM_UNEXPLAINED = Message(
-    "{share:.0f} % of the window matches none of the given sources: check their dates, and add the missing one.",
-    INFO
+    "{share:.0f} % of the window matches none of the given sources: check their dates, and add the missing one.", INFO
 )
 VERDICT_OF_THE_REST = Message(
     "{share:.0f} % of the window matches none of the given sources and is left out; the verdict is that of the rest. "
@@ -109,8 +104,7 @@ MAY_BE_SIGNIFICANT = Message(
     "seam, or judge it by eye.", INFO
 )
 INTERVAL_TOO_WIDE = Message(
-    "What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.",
-    INFO
+    "What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.", INFO
 )
 SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and is used there.", INFO)
 SOURCE_RESAMPLED = Message(
@@ -161,9 +155,7 @@ OPERATORS_AGREE = Message(
     "Both operators judged {count} windows and agreed on {agreed}. Cohen's kappa {kappa:.2f}, 95 % interval {low:.2f} "
     "to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.", INFO
 )
-VALUES_IMPOSSIBLE = Message(
-    "{field} of {count} windows is not a possible measurement; it is left out.", WARNING
-)
+VALUES_IMPOSSIBLE = Message("{field} of {count} windows is not a possible measurement; it is left out.", WARNING)
 VERDICTS_WITHOUT_VALUE = Message(
     "{measure}: left out because nothing was measured there: {count} judged windows.", WARNING
 )
@@ -244,9 +236,7 @@ SOURCES_CROWDED = Message(
     "More than {most} orthoimages overlap in parts of the mosaic (blocks: {count}); there the {most} that cover most "
     "of a block are used.", WARNING
 )
-SOURCE_WITHOUT_BAND = Message(
-    "{name} has no {band} band, which the mosaic is measured by, so it is not used.", WARNING
-)
+SOURCE_WITHOUT_BAND = Message("{name} has no {band} band, which the mosaic is measured by, so it is not used.", WARNING)
 # seams as producers deliver them
 SEAMS_CUT_OFF = Message(
     "{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or "
@@ -395,8 +385,7 @@ TOO_LITTLE_BESIDE_SEAM = Message(
 )
 LONE_PIECE_TOO_SHORT = Message(
     "Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On "
-    "this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.",
-    INFO,
+    "this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.", INFO
 )
 LONE_INTERVAL_TOO_WIDE = Message(
     "Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is "

@@ -15,6 +15,8 @@ from ...imagery.lines import burnt
 
 UNKNOWN = 255
 """The label of pixels that no cell covers, or one of a source that does not take part."""
+NONE = -1
+"""The label where sources have the numbers of a whole scan and none is followed, or nobody looked."""
 
 
 @dataclass(frozen=True)

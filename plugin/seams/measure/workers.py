@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Callable, TypeVar
 
-from ...imagery.errors import Message, WorkersLostError
+from ...imagery.errors import Message, SeamInspectorError, WorkersLostError
 from . import messages
 
 _log = logging.getLogger("seam_inspector")
@@ -92,6 +92,8 @@ def _ready(
 
 
 def unforeseen(error: Exception) -> Message:
-    """Why there is no result, of an error that nobody foresaw; where it came from goes to the log."""
+    """Why there is no result, of an error that nobody foresaw there; where it came from goes to the log."""
+    if isinstance(error, SeamInspectorError):
+        return error.message
     _log.error("%s", error, exc_info=error)
     return messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}")

@@ -1,8 +1,8 @@
 """Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import ndimage
@@ -24,6 +24,7 @@ from ..seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
 from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
+from .scan_settings import ScanSettings
 
 SAMPLED = np.s_[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
 """Pixels whose labels are kept."""
@@ -38,16 +39,9 @@ class DensePart:
 
     window: PixelWindow
     """On the mosaic's grid, without margins."""
-    labels: np.ndarray
-    """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
-    valid: np.ndarray
-    """(rows, columns) bool, as the labels: where the mosaic has pixels."""
-    mixture: np.ndarray
-    """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
-    grey: np.ndarray
-    """(rows, columns) float32 by cells of 16 px: mean of the mosaic."""
-    grain: np.ndarray
-    """(rows, columns) float32 by cells of 16 px: rms of the finest detail of the source that has most of it, DN."""
+    planes: dict[str, np.ndarray]
+    """(rows, columns) each: ``labels``, ``mixture``, ``grey`` and ``grain`` as ``BlockScan`` has them, and ``valid``,
+    bool as the labels: where the mosaic has pixels."""
     cells: CellTable
     beside: MixtureTable
     """What is mixed of what along its seams."""
@@ -55,30 +49,21 @@ class DensePart:
     """Share of the mosaic's valid pixels that no source explains."""
 
 
-@dataclass(frozen=True, eq=False)
-class PartRequest:
-    """A rectangle that is to be measured, and what is known of it."""
-
-    window: PixelWindow
-    """On the mosaic's grid."""
-    numbers: tuple[int, ...]
-    """The sources of its block that it is measured by."""
-    taps: Mapping[int, np.ndarray] = field(default_factory=dict)
-    """Filters of those of which it is known what came over them."""
-
-
-def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels: int) -> DensePart:
-    """Measure a rectangle of a block. Raises RasterError where the mosaic can't be read."""
-    window = request.window
-    around = window.with_margin(MARGIN_PX)
-    planes = pixels.part(around, request.numbers)
+def measure_part(
+    pixels: BlockPixels, window: PixelWindow, numbers: Sequence[int], taps: Mapping[int, np.ndarray],
+    settings: ScanSettings,
+) -> DensePart:
+    """Measure a rectangle of a block, on the mosaic's grid, by some sources of the block; ``taps``: filters of those of
+    which it is known what came over them. Raises RasterError where the mosaic can't be read."""
+    around, levels = window.with_margin(MARGIN_PX), settings.levels
+    planes = pixels.part(around, numbers)
     inside = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
     given = tuple(planes.sources)
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
     if not given or known[inside].mean() < MIN_VALID:
         return _nothing(window, levels, known[inside])
     image = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic, valid=planes.mosaic_valid)
-    filters = known_filters(request.taps, given)
+    filters = known_filters(taps, given)
     if filters is not None and filters.taps:
         followed = follow_given(image, list(planes.sources.values()), filters)
     else:
@@ -88,24 +73,21 @@ def measure_part(pixels: BlockPixels, request: PartRequest, wavelet: str, levels
     labels, likely, mixed = expected.labels, followed.following.likely, followed.following.mixed
     guessed = known & guesses(labels, likely | mixed)
     labels = np.where(guessed, np.uint8(UNKNOWN), labels)
-    details = list(placed_components(compared_planes(expected.filling(image), expected), wavelet, levels))
+    details = list(placed_components(compared_planes(expected.filling(image), expected), settings.wavelet, levels))
     sources = MeetingSources.of(replace(expected, labels=labels))
     cells, beside = detail_sums(details, sources, energy_of_rounding(image.plane))
     labels = filled_in(labels, guessed)
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
-    return DensePart(
-        window,
-        labels[inside][SAMPLED],
-        known[inside][SAMPLED],
-        square_shares(mixed[inside], CELL_PX),
-        square_shares(image.plane[inside], CELL_PX),
-        _grain(followed, known)[place],
-        cells.within(place).moved(*first),
-        beside.within(place).moved(*first),
-        np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside]),
-    )
+    planes_told = {
+        "labels": labels[inside][SAMPLED], "valid": known[inside][SAMPLED],
+        "mixture": square_shares(mixed[inside], CELL_PX), "grey": square_shares(image.plane[inside], CELL_PX),
+        "grain": _grain(followed, known)[place],
+    }
+    unexplained = np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside])
+    tables = cells.within(place).moved(*first), beside.within(place).moved(*first)
+    return DensePart(window, planes_told, *tables, unexplained)
 
 
 def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
@@ -135,11 +117,12 @@ def guesses(labels: np.ndarray, likely: np.ndarray) -> np.ndarray:
 
 def _nothing(window: PixelWindow, levels: int, known: np.ndarray) -> DensePart:
     nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
-    valid, tables = known[SAMPLED], (CellTable.empty(levels), MixtureTable.empty(levels))
-    labels = np.full(valid.shape, UNKNOWN, np.uint8)
-    return DensePart(
-        window, labels, valid, nothing, nothing, np.full_like(nothing, np.nan), *tables, float(known.any())
-    )
+    valid = known[SAMPLED]
+    planes = {
+        "labels": np.full(valid.shape, UNKNOWN, np.uint8), "valid": valid, "mixture": nothing, "grey": nothing,
+        "grain": np.full_like(nothing, np.nan),
+    }
+    return DensePart(window, planes, CellTable.empty(levels), MixtureTable.empty(levels), float(known.any()))
 
 
 BLOCK_MARGIN_PX = 32

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Callable
+from typing import Callable, NamedTuple
 
 import numpy as np
 
@@ -40,6 +40,13 @@ class Planes:
     """Sources by number, of one plane each."""
     resampled: frozenset[int]
     """Sources that had to be warped to the mosaic's grid."""
+
+
+class BlockClips(NamedTuple):
+    """What was read of one window: of the mosaic, and of sources by their numbers."""
+
+    mosaic: Clip
+    clips: dict[int, Clip]
 
 
 class BlockPixels:
@@ -79,10 +86,8 @@ class BlockPixels:
     @property
     def valid(self) -> np.ndarray | None:
         """(rows, columns) bool: where the mosaic has pixels; None: everywhere."""
-        if self._held is None or self._held.mosaic.valid is None:
-            return None
-        first = self._margin
-        return self._held.mosaic.valid[first : first + self.window.height, first : first + self.window.width]
+        valid, first = None if self._held is None else self._held.mosaic.valid, self._margin
+        return None if valid is None else valid[first : first + self.window.height, first : first + self.window.width]
 
     def patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
         """Squares of ``side`` px that begin at these rows and columns of the block, side by side as one image, of a
@@ -92,10 +97,9 @@ class BlockPixels:
         def pick(pixels: np.ndarray) -> np.ndarray:
             return _squares(pixels, down, across, side)
 
-        planes = self._planes(self.held, pick)
+        planes = self._planes(*self.held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
-            read = BlockClips(self.held.mosaic, self._read_sources(self._around, [number]))
-            more = self._planes(read, pick)
+            more = self._planes(self.held.mosaic, self._read_sources(self._around, [number]), pick)
             planes = replace(
                 planes, sources={**planes.sources, **more.sources}, resampled=planes.resampled | more.resampled
             )
@@ -105,19 +109,21 @@ class BlockPixels:
         """Squares of ``side`` px that begin at these places (n,) of the block, one below the other, of a block that was
         read as a whole; of the sources that are held only."""
         places = (np.column_stack([rows, columns]) + self._margin).tolist()
-        return self._planes(self.held, lambda pixels: np.concatenate(
+        return self._planes(*self.held, lambda pixels: np.concatenate(
             [pixels[..., row : row + side, column : column + side] for row, column in places], axis=-2
         ))
 
     def part(self, window: PixelWindow, numbers: Sequence[int]) -> Planes:
         """A window of the mosaic of some sources. Raises RasterError where the mosaic can't be read."""
-        around = self._around
-        left, top = window.column - around.column, window.row - around.row
-        within = min(left, top) >= 0 and left + window.width <= around.width and top + window.height <= around.height
-        if self._held is None or not within or any(i not in self._held.clips for i in numbers):
-            return self._planes(self._read(window, numbers))
-        held = BlockClips(self._held.mosaic, {i: self._held.clips[i] for i in numbers})
-        return self._planes(held, lambda pixels: pixels[..., top : top + window.height, left : left + window.width])
+        (top, below), (left, right) = self._around.margins_of(window)
+        is_within = min(top, below, left, right) >= 0
+        if self._held is None or not is_within or any(i not in self._held.clips for i in numbers):
+            return self._planes(*self._read(window, numbers))
+        mosaic, clips = self._held
+        return self._planes(
+            mosaic, {i: clips[i] for i in numbers},
+            lambda pixels: pixels[..., top : top + window.height, left : left + window.width],
+        )
 
     def _read(self, window: PixelWindow, numbers: Sequence[int]) -> BlockClips:
         mosaic = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
@@ -145,26 +151,17 @@ class BlockPixels:
             self._absent.update(i for i in numbers if i not in clips)
         return clips
 
-    def _planes(self, read: BlockClips, pick: _Pick = lambda pixels: pixels) -> Planes:
+    def _planes(self, mosaic: Clip, clips: dict[int, Clip], pick: _Pick = lambda pixels: pixels) -> Planes:
         sources = {}
-        for i, clip in read.clips.items():
+        for i, clip in clips.items():
             plane = _plane(clip, self._band, pick, self._factors.get(i, 1.0))
             valid = None if clip.valid is None else pick(clip.valid)
             offset = clip.offset_x, clip.offset_y
             sources[i] = ComparedImage(plane[np.newaxis], JUDGED, {}, {}, clip.raster, offset, valid, plane)
         return Planes(
-            _plane(read.mosaic, self._band, pick, self._factor),
-            None if read.mosaic.valid is None else pick(read.mosaic.valid),
-            sources, frozenset(i for i, clip in read.clips.items() if clip.resampled),
+            _plane(mosaic, self._band, pick, self._factor), None if mosaic.valid is None else pick(mosaic.valid),
+            sources, frozenset(i for i, clip in clips.items() if clip.resampled),
         )
-
-
-@dataclass(frozen=True, eq=False)
-class BlockClips:
-    """What was read of one window."""
-
-    mosaic: Clip
-    clips: dict[int, Clip]
 
 
 def _plane(clip: Clip, band: str, pick: _Pick, factor: float) -> np.ndarray:

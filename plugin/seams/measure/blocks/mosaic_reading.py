@@ -1,7 +1,7 @@
 """What of a mosaic and its orthoimages could be read while its blocks were measured."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ....imagery.errors import Message, RasterError
@@ -30,14 +30,17 @@ class MosaicReading:
 
     def __init__(self, mosaic: Raster) -> None:
         self._mosaic = mosaic
-        self._unread: list[PixelWindow] = []
+        self.unread: dict[PixelWindow, None] = {}
+        """Windows on the mosaic that could not be read, each once."""
         self._has_mosaic = self._has_sources = False
         self._why_no_mosaic: Message | None = None
         self._why_no_sources: Message | None = None
 
     def add(self, block: BlockReading, notices: Sequence[Message]) -> None:
         """One block more; ``notices``: why it lacks something."""
-        self._unread += block.unread
+        self.unread |= dict.fromkeys(
+            window.cut_to(self._mosaic.columns, self._mosaic.rows) for window in block.unread
+        )
         self._has_mosaic |= block.has_mosaic
         self._has_sources |= bool(block.has_sources)
         why = next(iter(notices), None)
@@ -52,32 +55,17 @@ class MosaicReading:
             raise RasterError(messages.SOURCES_NOT_READ(why=self._why_no_sources))
 
     @property
-    def unread(self) -> Iterator[PixelWindow]:
-        """Windows on the mosaic that could not be read."""
-        edges = self._mosaic.columns, self._mosaic.rows
-        return (window.cut_to(*edges) for window in dict.fromkeys(self._unread))
+    def told(self) -> tuple[dict[str, str], tuple[Message, ...]]:
+        """What the layers say of it, and in words: the share of the mosaic that was to be measured and could not be
+        read, and the middle of its largest window; nothing where all was read."""
+        if not self.unread:
+            return {}, ()
+        share = sum(map(_area, self.unread)) / (self._mosaic.columns * self._mosaic.rows)
+        largest = max(self.unread, key=_area)
+        x, y = self._mosaic.grid.to_map(largest.column + largest.width / 2, largest.row + largest.height / 2)
+        notes = {"unread": f"{share:.3g}", "unread_at": f"{x:.10g} {y:.10g}"}
+        return notes, (messages.MOSAIC_UNREAD(share=100 * share, x=x, y=y),)
 
-    @property
-    def told(self) -> dict[str, str]:
-        """What the layers say of it: the share of the mosaic that was to be measured and could not be read, and a place
-        in it; nothing where all was read."""
-        if not self._unread:
-            return {}
-        share, x, y = self._lost
-        return {"unread": f"{share:.3g}", "unread_at": f"{x:.10g} {y:.10g}"}
 
-    @property
-    def notices(self) -> tuple[Message, ...]:
-        """What could not be read, in words."""
-        if not self._unread:
-            return ()
-        share, x, y = self._lost
-        return (messages.MOSAIC_UNREAD(share=100 * share, x=x, y=y),)
-
-    @property
-    def _lost(self) -> tuple[float, float, float]:
-        """Share of the mosaic that could not be read, and the middle of its largest window."""
-        windows = sorted(self.unread, key=lambda window: -window.width * window.height)
-        share = sum(window.width * window.height for window in windows) / (self._mosaic.columns * self._mosaic.rows)
-        column, row = windows[0].column + windows[0].width / 2, windows[0].row + windows[0].height / 2
-        return share, *self._mosaic.grid.to_map(column, row)
+def _area(window: PixelWindow) -> int:
+    return window.width * window.height

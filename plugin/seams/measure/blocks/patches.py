@@ -63,8 +63,6 @@ class SquareLook:
     """uint8: number of the source that is followed, ``UNKNOWN`` where none explains it or there are no pixels."""
     doubtful: np.ndarray
     """bool: where a patch shows more than one source, or none for sure."""
-    empty: np.ndarray
-    """bool: where the mosaic has no pixels at all."""
     cells: CellTable
     """One cell of each patch that follows one source for sure, finest level only."""
     learned: Learned | None = None
@@ -86,16 +84,17 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         empty = ~with_patch & ~has_any
     if not planes.sources or empty.all():
         nothing = np.full(shape, UNKNOWN, np.uint8)
-        return SquareLook(nothing, np.zeros(shape, bool), empty, CellTable.empty(levels))
+        return SquareLook(nothing, np.zeros(shape, bool), CellTable.empty(levels))
     fine = high_pass(planes.mosaic)
     fines = {i: high_pass(source.plane) for i, source in planes.sources.items()}
     patches = _patches(fine, fines, planes, with_patch, empty)
     if not patches.sampled.any():
         nothing = CellTable.empty(levels)
-        return SquareLook(patches.source, patches.doubtful, empty, nothing, plain=_is_plain(fine, shape))
+        return SquareLook(patches.source, patches.doubtful, nothing, plain=_is_plain(fine, shape))
 
     def cells_of(patches: _Patches) -> tuple[CellTable, Learned]:
-        return _cells(planes, patches.sampled_source, (rows, columns), wavelet, levels)
+        sampled = np.where(patches.sampled, patches.source, np.uint8(UNKNOWN))
+        return _cells(planes, sampled, (rows, columns), wavelet, levels)
 
     mosaic_was = was_compressed(planes.mosaic)
     is_compressed = compressed_sides(mosaic_was, lambda number: planes.sources[number].plane, fines)
@@ -115,7 +114,7 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int) -> SquareLoo
         patches = patches.without(strangers)
         cells, learned = cells_of(patches)
     learned = Learned({**supposed, **learned.taps}, {**dict.fromkeys(supposed, 1.0), **learned.left_over})
-    return SquareLook(patches.source, patches.doubtful, empty, cells, learned, plain=_is_plain(fine, shape))
+    return SquareLook(patches.source, patches.doubtful, cells, learned, plain=_is_plain(fine, shape))
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,30 +140,20 @@ class _Patches:
         """Share of the mosaic's fine detail that they leave over."""
         return float(self.left_over[self.energy > 0].sum() / max(self.energy.sum(), 1e-9))
 
-    @property
-    def sampled_source(self) -> np.ndarray:
-        """uint8: of those, else ``UNKNOWN``."""
-        return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
-
     def strangers(self, is_compressed: IsCompressed) -> np.ndarray:
         """bool: of an image that isn't given, where so much lies together that it is no chance; where nothing was
         compressed, by the best ground of all sources, one that a given one resembles as well."""
         if is_compressed(None):
             foreign = foreign_patches(self.energy, self.left_over, self.source, is_compressed)
             return opened(foreign & ~self.doubtful, _STRANGE_SQUARES)
-        strange, alike = self._strange(np.ones(self.energy.shape, bool))
-        surely = opened(strange & ~self.doubtful, _STRANGE_SQUARES) | opened(alike, _ALIKE_SQUARES)
-        return (self.energy > 0) & surely
-
-    def _strange(self, of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """bool: surely of another image, and perhaps of one that resembles a source; of a part by its best ground."""
-        textured = of & (self.energy > 0)
+        textured = self.energy > 0
         ground = learn_best_ground(self.energy[textured], self.left_over[textured])
         if ground is None or ground.is_of_none():  # there are too few patches to condemn a whole block
-            return np.zeros_like(textured), np.zeros_like(textured)
+            return np.zeros_like(textured)
         energy = np.where(textured, self.energy, 1)
         strange, alike = ground.strangeness(energy, self.left_over, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
-        return textured & (strange > MIN_STRANGE), textured & alike
+        surely = opened(textured & (strange > MIN_STRANGE) & ~self.doubtful, _STRANGE_SQUARES)
+        return textured & (surely | opened(textured & alike, _ALIKE_SQUARES))
 
     def without(self, strangers: np.ndarray) -> _Patches:
         """Patches that follow none."""
@@ -223,9 +212,7 @@ def _best_filters(
     fine: np.ndarray, fines: Mapping[int, np.ndarray], planes: Planes, shape: tuple[int, int]
 ) -> dict[int, np.ndarray]:
     """Taps (5, 5) of each source by the half of its patches that it explains best."""
-    known = np.zeros(PATCH_PX, bool)
-    known[_KNOWN] = True
-    inside = np.outer(np.tile(known, shape[0]), np.tile(known, shape[1]))
+    inside = _known_pixels(shape)
     filters = {}
     for number, plane in fines.items():
         valid = _share(planes.sources[number].valid, shape) >= _MIN_VALID
@@ -233,6 +220,13 @@ def _best_filters(
         if taps is not None:
             filters[number] = taps
     return filters
+
+
+def _known_pixels(shape: tuple[int, ...]) -> np.ndarray:
+    """Pixels of so many rows and columns of patches that a filter may be learned from, bool."""
+    known = np.zeros(PATCH_PX, bool)
+    known[_KNOWN] = True
+    return np.outer(np.tile(known, shape[0]), np.tile(known, shape[1]))
 
 
 def _starts(length: int) -> np.ndarray:
@@ -323,9 +317,7 @@ def _cells(
     chosen = np.ix_(*kept)
     followed = followed[step // 2 :: step, step // 2 :: step]
     shape = followed.shape
-    inside = np.zeros(PATCH_PX, bool)
-    inside[_KNOWN] = True
-    within = np.outer(np.tile(inside, shape[0]), np.tile(inside, shape[1]))
+    within = _known_pixels(shape)
     mosaic, cell = planes.mosaic[chosen], slice(_CELL.start // 2, _CELL.stop // 2)
     for _ in range(_ROUNDS):
         numbers = present(followed)

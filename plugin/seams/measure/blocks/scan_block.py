@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Optional
 
 import numpy as np
 
@@ -16,16 +17,34 @@ from ..limits import FULL
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
+from ..seamlines.piece_index import PieceIndex
 from ..source_images import Source
 from ..while_measuring import measuring
-from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
-from .block_parts import BLOCK_MARGIN_PX, DensePart, PartRequest, measure_part, measure_plain
+from .block_grid import (
+    BESIDE_PX,
+    BLOCK_PX,
+    LABEL_PX,
+    LABELS,
+    MARGIN_PX,
+    SQUARE_PX,
+    SQUARES,
+    UNIT_PX,
+    UNITS,
+    BlockKey,
+    rectangles,
+    squares_met,
+)
+from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
 from .block_pixels import BlockPixels
 from .mosaic_reading import ALL_READ, BlockReading
 from .patches import SquareLook, look_at_squares, middle_sources
 from .scan_settings import ScanSettings
-from .seam_sides import SeamSides
 
+REACH_PX = 4.0 * BESIDE_PX
+"""From a given seam: what lies farther off may be beyond another one that nobody drew."""
+Sides = tuple[Optional[int], Optional[int]]
+"""Places among a block's sources of those on the left and right hand; None where nothing says. Producers often exchange
+them."""
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
 MOST_MEASURED_PX = 5_200_000  # of a part, times its sources: memory grows with that, time still faster
 CROWDED_PX = 384  # side of a part that is measured at once however many they are
@@ -57,13 +76,17 @@ class BlockRequest:
     """(UNITS, UNITS) bool, what given seams call for beside the patches."""
     grey_factor: float = 1.0
     """What floating point values are multiplied by."""
-    sides: SeamSides | None = None
-    """The seams that are given."""
+    pieces: PieceIndex | None = None
+    """The pieces of given seams that may matter in it."""
+    beside: Mapping[int, Sides] = field(default_factory=dict)
+    """What lies beside each of them."""
     taps: Mapping[int, np.ndarray] = field(default_factory=dict)
     """Filters of the sources, by their numbers, of which blocks told what came over them."""
     followed: np.ndarray | None = None
     """(SQUARES + 2, SQUARES + 2) uint8: what they found followed in its squares and in those around it, else
     ``UNKNOWN``; None: any source may be."""
+    numbers: tuple[int, ...] = ()
+    """What its sources are numbered in the whole scan."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +94,8 @@ class BlockScan:
     """What was measured in one block."""
 
     key: BlockKey
-    sources: tuple[str, ...]
-    """Paths of the sources that its numbers mean."""
+    sources: tuple[int, ...]
+    """Numbers in the whole scan of the sources that its own mean."""
     squares: np.ndarray
     """(SQUARES, SQUARES) uint8: number of the source that the patch of each square follows, or ``UNKNOWN``."""
     dense: np.ndarray
@@ -118,12 +141,9 @@ def scan_block(request: BlockRequest) -> BlockScan:
         return BlockScan.nothing(request, ())
     except RasterError as error:
         nothing = BlockScan.nothing(request, (error.message.as_warning(),))
-        return nothing if request.along_seams is None else _along_seams(request, nothing)
-
-
-def _along_seams(request: BlockRequest, nothing: BlockScan) -> BlockScan:
-    """What can be read beside the given seams of a block that can't be read as a whole, and so was not looked at."""
-    try:
+    if request.along_seams is None:
+        return nothing
+    try:  # what can be read beside the given seams of a block that can't be read as a whole, and so was not looked at
         scanned = _scanned(replace(request, wanted=request.along_seams))
     except RasterError:
         return nothing
@@ -194,7 +214,7 @@ def _pixels(request: BlockRequest, window: PixelWindow, margin_px: int | None) -
 
 def called_for(
     source: np.ndarray, unknown: int = UNKNOWN, midway: tuple[np.ndarray, np.ndarray] | None = None,
-    pairs: Sequence[int] | None = None,
+    pairs: range | None = None,
 ) -> np.ndarray:
     """Units between squares that follow different sources, bool; ``source``: (rows, columns) of squares.
 
@@ -230,25 +250,32 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
     with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
-    everyone, sides, decomposition = pixels.numbers, request.sides, (request.settings.wavelet, request.settings.levels)
+    everyone = pixels.numbers
     around = set(everyone)
     if request.followed is not None:
-        rows, columns = (
-            slice(first // SQUARE_PX, -(-(first + length) // SQUARE_PX) + 2)
-            for first, length in ((window.row, window.height), (window.column, window.width))
-        )
-        around = set(np.unique(request.followed[rows, columns]).tolist())
-    named = sides.named_near(placed) if sides is not None else set()
-    likely = tuple(i for i in everyone if i in named | around)
+        rows, columns = squares_met(window, SQUARE_PX)  # and those around them, as the array begins a square before
+        nearby = request.followed[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
+        around = set(np.unique(nearby).tolist())
+    named = _named_near(placed, request)
+    likely = tuple(i for i in everyone if i in around or i in named)
     if len(likely) > 1:
         if _is_crowded(likely, window):
             return None
-        part = measure_part(pixels, PartRequest(placed, likely, request.taps), *decomposition)
+        part = measure_part(pixels, placed, likely, request.taps, request.settings)
         if part.unexplained <= MOST_UNEXPLAINED or likely == everyone:
             return part
     if _is_crowded(everyone, window):
         return None
-    return measure_part(pixels, PartRequest(placed, everyone, request.taps), *decomposition)
+    return measure_part(pixels, placed, everyone, request.taps, request.settings)
+
+
+def _named_near(window: PixelWindow, request: BlockRequest) -> set[int | None]:
+    """Sources that lie beside the seams in a window, on the mosaic's grid; none where one of them is not named."""
+    if request.pieces is None:
+        return set()
+    near = request.pieces.near(window, float(MARGIN_PX)).numbers.tolist()
+    named = {side for number in near for side in request.beside[number]}
+    return set() if None in named else named
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
@@ -258,12 +285,11 @@ def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
 
 def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
     """Across its longer side, in whole squares."""
-    if window.width >= window.height:
-        first = -(-window.width // (2 * SQUARE_PX)) * SQUARE_PX
-        other = replace(window, column=window.column + first, width=window.width - first)
-        return replace(window, width=first), other
-    first = -(-window.height // (2 * SQUARE_PX)) * SQUARE_PX
-    return replace(window, height=first), replace(window, row=window.row + first, height=window.height - first)
+    length = max(window.width, window.height)
+    first = -(-length // (2 * SQUARE_PX)) * SQUARE_PX
+    if length == window.width:
+        return replace(window, width=first), replace(window, column=window.column + first, width=length - first)
+    return replace(window, height=first), replace(window, row=window.row + first, height=length - first)
 
 
 class _Block:
@@ -274,9 +300,7 @@ class _Block:
         self._squares = np.full((SQUARES, SQUARES), UNKNOWN, np.uint8)
         self._dense, self._wanted = np.zeros((2, UNITS, UNITS), bool)
         self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
-        self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
-        self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
-        self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._mixture, self._grey, self._grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
         self._valid = np.ones((LABELS, LABELS), bool)
         self._plain = np.zeros((SQUARES, SQUARES), bool)
         self._learned: Learned | None = None
@@ -308,23 +332,14 @@ class _Block:
     def take_part(self, part: DensePart) -> None:
         """What was measured in a rectangle; what sticks out of the block is left out."""
         window = self._request.window
-        top, left = part.window.row - window.row, part.window.column - window.column
-
-        def place(step: int, length: int) -> tuple[slice, slice]:
-            rows, columns = (
-                slice(first // step, min((first + side) // step, length))
-                for first, side in ((top, part.window.height), (left, part.window.width))
-            )
-            return rows, columns
-
-        for target, values, step in (
-            (self._labels, part.labels, LABEL_PX), (self._valid, part.valid, LABEL_PX),
-            (self._mixture, part.mixture, CELL_PX), (self._grey, part.grey, CELL_PX),
-            (self._grain, part.grain, CELL_PX),
+        inside = part.window.moved_by(-window.column, -window.row).cut_to(BLOCK_PX, BLOCK_PX)
+        for target, name in (
+            (self._labels, "labels"), (self._valid, "valid"), (self._mixture, "mixture"), (self._grey, "grey"),
+            (self._grain, "grain"),
         ):
-            inside = place(step, len(target))
-            target[inside] = values[: inside[0].stop - inside[0].start, : inside[1].stop - inside[1].start]
-        self._dense[place(UNIT_PX, UNITS)] = True
+            place = target[squares_met(inside, BLOCK_PX // len(target))]
+            place[...] = part.planes[name][: place.shape[0], : place.shape[1]]
+        self._dense[squares_met(inside, UNIT_PX)] = True
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
@@ -364,7 +379,7 @@ class _Block:
         table = CellTable.joined([CellTable.empty(levels), *self._tables])
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
-            request.key, tuple(source.ref.path for source in request.sources), self._squares, self._dense, self._wanted,
+            request.key, request.numbers, self._squares, self._dense, self._wanted,
             self._labels,
             self._mixture, self._grey, self._grain, table, beside, self._ground(),
             self._learned, notices,

@@ -26,7 +26,7 @@ from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan
 from ..following.boxes import enlarged
 from ..following.source_filters import UNTOUCHED, Learned
 from ..profile.cell_table import CellTable, MixtureTable
-from ..seam_cells import UNKNOWN
+from ..seam_cells import NONE, UNKNOWN
 from ..workers import Workers, in_order, unforeseen
 from .scan_journal import INCOMPLETE, ScanJournal, not_saved
 from .scan_request import ScanRequest
@@ -40,11 +40,8 @@ _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
 Request = Any
 """Has the ``key`` of its block."""
 Scan = Any
-"""Has the ``key`` of its block, its ``reading``, and ``notices``: what could not be read, which the block lacks."""
-
-
-def _always(_scan: Scan, _request: Request) -> bool:
-    return True
+"""Has the ``key`` of its block, the numbers of its ``sources``, its ``reading``, and ``notices``: what could not be
+read, which the block lacks."""
 
 
 @dataclass(frozen=True)
@@ -59,8 +56,6 @@ class BlockLook:
     record_of: Callable[[Scan], bytes]
     scan_of: Callable[[bytes], Scan]
     """Raises NotUnderstoodError for what no scan of ours has written."""
-    is_of: Callable[[Scan, Request], bool] = _always
-    """Whether what an earlier run has kept of a block is what is asked for."""
     brief: Callable[[Scan], Any] = attrgetter("key")
     """What has to be known of it to hand out more blocks."""
 
@@ -91,17 +86,16 @@ class JournaledBlocks:
 
     def __init__(self, journal: ScanJournal, workers: Workers) -> None:
         self._journal, self._workers = journal, workers
-        self._total = self._done = self._timed = self._missing = 0
+        self._total = self._done = self._timed = 0
         self._started = time.monotonic()
 
     def steps(
         self, look: BlockLook, keys: Sequence[BlockKey], request: Callable[[BlockKey], Request]
     ) -> Iterator[ScanStep]:
         """The blocks as they are measured, or were by an earlier run."""
-        files, held = self._journal.files, self._journal.files.names
+        files = self._journal.files
         self._total += len(keys)
-        self._missing += sum(_name(look, key) not in held for key in keys)
-        measure, failed = partial(_looked_at, look, files), partial(_failed, look, files)
+        measure, failed = partial(_looked_at, look, files), partial(_without, look, files)
         for block in in_order(map(request, keys), measure, failed, self._workers, self._workers.together):
             yield self._step(look, block)
 
@@ -112,13 +106,12 @@ class JournaledBlocks:
             self._journal.is_shared = False
             self._journal.save(_name(look, block.key, block.notices), block.record)
         self._done += 1
-        if block.was_held:
+        self._timed += not block.was_held
+        if block.was_held:  # by an earlier run, which began with the same blocks
             self._started = time.monotonic()
-        else:
-            self._timed, self._missing = self._timed + 1, self._missing - 1
         seconds_left = None
         if self._timed >= _FEWEST_TIMED:
-            seconds_left = (time.monotonic() - self._started) / self._timed * self._missing
+            seconds_left = (time.monotonic() - self._started) / self._timed * (self._total - self._done)
         return replace(block, record=None, share=self._done / self._total, seconds_left=seconds_left)
 
 
@@ -129,8 +122,13 @@ def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanSte
     try:
         scan = look.measure(request)
     except Exception as error:  # which costs this block only
-        scan = look.nothing(request, (unforeseen(error).as_warning(),))
+        return _without(look, files, request, unforeseen(error))
     return _kept(look, files, scan)
+
+
+def _without(look: BlockLook, files: RecordFiles, request: Request, reason: Message) -> ScanStep:
+    """A step of a block of which the measuring failed in a way that nobody foresaw."""
+    return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
 
 
 def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan | None:
@@ -141,7 +139,7 @@ def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan 
         if record is None:
             return None
         scan = look.scan_of(record)
-        if scan.key == request.key and look.is_of(scan, request):
+        if scan.key == request.key and scan.sources == request.numbers:
             return scan
     except (NotUnderstoodError, OSError):
         pass  # damaged: it is measured again
@@ -161,15 +159,8 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
     return step
 
 
-def _failed(look: BlockLook, files: RecordFiles, request: Request, reason: Message) -> ScanStep:
-    """A step of a block of which the measuring failed in a way that nobody foresaw."""
-    return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
-
-
-def held(
-    look: BlockLook, files: RecordFiles, key: BlockKey, understood: Callable[[bytes], Any] | None = None
-) -> Any:
-    """The scan that was kept of one block, or what ``understood`` makes of its record; None where there is none.
+def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Any:
+    """The scan that was kept of one block; None where there is none.
 
     Raises SettingsError where it can't be read any more; it is then measured again when the scan is started again.
     """
@@ -177,8 +168,7 @@ def held(
     try:
         record = files.load(name)
         record = files.load(f"{INCOMPLETE} {name}") if record is None else record
-        with understanding():
-            return None if record is None else (understood or look.scan_of)(record)
+        return None if record is None else look.scan_of(record)
     except (OSError, NotUnderstoodError) as error:
         files.forget(name)
         why = system_reason(error) if isinstance(error, OSError) else str(error)
@@ -205,7 +195,7 @@ def record_of(scan: BlockScan) -> bytes:
     for table, names in _TABLES.items():
         arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
-    arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
+    arrays["sources"] = np.array(scan.sources, np.int32)
     learned = scan.learned or Learned({}, {})
     of = sorted(learned.taps)
     taps = np.array([learned.taps[number] for number in of], np.float32)
@@ -226,7 +216,8 @@ def scan_of(record: bytes) -> BlockScan:
         if any(column.shape[-1] != len(table.row) for table in (cells, beside) for column in vars(table).values()):
             raise NotUnderstoodError("a table with holes")
         arrays = {name: held[name] for name in _ARRAYS}
-        return BlockScan((row, column), _names(held), **arrays, cells=cells, beside=beside, learned=_learned(held))
+        sources, learned = tuple(held["sources"].tolist()), _learned(held)
+        return BlockScan((row, column), sources, **arrays, cells=cells, beside=beside, learned=learned)
 
 
 def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
@@ -237,62 +228,44 @@ def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
     return Learned(dict(zip(numbers, taps)), dict(zip(numbers, left_over.tolist()))) if numbers else None
 
 
-def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
-    names = held["sources"].tobytes().decode()
-    return tuple(names.split("\n")) if names else ()
-
-
-NOTHING = -1
-"""Number in place of a source's in the whole scan: none is followed."""
-
-
 class BlockRun:
     """Measures the blocks that a journal doesn't hold yet."""
 
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
         blocks = request.blocks
-        self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NOTHING, np.int32)
-        self._wanted: dict[BlockKey, bytes] = {}
+        self._squares = np.full((blocks.rows * SQUARES + 2, blocks.columns * SQUARES + 2), NONE, np.int32)
+        self._wanted = np.zeros((blocks.rows * UNITS, blocks.columns * UNITS), bool)
         self._known: dict[int, dict[BlockKey, tuple[float, np.ndarray]]] = {}
         """The share that a source leaves over, and its filter, in each block that tells what came over it."""
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """First the patches of every block; then its seams, by what all blocks tell of their sources."""
-        blocks = JournaledBlocks(self._journal, workers)
-        for step in blocks.steps(FIRST_LOOK, self._request.keys(), self._request.block):
-            look, (rows, columns) = step.brief, place_of(step.key, SQUARES)
-            numbers = global_numbers(look.sources, self._request.numbers)
-            self._squares[1:-1, 1:-1][rows, columns] = numbers[look.squares]
-            self._wanted[step.key] = look.wanted
-            if (learned := look.learned) is not None:
+        blocks, keys, squares = JournaledBlocks(self._journal, workers), self._request.keys(), self._squares[1:-1, 1:-1]
+        for step in blocks.steps(FIRST_LOOK, keys, self._request.block):
+            sources, followed, wanted, learned = step.brief
+            numbers = global_numbers(sources)
+            squares[place_of(step.key, SQUARES)] = numbers[followed]
+            self._wanted[place_of(step.key, UNITS)] = wanted
+            if learned is not None:
                 for place, taps in learned.taps.items():
                     self._known.setdefault(int(numbers[place]), {})[step.key] = learned.left_over[place], taps
             yield step
         if not workers.cancelled():
-            second = [key for key in self._wanted if self._called_for(key).any()]
+            # And at the borders of blocks what only neighbours together show.
+            self._wanted |= called_for(squares, NONE, pairs=range(SQUARES - 1, max(squares.shape), SQUARES))
+            second = [key for key in keys if self._wanted[place_of(key, UNITS)].any()]
             yield from blocks.steps(SECOND_LOOK, second, self._looked_at_again)
 
-    def _around(self, key: BlockKey) -> np.ndarray:
-        """(SQUARES + 2, SQUARES + 2): what the squares of a block follow, and those around it."""
-        rows, columns = place_of(key, SQUARES)
-        return self._squares[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
-
-    def _called_for(self, key: BlockKey) -> np.ndarray:
-        """(UNITS, UNITS) bool: what a block calls for itself, and at its borders what only neighbours together show."""
-        side = UNITS // SQUARES
-        across = called_for(self._around(key), NOTHING, pairs=(0, SQUARES))[side:-side, side:-side]
-        return across | (np.unpackbits(np.frombuffer(self._wanted[key], np.uint8)).reshape(UNITS, UNITS) > 0)
-
     def _looked_at_again(self, key: BlockKey) -> BlockRequest:
-        request, around = self._request.block(key), self._around(key)
-        followed = np.full(around.shape, UNKNOWN, np.uint8)
-        numbers = [self._request.numbers[source.ref.path] for source in request.sources]
-        for place, number in enumerate(numbers):
+        request, (rows, columns) = self._request.block(key), place_of(key, SQUARES)
+        around = self._squares[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
+        followed, taps = np.full(around.shape, UNKNOWN, np.uint8), {}
+        for place, number in enumerate(request.numbers):
             followed[around == number] = place
-        known = ((place, self._taps(key, number)) for place, number in enumerate(numbers))
-        taps = {place: taps for place, taps in known if taps is not None}
-        return replace(request, wanted=self._called_for(key), taps=taps, followed=followed)
+            if (nearest := self._taps(key, number)) is not None:
+                taps[place] = nearest
+        return replace(request, wanted=self._wanted[place_of(key, UNITS)], taps=taps, followed=followed)
 
     def _taps(self, key: BlockKey, number: int) -> np.ndarray | None:
         """The filter of a source near a block: of the nearest one that explains its ground about as well as any does,
@@ -305,28 +278,8 @@ class BlockRun:
         return known[min(good, key=lambda block: (math.dist(key, block), block))][1]
 
 
-def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
-    return scan.sources == tuple(source.ref.path for source in request.sources)
-
-
-@dataclass(frozen=True, eq=False)
-class _SeenBlock:
-    """What has to be known of a block to measure its seams and those of its neighbours."""
-
-    sources: tuple[str, ...]
-    squares: np.ndarray
-    """(SQUARES, SQUARES) uint8: which of the sources squares follow."""
-    wanted: bytes
-    """Units that are to be measured, eight a byte."""
-    learned: Learned | None
-
-    @classmethod
-    def of(cls, scan: BlockScan) -> _SeenBlock:
-        return cls(scan.sources, scan.squares, np.packbits(scan.wanted).tobytes(), scan.learned)
-
-
-SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources)
-FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=_SeenBlock.of)
+SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of)
+FIRST_LOOK = replace(SECOND_LOOK, name="block", brief=attrgetter("sources", "squares", "wanted", "learned"))
 
 
 def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
@@ -336,25 +289,18 @@ def whole_block(files: RecordFiles, key: BlockKey) -> BlockScan | None:
 
 
 def block_labels(
-    files: RecordFiles, key: BlockKey, numbers: Mapping[str, int],
-    place: tuple[slice, slice] = (slice(LABELS), slice(LABELS)),
+    files: RecordFiles, key: BlockKey, place: tuple[slice, slice] = (slice(LABELS), slice(LABELS))
 ) -> np.ndarray | None:
-    """(rows, columns) int32 of the labels of one block by both looks, ``numbers`` of the sources by their paths,
-    ``NOTHING`` where none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
-    labels = None
-    for look in (FIRST_LOOK, SECOND_LOOK):
-        parts = held(look, files, key, partial(unpacked, names=("sources", "labels", "dense")))
-        if parts is not None:
-            look_labels = global_numbers(_names(parts), numbers)[parts["labels"][place]]
-            dense = enlarged(parts["dense"], LABELS // UNITS)[place]
-            labels = look_labels if labels is None else np.where(dense, look_labels, labels)
-    return labels
+    """(rows, columns) int32 of the labels of one block, in numbers of the whole scan, ``NONE`` where none is followed;
+    None where it was not measured. Raises SettingsError as ``held`` does."""
+    scan = whole_block(files, key)
+    return None if scan is None else global_numbers(scan.sources)[scan.labels[place]]
 
 
-def global_numbers(sources: Sequence[str], numbers: Mapping[str, int]) -> np.ndarray:
-    """(256,) int32: the number in the whole scan of each source of a block; ``NOTHING`` for ``UNKNOWN``."""
-    by_label = np.full(UNKNOWN + 1, NOTHING, np.int32)
-    by_label[: len(sources)] = [numbers[path] for path in sources]
+def global_numbers(sources: Sequence[int]) -> np.ndarray:
+    """(256,) int32: the number in the whole scan of each source of a block; ``NONE`` for ``UNKNOWN``."""
+    by_label = np.full(UNKNOWN + 1, NONE, np.int32)
+    by_label[: len(sources)] = sources
     return by_label
 
 

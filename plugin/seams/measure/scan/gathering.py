@@ -9,6 +9,7 @@ import json
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
+from dataclasses import replace
 from functools import partial
 from typing import Any, Callable
 
@@ -18,34 +19,28 @@ from osgeo import ogr
 from ....imagery import messages as imagery_messages
 from ....imagery.clips import shared_extent
 from ....imagery.errors import CancelledError, Message, SeamInspectorError
-from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import own_threads
 from ....imagery.rasters import RasterRef
 from ....imagery.seam_totals import PieceState
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
+from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, place_of, squares_met
 from ..blocks.mosaic_reading import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
-from ..profile.seam_sums import StripProfile
-from ..seamlines.label_borders import LabelTile, SourceBorder
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourcePolygon, polygons_of, seams_of, trace_borders
+from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, parts_with_area, polygons_of, seams_of, trace_borders
 from ..workers import Workers, in_order
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .piece_sums import (
     REACH_PX,
     BlockOutputs,
-    MeasuredPieces,
-    OutputsRequest,
     PiecesRequest,
     around_pieces,
     block_outputs,
     by_blocks,
     measure_pieces,
-    visibilities,
 )
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
@@ -83,14 +78,12 @@ class Gathering:
         ``goes_on`` takes the share that is done; where it says no the result is None. Raises SettingsError when the
         journal can't be read, RasterError when the picture can't be written.
         """
-        settings = self._request.settings
         try:
             with ExitStack() as stack:
                 if not self._journal.is_shared:
                     executor, ahead = stack.enter_context(own_threads())
-                raster = stack.enter_context(
-                    loss_raster(loss_path, self._request.mosaic, settings.cell_px, settings.told)
-                ) if loss_path else None
+                picture = loss_raster(loss_path, self._request.mosaic, self._request.settings.cell_px)
+                raster = stack.enter_context(picture) if loss_path else None
                 return self._result(_Crew(executor, ahead, goes_on), raster)
         except CancelledError:  # which leaves no picture
             return None
@@ -106,19 +99,17 @@ class Gathering:
         too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
         pieces = [] if too_many else pieces
         for unread in self._reading.unread:
-            first, last = (unread.row, unread.column), (unread.row + unread.height, unread.column + unread.width)
-            self._units[tuple(slice(a // UNIT_PX, -(-b // UNIT_PX)) for a, b in zip(first, last))] = NOT_LOOKED
+            self._units[squares_met(unread, UNIT_PX)] = NOT_LOOKED
         if request.counted is not None:  # what lies beside it is counted where it belongs
-            window, whole = request.counted, np.full_like(self._units, EMPTY)
-            starts, lengths = (window.row, window.column), (window.height, window.width)
-            place = tuple(slice(a // UNIT_PX, -(-(a + b) // UNIT_PX)) for a, b in zip(starts, lengths))
-            whole[place] = self._units[place]
-            self._units = whole
+            elsewhere = np.ones(self._units.shape, bool)
+            elsewhere[squares_met(request.counted, UNIT_PX)] = False
+            self._units[elsewhere] = EMPTY
         crew.tell(_CUT)
         judged, notes, notices = self._judged(pieces, crew)
         ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], request.settings.piece_m)
         judged = tuple(part for part in judged if request.counts(part.piece))
-        notes.update(self._reading.told)
+        of_reading, lost = self._reading.told
+        notes.update(of_reading)
         if names := request.not_given:
             notes["not_given"] = ", ".join(names)
         if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
@@ -126,10 +117,10 @@ class Gathering:
         notes.update(ground.told)
         if raster is not None:
             sources = _listed(source.ref for source in request.sources)
-            settings = {**notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
+            settings = {**request.settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
             raster.close([request.source_names[number] for number in self._shown], settings)
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
-        notices = [*self._reading.notices, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
+        notices = [*lost, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
         if not (pieces or request.given or too_many):
             followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
@@ -141,16 +132,19 @@ class Gathering:
     ) -> tuple[tuple[JudgedPiece, ...], dict[str, str], list[Message]]:
         """The pieces of seam with their verdicts, and what there is to tell of those that may be none."""
         request = self._request
-        measured, unchanged = self._measured(pieces, crew)
-        judged = tuple(
-            judge_piece(figures, (self._name(figures.piece.left), self._name(figures.piece.right)),
-                        request.mosaic.ground_sample_distance)
-            for figures in measured
-        )
+        measured, brightest = self._measured(pieces, crew)
+        white = white_grey(request.mosaic, brightest)
+        judged = []
+        for figures in measured:
+            sides = [self._name(side) for side in (figures.piece.left, figures.piece.right)]
+            judged.append(judge_piece(figures, sides, request.mosaic.ground_sample_distance, white))
         if not request.given:
-            return judged, {"seams": "found"}, []
+            return tuple(judged), {"seams": "found"}, []
         # Where a piece was measured there is a seam, though smooth ground tells the sources apart on a part of it.
-        alike = {number for number in unchanged if judged[number].state is PieceState.NOT_MEASURED}
+        alike = {
+            number for number, figures in enumerate(measured)
+            if figures.is_unchanged and judged[number].state is PieceState.NOT_MEASURED
+        }
         named = {number for number in alike if pieces[number].left or pieces[number].right}
         counted = {number for number in named if request.counts(pieces[number])}
         notes = {"seams": "given", "unchanged_metres": f"{metres([judged[number] for number in counted]):.1f}"}
@@ -172,9 +166,9 @@ class Gathering:
         edges = [np.zeros((4, 0), np.int64)]
         rows, columns = (-(-(length - half) // LABEL_PX) for length in (mosaic.rows, mosaic.columns))
         cell_px = self._request.settings.cell_px if raster is not None else 0
-        requests = (self._outputs(key, rows, columns, cell_px, traces) for key in self._blocks)
+        work = partial(block_outputs, self._journal.files, (columns, rows), cell_px, traces)
         total = self._blocks.rows * self._blocks.columns
-        outputs: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
+        outputs: Iterator[BlockOutputs] = crew.map(work, self._blocks, total, 0, _TRACED)
         for block in outputs:
             edges.append(block.edges)
             self._units[place_of(block.key, UNITS)] = block.ground
@@ -193,50 +187,26 @@ class Gathering:
                 cells[SOURCE_BAND - 1][losses[SOURCE_BAND - 1] == source + 1] = number
         return cells
 
-    def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
-        """``rows``, ``columns`` of labels of the whole mosaic."""
-        row, column = (place * LABELS for place in key)
-        tile = LabelTile(row, column, min(LABELS, rows - row), min(LABELS, columns - column), rows, columns)
-        window = self._blocks.window(key).with_margin(BLOCK_PX)
-        return OutputsRequest(
-            self._journal.files, key, tile, self._numbers(window), cell_px, traces and min(tile.height, tile.width) > 0
-        )
-
-    def _numbers(self, window: PixelWindow) -> dict[str, int]:
-        """Numbers of the sources that meet a window, by their paths."""
-        meeting = self._request.footprints.meeting(self._request.mosaic.grid.window_extent(window))
-        return {self._request.sources[number].ref.path: number for number in meeting}
-
-    def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], list[int]]:
-        """Pieces with what lies beside them, and which of them have one source on both sides."""
+    def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], float]:
+        """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
         index = PieceIndex(pieces, self._blocks.grid)
         groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
-        whole, brightest = list(pieces), 0.0
-        unchanged: list[int] = []
-        strips: list[StripProfile] = [NOTHING] * len(pieces)
-        profiles = [""] * len(pieces)
-        grey, grain = np.full((2, len(pieces)), np.nan)
-        requests = (self._pieces(pieces, index, numbers) for numbers in groups)
-        measured: Iterator[MeasuredPieces] = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
-        for group in measured:
-            grey[group.numbers], grain[group.numbers] = group.grey, group.grain
-            brightest = max(brightest, group.brightest)
-            for place, number in enumerate(group.numbers.tolist()):
-                strips[number], profiles[number] = group.strips[place], group.profiles[place]
-                if group.beside is not None:
-                    whole[number] = sided(pieces[number], group.beside[place].tolist(), self._request.named[0])
-            unchanged += group.numbers[group.unchanged].tolist()
-        white = white_grey(self._request.mosaic, brightest)
-        grains = [None if np.isnan(grain_dn) else grain_dn / white for grain_dn in grain.tolist()]
-        return list(map(PieceFigures, whole, strips, visibilities(strips, grey, white), grains, profiles)), unchanged
+        requests = (self._pieces(index, numbers, [pieces[number] for number in numbers.tolist()]) for numbers in groups)
+        of_piece, brightest = dict[int, PieceFigures](), 0.0
+        measured = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
+        for numbers, (group, brightest_of_group) in zip(groups, measured):
+            brightest = max(brightest, brightest_of_group)
+            for number, figures in zip(numbers.tolist(), group):
+                if figures.beside is not None:
+                    figures = replace(figures, piece=sided(figures.piece, figures.beside, self._request.named[0]))
+                of_piece[number] = figures
+        return [of_piece[number] for number in range(len(pieces))], brightest
 
-    def _pieces(self, pieces: Sequence[SeamPiece], index: PieceIndex, numbers: np.ndarray) -> PiecesRequest:
-        own_pieces = [pieces[number] for number in numbers.tolist()]
-        # What lies nearer to a cell than any of them does.
-        around = around_pieces(own_pieces, self._blocks.grid, 2 * REACH_PX)
+    def _pieces(self, index: PieceIndex, numbers: np.ndarray, pieces: Sequence[SeamPiece]) -> PiecesRequest:
+        around = around_pieces(pieces, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
         return PiecesRequest(
-            self._journal.files, own_pieces, numbers, index.near(around, 0.0), self._blocks,
-            self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, self._request.given is not None,
+            self._journal.files, pieces, numbers, index.near(around, 0.0), self._blocks,
+            self._request.settings.levels, self._request.given is not None,
         )
 
 
@@ -262,10 +232,6 @@ def _notices(ground: FollowedGround) -> Iterator[Message]:
         )
 
 
-NOTHING = StripProfile(None, 0.0, 0.0, 0.0)
-"""Profile of a piece that no cell is near to."""
-
-
 class _Crew:
     """The executor that measures, and who is told how far it is."""
 
@@ -285,9 +251,7 @@ class _Crew:
         """What is found of each request, in their order; the share grows from ``first`` to ``last``. Raises what it
         raises."""
         done, crew = 0, Workers(self._executor, self._ahead, lambda: not self._goes_on(self._share))
-        for result in in_order(requests, partial(_result_of, work), _raised, crew, crew.together):
-            if isinstance(result, Message):
-                raise SeamInspectorError(result)
+        for result in in_order(requests, work, _raised, crew, crew.together):
             yield result
             done += 1
             self.tell(first + (last - first) * done / count)
@@ -295,16 +259,8 @@ class _Crew:
             raise CancelledError(imagery_messages.CANCELLED())
 
 
-def _result_of(work: Callable[[Any], Any], request: Any) -> Any:
-    """What is found of a request, or the sentence that ends all."""
-    try:
-        return work(request)
-    except SeamInspectorError as error:
-        return error.message
-
-
-def _raised(_request: Any, reason: Message) -> Message:
-    return reason
+def _raised(_request: Any, reason: Message) -> Any:
+    raise SeamInspectorError(reason)
 
 
 def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
@@ -315,7 +271,6 @@ def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
     for cell in cells:
         if cell.source in numbers:
             whole = by_source.setdefault(numbers[cell.source], ogr.Geometry(ogr.wkbMultiPolygon))
-            outline = ogr.ForceToMultiPolygon(ogr.CreateGeometryFromWkb(cell.wkb))
-            for number in range(outline.GetGeometryCount()):
-                whole.AddGeometry(outline.GetGeometryRef(number))
+            for part in parts_with_area(ogr.CreateGeometryFromWkb(cell.wkb)):
+                whole.AddGeometry(part)
     return tuple(SourcePolygon(source, bytes(by_source[source].ExportToWkb())) for source in sorted(by_source))

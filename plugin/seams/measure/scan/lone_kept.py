@@ -20,8 +20,7 @@ from ..judgement.verdicts import Verdict
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
 from ..seamlines.seam_pieces import SeamPiece
-from .lone_blocks import ZONES_PX
-from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, LoneStretches, ground_of
+from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, ZONES_PX, LoneStretches, ground_of
 from .scan_result import JudgedPiece, state_by
 
 EXCESS, DECAY = 1.5, 0.75

@@ -2,23 +2,37 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import lru_cache, partial
 from typing import Callable
 
 import numpy as np
 
-from ....imagery.errors import Message
+from ....imagery.clips import read_clip
+from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.raster_pool import open_raster
+from ....imagery.records import packed, understanding, unpacked
+from ....imagery.wavelets import judged_plane
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, BlockKey
-from ..blocks.mosaic_reading import MosaicReading
+from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares, rectangles
+from ..blocks.mosaic_reading import ALL_READ, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
-from ..blocks.seam_sides import SeamSides, SeamSquares
 from ..seamlines.piece_index import PieceIndex
+from ..while_measuring import measuring
 from ..workers import Workers
-from .block_runs import JournaledBlocks, ScanStep, held
-from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
+from .block_runs import BlockLook, JournaledBlocks, ScanStep, held
 from .lone_kept import LoneSeams, judge_pieces, judge_stretches
-from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
+from .lone_stretches import (
+    MARGIN_PX,
+    REACH_PX,
+    STRIP_PX,
+    LoneStretches,
+    LoneTable,
+    MosaicPixels,
+    lone_cells,
+    lone_stretches,
+)
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
 from .piece_sums import around_pieces, blocks_of, by_blocks
 from .scan_journal import ScanJournal
@@ -27,6 +41,69 @@ from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 
 _HELD = 64  # tables of blocks that are kept: some rows of neighbours
 _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
+
+
+@dataclass(frozen=True, eq=False)
+class LoneScan:
+    """What was measured along the seams of one block."""
+
+    key: BlockKey
+    table: LoneTable
+    notices: tuple[Message, ...] = ()
+    """What could not be read; the block then lacks it."""
+    reading: BlockReading = ALL_READ
+    """What could be read."""
+    sources: tuple[int, ...] = ()
+    """None."""
+
+    @classmethod
+    def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> LoneScan:
+        """A block of which nothing could be measured."""
+        return cls(request.key, LoneTable.empty(), notices, BlockReading((request.window,), False))
+
+
+@measuring()
+def scan_lone_block(request: BlockRequest) -> LoneScan:
+    """The cells along the seams of a block, which are its ``pieces``. What can't be read is told in its notices."""
+    assert request.wanted is not None
+    assert request.pieces is not None
+    tables = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)]
+    notices: list[Message] = []
+    unread: list[PixelWindow] = []
+    parts = rectangles(request.wanted)
+    for part in parts:
+        window = part.moved_by(request.window.column, request.window.row)
+        try:
+            around = window.with_margin(MARGIN_PX)
+            clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
+        except NotCoveredError:
+            continue
+        except RasterError as error:
+            notices.append(error.message.as_warning())
+            unread.append(window)
+        else:
+            bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
+            pixels = MosaicPixels(around, judged_plane(bands, clip.raster.band_names), bands, clip.valid)
+            near = request.pieces.near(around, REACH_PX)
+            tables.append(lone_cells(pixels, window, near, request.settings.wavelet))
+    reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
+    return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
+
+
+def lone_record_of(scan: LoneScan) -> bytes:
+    """All but the notices, which are told once."""
+    return packed({"key": np.array(scan.key), **vars(scan.table)})
+
+
+def lone_scan_of(record: bytes) -> LoneScan:
+    """What ``lone_record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
+    with understanding():
+        kept = unpacked(record)
+        row, column = kept.pop("key").tolist()
+        return LoneScan((row, column), LoneTable(**kept))
+
+
+LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of)
 
 
 class LoneScanning:
@@ -38,16 +115,15 @@ class LoneScanning:
         self._index = PieceIndex(request.pieces, request.mosaic.grid)
         self._journal, self._blocks = journal, request.blocks
         self._along = SeamSquares(request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
-        self._table = lru_cache(_HELD)(self._table_of)
+        self._scan = lru_cache(_HELD)(partial(held, LONE_LOOK, journal.files))
 
     def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """Every block that a seam meets."""
         def block(key: BlockKey) -> BlockRequest:
             window = self._blocks.window(key)
-            near = SeamSides(self._index.near(window, REACH_PX + MARGIN_PX), {})
             return BlockRequest(
                 self._mosaic, (), key, window, self._request.settings, self._along.dense_in(key),
-                grey_factor=self._request.grey_factor, sides=near,
+                grey_factor=self._request.grey_factor, pieces=self._index.near(window, REACH_PX + MARGIN_PX),
             )
 
         yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, self._along.met, block)
@@ -64,7 +140,7 @@ class LoneScanning:
         for done, numbers in enumerate(groups):
             pieces_here = [self._pieces[number] for number in numbers.tolist()]
             near = blocks_of(around_pieces(pieces_here, mosaic.grid, BLOCK_PX), self._blocks)
-            tables = [table for key in near if (table := self._table(key)) is not None]
+            tables = [scan.table for key in near if (scan := self._scan(key)) is not None]
             if tables:
                 table = LoneTable.joined(tables)
                 parts.append(lone_stretches(table, self._pieces, numbers, self._index, pixel_m))
@@ -84,15 +160,16 @@ class LoneScanning:
                     messages.LONE_FROM_LENGTH(length=least * pixel_m) if least else messages.LONE_NEVER(),
                 )
         if loss_path:
-            with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
+            with loss_raster(loss_path, mosaic, settings.cell_px) as raster:
                 self._draw(raster, pieces, settings.cell_px)
-                raster.close([])
+                raster.close([], settings.told)
         pieces, stretches = (
             [judged for judged in of_kind if self._request.counts(judged.piece)] for of_kind in (pieces, stretches)
         )
         worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
-        notices += (*self._reading.notices, *without_verdict(pieces))
-        notes = {"orthoimages": "none", **self._reading.told}
+        of_reading, unread = self._reading.told
+        notices += (*unread, *without_verdict(pieces))
+        notes = {"orthoimages": "none", **of_reading}
         result = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), notes)
         return result if goes_on(1.0) else None
 
@@ -111,8 +188,3 @@ class LoneScanning:
             cells = empty_cells(side)
             cells[0][number >= 0] = kept[number[number >= 0]]
             raster.write(*key, cells)
-
-    def _table_of(self, key: BlockKey) -> LoneTable | None:
-        """What the journal holds of one block."""
-        scan = held(LONE_LOOK, self._journal.files, key)
-        return None if scan is None else scan.table

@@ -84,13 +84,12 @@ class LossRaster:
         with gdal_writing(self._failure):
             self._dataset.WriteArray(cells, left, top)
 
-    def close(self, names: Sequence[str], settings: Mapping[str, str] | None = None) -> None:
-        """Overviews, statistics and the names of the sources, which their numbers from 1 on mean; ``settings``: what
-        only the whole scan knows, beside its settings."""
+    def close(self, names: Sequence[str], settings: Mapping[str, str]) -> None:
+        """Overviews, statistics and the names of the sources, which their numbers from 1 on mean; ``settings``: how it
+        was measured, which goes along with it as metadata of ``SETTINGS_DOMAIN``."""
         with gdal_writing(self._failure):
             dataset = self._dataset
-            for name, value in (settings or {}).items():
-                dataset.SetMetadataItem(name, value, SETTINGS_DOMAIN)
+            dataset.SetMetadata({**settings}, SETTINGS_DOMAIN)
             dataset.GetRasterBand(SOURCE_BAND).SetCategoryNames(["", *names])
             dataset.FlushCache()
             for number in (np.flatnonzero(self._shown) + 1).tolist():
@@ -101,13 +100,8 @@ class LossRaster:
 
 
 @contextmanager
-def loss_raster(
-    path: str, mosaic: Raster, cell_px: int, settings: Mapping[str, str] | None = None
-) -> Iterator[LossRaster]:
-    """A GeoTIFF that is there when the block ends, or not at all. Raises RasterError where none can be written.
-
-    ``settings``: how it was measured, which goes along with it as metadata of ``SETTINGS_DOMAIN``.
-    """
+def loss_raster(path: str, mosaic: Raster, cell_px: int) -> Iterator[LossRaster]:
+    """A GeoTIFF that is there when the block ends, or not at all. Raises RasterError where none can be written."""
     columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
     # At the fastest level the file is 3 % larger and takes half the time: one thread writes what many measure.
     options = ["TILED=YES", "BIGTIFF=IF_SAFER", "COMPRESS=DEFLATE", "ZLEVEL=1", "PREDICTOR=3", "INTERLEAVE=BAND"]
@@ -122,7 +116,6 @@ def loss_raster(
             for number, name in enumerate(BANDS, 1):
                 dataset.GetRasterBand(number).SetDescription(name)
                 dataset.GetRasterBand(number).SetNoDataValue(NODATA)
-            dataset.SetMetadata(dict(settings or {}), SETTINGS_DOMAIN)
         yield LossRaster(dataset, path, cell_px)
 
 

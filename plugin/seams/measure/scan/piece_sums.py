@@ -6,9 +6,10 @@ what is kept along pieces of seam: the cells of all blocks beside them, added up
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 
 import numpy as np
 
@@ -20,42 +21,27 @@ from ....imagery.record_store import RecordFiles
 from ....imagery.records import record_of, value_of
 from ....imagery.seam_totals import KeptBeside, profile_text
 from .. import messages
-from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey
+from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED
-from ..judgement.visibility import visibility
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
-from ..seamlines.label_borders import MARGIN, NONE, LabelTile, cleaned_edges
+from ..seam_cells import NONE
 from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, sources_beside
+from ..seamlines.seam_tracing import MARGIN, cleaned_edges
 from ..while_measuring import measuring
-from .block_runs import NOTHING, block_labels, global_numbers, whole_block
+from .block_runs import block_labels, global_numbers, whole_block
 from .loss_raster import NODATA, loss_cells
 from .scan_journal import not_saved
+from .scan_result import PieceFigures
 
 REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""
 MOST_ASIDE_PX = 40.0
 """How far a line may lie from the seam that the mosaic shows, for that to be its seam."""
-
-
-@dataclass(frozen=True, eq=False)
-class OutputsRequest:
-    """All that is needed for it, in plain data that can cross threads and processes."""
-
-    files: RecordFiles
-    key: BlockKey
-    tile: LabelTile
-    """Its samples of the labels."""
-    numbers: Mapping[str, int]
-    """Numbers of the sources of it and its neighbours, by their paths."""
-    cell_px: int
-    """Side of the picture's cells; 0: none is wanted."""
-    traces: bool
-    """Whether borders are wanted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,27 +65,34 @@ class _BlockGround:
 
 
 @measuring()
-def block_outputs(request: OutputsRequest) -> BlockOutputs:
+def block_outputs(
+    files: RecordFiles, size: tuple[int, int], cell_px: int, traces: bool, key: BlockKey
+) -> BlockOutputs:
     """Outputs of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was
-    measured can't be read any more, or nothing can be kept."""
-    files, key = request.files, request.key
+    measured can't be read any more, or nothing can be kept.
+
+    ``size``: columns and rows of labels of the whole mosaic; ``cell_px``: side of the picture's cells, 0 where none is
+    wanted; ``traces``: whether borders are.
+    """
     scan = whole_block(files, key)
-    numbers = None if scan is None else global_numbers(scan.sources, request.numbers)
-    labels = None if scan is None or numbers is None else numbers[scan.labels]
+    numbers = global_numbers(() if scan is None else scan.sources)
+    labels = None if scan is None else numbers[scan.labels]
     edges = np.zeros((4, 0), np.int64)
-    if request.traces:
-        edges = cleaned_edges(_labels_around(request, labels), request.tile, LABEL_PX)
-    if scan is None or numbers is None or labels is None:
+    tile = _label_tile(key).cut_to(*size)
+    if traces and tile.width and tile.height:
+        around = tile.with_margin(MARGIN).cut_to(*size)
+        edges = cleaned_edges(_labels_in(around, files, key, labels), tile, size, LABEL_PX)
+    if scan is None or labels is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
     ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
         files.save(_ground_name(key), record_of(_BlockGround(tuple(ground))))
     except OSError as error:
         raise not_saved(files, system_reason(error)) from None
-    cells = loss_cells(scan, labels + 1, ground, request.cell_px) if request.cell_px else None
+    cells = loss_cells(scan, labels + 1, ground, cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
         cells = None
-    used = np.flatnonzero(np.bincount(labels.ravel() - NOTHING)[1:]).tolist()
+    used = np.flatnonzero(np.bincount(labels.ravel() - NONE)[1:]).tolist()
     ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
     return BlockOutputs(key, edges, cells, used, ground)
 
@@ -114,24 +107,21 @@ def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, 
     return () if record is None else value_of(_BlockGround, record, {}).levels
 
 
-def _labels_around(request: OutputsRequest, block: np.ndarray | None) -> np.ndarray:
-    """Labels of a block, ``block``, and of as much of its neighbours as cleaning has to know."""
-    place = request.tile.around(MARGIN)
-    labels_around = np.full([side.stop - side.start for side in place], NOTHING, np.int32)
-    first, last = [side.start // LABELS for side in place], [(side.stop - 1) // LABELS for side in place]
-    for row in range(first[0], last[0] + 1):
-        for column in range(first[1], last[1] + 1):
-            ours, theirs = zip(*(
-                (slice(max(start, side.start) - side.start, min(start + LABELS, side.stop) - side.start),
-                 slice(max(start, side.start) - start, min(start + LABELS, side.stop) - start))
-                for start, side in zip((row * LABELS, column * LABELS), place)
-            ))
-            if (row, column) == request.key:
-                labels = None if block is None else block[theirs]
-            else:
-                labels = block_labels(request.files, (row, column), request.numbers, theirs)
-            if labels is not None:
-                labels_around[ours] = labels
+def _label_tile(key: BlockKey) -> PixelWindow:
+    return PixelWindow(key[1] * LABELS, key[0] * LABELS, LABELS, LABELS)
+
+
+def _labels_in(around: PixelWindow, files: RecordFiles, key: BlockKey, of_block: np.ndarray | None) -> np.ndarray:
+    """Labels of a block, ``of_block``, and of as much of its neighbours as cleaning has to know."""
+    labels_around = np.full((around.height, around.width), NONE, np.int32)
+    rows, columns = squares_met(around, LABELS)
+    for beside in product(range(rows.start, rows.stop), range(columns.start, columns.stop)):
+        tile = _label_tile(beside).moved_by(-around.column, -around.row)
+        shared = tile.cut_to(around.width, around.height)
+        place = squares_met(shared.moved_by(-tile.column, -tile.row), 1)
+        labels = block_labels(files, beside, place) if of_block is None or beside != key else of_block[place]
+        if labels is not None:
+            labels_around[squares_met(shared, 1)] = labels
     return labels_around
 
 
@@ -158,66 +148,46 @@ class PiecesRequest:
     index: PieceIndex
     """With all that lies near them."""
     blocks: BlockGrid
-    sources: Mapping[str, int]
-    """Numbers of those around, by their paths."""
     levels: int
     looks_beside: bool
     """Whether it is asked which sources lie beside them."""
 
 
-@dataclass(frozen=True, eq=False)
-class MeasuredPieces:
-    """What comes back, an entry for each piece."""
-
-    numbers: np.ndarray
-    strips: Sequence[StripProfile]
-    """Without the bins of their profiles."""
-    profiles: Sequence[str]
-    """What is kept of the finest detail by distance from each, as ``profile_text`` writes it; empty for nothing."""
-    grey: np.ndarray
-    """(pieces,) mean of the mosaic in the strip, NaN where it is not known."""
-    brightest: float
-    """Cell of any strip."""
-    grain: np.ndarray
-    """(pieces,) largest rms of the finest detail of its sources, DN; NaN where nothing was measured densely."""
-    beside: np.ndarray | None
-    """(pieces, 2) as in ``sources_beside``; None where it was not asked for."""
-    unchanged: np.ndarray
-    """(pieces,) bool: those along which the mosaic shows one source on both sides, as far as a line may lie aside."""
-
-
 @measuring()
-def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
-    """Some pieces by the blocks around them. Raises SettingsError where what was measured can't be read any more."""
+def measure_pieces(request: PiecesRequest) -> tuple[list[PieceFigures], float]:
+    """Some pieces by the blocks around them, their profiles without bins; and the brightest cell of any strip. Raises
+    SettingsError where what was measured can't be read any more."""
     grid, files = request.blocks.grid, request.files
     around = around_pieces(request.pieces, grid, REACH_PX)
-    rows, columns = (
-        slice(first // CELL_PX, -(-(first + length) // CELL_PX))
-        for first, length in ((around.row, around.height), (around.column, around.width))
-    )
+    place = squares_met(around, CELL_PX)
     sums, along = PieceSums(request.numbers, request.index, request.levels), _cells_along(request.pieces, grid)
     grain = np.full(len(request.pieces), np.nan)
     for key in blocks_of(around, request.blocks):
         window = request.blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
-            numbers = global_numbers(scan.sources, request.sources)
+            numbers = global_numbers(scan.sources)
             mixture = replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
-            place = rows, columns
             sums.add(scan.cells.within(place), mixture.within(place), held_ground(files, key), window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
+    figures = []
     strips = without_even(sums.profiles(), grain, grey)
-    profiles = [_profile_text(strip.profile, grid.ground_sample_distance) for strip in strips]
-    strips = [replace(strip, profile=strip.profile and replace(strip.profile, bins=())) for strip in strips]
-    labels = partial(_labels_at, request) if request.looks_beside else None
-    beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
-    unchanged = np.zeros(len(request.pieces), bool)
-    if labels is not None and beside is not None:
+    for piece, strip, mean, rms in zip(request.pieces, strips, grey.tolist(), grain.tolist()):
+        text = _profile_text(strip.profile, grid.ground_sample_distance)
+        strip = replace(strip, profile=strip.profile and replace(strip.profile, bins=()))
+        figures.append(PieceFigures(piece, strip, mean, rms, text))
+    if request.looks_beside:
+        labels = partial(_labels_at, request)
+        beside = sources_beside(request.pieces, labels, grid, LABEL_PX)
         aside = sources_beside(request.pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
         unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
-    return MeasuredPieces(request.numbers, strips, profiles, grey, brightest, grain, beside, unchanged)
+        figures = [
+            replace(piece, beside=tuple(sides), is_unchanged=is_unchanged)
+            for piece, sides, is_unchanged in zip(figures, beside.tolist(), unchanged.tolist())
+        ]
+    return figures, brightest
 
 
 def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
@@ -232,18 +202,9 @@ def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
 
 def without_even(strips: Sequence[StripProfile], grain: np.ndarray, grey: np.ndarray) -> list[StripProfile]:
     """Pieces along even ground without a profile: what little detail is there reaches in from beside, and its ratios
-    are those of rounding. ``grain``, ``grey``: as ``MeasuredPieces`` has them."""
+    are those of rounding. ``grain``, ``grey``: (pieces,) as ``PieceFigures`` has them."""
     is_even = grain <= ROUNDING * np.abs(grey)  # never where that is not known
     return [replace(strip, profile=None) if even else strip for strip, even in zip(strips, is_even.tolist())]
-
-
-def visibilities(strips: Sequence[StripProfile], grey: np.ndarray, white: float) -> list[float | None]:
-    """Visibility of the losses of pieces, in just noticeable differences at 2x. ``grey``: as ``MeasuredPieces`` has it;
-    ``white``: what is white on a screen."""
-    return [
-        visibility(strip.profile.kept, strip.profile.energy, mean, white) if strip.profile else None
-        for strip, mean in zip(strips, grey.tolist())
-    ]
 
 
 def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
@@ -256,13 +217,8 @@ def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> P
 
 def blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
     """The blocks that a window meets, row by row."""
-    rows, columns = (
-        range(max(first // BLOCK_PX, 0), min(-(-(first + length) // BLOCK_PX), count))
-        for first, length, count in (
-            (around.row, around.height, blocks.rows), (around.column, around.width, blocks.columns)
-        )
-    )
-    return [(row, column) for row in rows for column in columns]
+    rows, columns = squares_met(around.cut_to(blocks.grid.columns, blocks.grid.rows), BLOCK_PX)
+    return [(row, column) for row in range(rows.start, rows.stop) for column in range(columns.start, columns.stop)]
 
 
 def by_blocks(pieces: Sequence[SeamPiece], blocks: BlockGrid, together: int = 1) -> list[np.ndarray]:
@@ -282,7 +238,7 @@ def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) ->
     inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
     number = np.where(inside, rows // LABELS * blocks.columns + columns // LABELS, -1)
     for block in np.unique(number[inside]).tolist():
-        labels, in_block = block_labels(request.files, divmod(block, blocks.columns), request.sources), number == block
+        labels, in_block = block_labels(request.files, divmod(block, blocks.columns)), number == block
         if labels is not None:
             labels_at[in_block] = labels[rows[in_block] % LABELS, columns[in_block] % LABELS]
     return labels_at

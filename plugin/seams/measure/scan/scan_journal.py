@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from hashlib import blake2b
 from pathlib import Path
 from typing import Any
@@ -28,10 +28,8 @@ from .. import messages
 from ..source_images import Source
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
-_PLACES = (".wld", ".prj", ".tab")
-"""Endings, in the place of the raster's own, of files that say where it lies; others are made of its own."""
 _SAID = ".aux.xml"
-"""Ending of the file that may say more of them, its nodata for instance."""
+"""Ending of the file that may say more of a raster, its nodata for instance."""
 _MOST_SAID = 10_000_000  # bytes that are read
 _PARTS = {
     "version": messages.SCAN_OF_ANOTHER_VERSION,
@@ -54,7 +52,6 @@ def fingerprint_of(
     ``place``: where the mosaic lies.
     """
     asked = sum(is_remote(source.ref.path) for source in sources) <= MOST_ASKED
-    listed: dict[str, set[str]] = {}
     parts = {
         "version": _digest([plugin_version()]),
         "mosaic": _digest(item for path in mosaic.paths for item in (path, *_states(path, ask=True))),
@@ -65,9 +62,8 @@ def fingerprint_of(
             for item in (path, *_states(path, asked))
         ),
         "places": _digest([
-            mosaic.wkt, mosaic.nodata, place, *_said_of_place(mosaic.path, listed),
+            mosaic.wkt, mosaic.nodata, place,
             *((source.ref.wkt, source.ref.nodata, source.extent) for source in sources),
-            *(said for source in sources for path in source.ref.paths for said in _said_of_place(path, listed)),
         ]),
         "settings": _digest([settings]),
         "seams": _digest(seams),
@@ -98,30 +94,12 @@ def _digest(items: Iterable[object]) -> str:
 
 
 def _states(path: str, ask: bool) -> Iterator[str]:
-    """What is known of a raster's files without reading its pixels."""
+    """What is known of a raster's files, those that say where it lies too, without reading its pixels."""
     for file, state in known_states([path], ask).items():
         yield f"{file} {state}"
     for part in with_parts(path):
         if not is_remote(part) and local_file(part) == part and (said := _said_beside(part + _SAID)):
             yield said
-
-
-def _said_of_place(path: str, listed: dict[str, set[str]]) -> Iterator[str]:
-    """What files beside a raster of this machine, or what a VRT is made of, say of where it lies; ``listed``: what lies
-    in folders that were looked into."""
-    if is_remote(path):
-        return
-    for part in with_parts(path):
-        folder, name = os.path.split(part)
-        stem, suffix = os.path.splitext(name)
-        if folder not in listed:
-            listed[folder] = set()
-            with suppress(OSError, ValueError):
-                listed[folder].update(os.listdir(folder or "."))
-        endings = (*_PLACES, f"{suffix}w", f"{suffix[:2]}{suffix[-1:]}w")
-        beside = {stem + case for ending in endings for case in (ending.lower(), ending.upper())}
-        for file in sorted(beside & listed[folder] - {name}):
-            yield f"{file} {_content(os.path.join(folder, file))}"
 
 
 def _content(path: str) -> str:

@@ -5,20 +5,20 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Callable
 
 import numpy as np
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message, RasterError, SeamsElsewhereError, SettingsError
 from ....imagery.grids import PixelWindow
-from ....imagery.lines import points_at, vertex_stations
+from ....imagery.lines import vertex_stations
 from ....imagery.open_raster import OpenRaster, check_readable
 from ....imagery.rasters import Raster, RasterRef
 from .. import messages
-from ..blocks.block_grid import BlockGrid, BlockKey
-from ..blocks.scan_block import BlockRequest
+from ..blocks.block_grid import BlockGrid, BlockKey, SeamSquares
+from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..blocks.scan_settings import ScanSettings
-from ..blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
 from ..inputs.grey_values import grey_factor
 from ..inputs.whole_images import whole_images
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
@@ -57,8 +57,7 @@ class ScanRequest:
         """Whether the middle of a piece lies where seams are counted."""
         if self.counted is None:
             return True
-        along = vertex_stations(piece.vertices)
-        x, y = points_at(piece.vertices, along, along[-1:] / 2)[0].tolist()
+        x, y = piece.middle
         column, row = self.mosaic.grid.column_at(x) - self.counted.column, self.mosaic.grid.row_at(y) - self.counted.row
         return 0 <= column < self.counted.width and 0 <= row < self.counted.height
 
@@ -119,11 +118,6 @@ class ScanRequest:
         return Footprints(self.sources)
 
     @cached_property
-    def numbers(self) -> dict[str, int]:
-        """Numbers of the sources by their paths."""
-        return {source.ref.path: number for number, source in enumerate(self.sources)}
-
-    @cached_property
     def seam_squares(self) -> SeamSquares | None:
         """What the seamlines call for; None without them."""
         if self.given is None:
@@ -155,25 +149,35 @@ class ScanRequest:
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
-        meeting = self.footprints.meeting(self.mosaic.grid.window_extent(window))
-        sources = largest(tuple(self.sources[number] for number in meeting), self.mosaic, window)
-        request = BlockRequest(self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor)
+        numbers = self._sources_in(window)
+        sources = tuple(self.sources[number] for number in numbers)
+        request = BlockRequest(
+            self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor, numbers=tuple(numbers)
+        )
         squares = self.seam_squares
         if squares is None:
             return request
-        return replace(request, along_seams=squares.dense_in(key), sides=self._sides(window, sources))
-
-    def _sides(self, window: PixelWindow, sources: Sequence[Source]) -> SeamSides:
-        """Sides of the given seams near a window, by the numbers that the sources of its block have."""
         near, named = self._index.near(window, REACH_PX), self.named[0]
-        number_of = {source.ref.path: number for number, source in enumerate(sources)}
 
-        def source(name: Side) -> int | None:
-            place = named.get(name) if isinstance(name, str) else None
-            return None if place is None else number_of.get(self.sources[place].ref.path)
+        def place(name: Side) -> int | None:
+            number = named.get(name) if isinstance(name, str) else None
+            return numbers.index(number) if number in numbers else None
 
-        beside = ((number, self.pieces[number]) for number in near.numbers.tolist())
-        return SeamSides(near, {number: (source(piece.left), source(piece.right)) for number, piece in beside})
+        pieces = ((number, self.pieces[number]) for number in near.numbers.tolist())
+        beside = {number: (place(piece.left), place(piece.right)) for number, piece in pieces}
+        return replace(request, along_seams=squares.dense_in(key), pieces=near, beside=beside)
+
+    def _sources_in(self, window: PixelWindow) -> list[int]:
+        """Numbers of the sources that meet a window, as many as can be told apart: those that cover most of it."""
+        left, bottom, right, top = extent = self.mosaic.grid.window_extent(window)
+        meeting = self.footprints.meeting(extent)
+        if len(meeting) <= UNKNOWN:
+            return meeting
+        extents = np.array([self.sources[number].extent for number in meeting])
+        width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
+        height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
+        chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
+        return [meeting[place] for place in np.sort(chosen).tolist()]
 
     @cached_property
     def _index(self) -> PieceIndex:
@@ -181,37 +185,17 @@ class ScanRequest:
         return PieceIndex(self.pieces, self.mosaic.grid)
 
 
-def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) -> tuple[Source, ...]:
-    """Sources that meet a window, as many as can be told apart: those that cover most of it, in their order."""
-    if len(sources) <= UNKNOWN:
-        return sources
-    left, bottom, right, top = mosaic.grid.window_extent(window)
-    extents = np.array([source.extent for source in sources])
-    width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
-    height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
-    chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
-    return tuple(sources[number] for number in np.sort(chosen).tolist())
-
-
-def _check_readable(mosaic: Raster, sources: Iterable[RasterRef]) -> None:
-    """Raises RasterError where nothing of the mosaic, or not one of the sources, can be read."""
-    if (why := _why_unreadable([mosaic.ref])) is not None:
-        raise RasterError(messages.MOSAIC_NOT_READ(name=mosaic.ref.name, why=why))
-    if (why := _why_unreadable(sources)) is not None:
-        raise RasterError(messages.SOURCES_NOT_READ(why=why))
-
-
-def _why_unreadable(refs: Iterable[RasterRef]) -> Message | None:
-    """Why the first of some rasters can't be read where none of them can."""
+def _check_readable(refs: Iterable[RasterRef], not_read: Callable[[Message], Message]) -> None:
+    """Raises RasterError, which ``not_read`` says, where none of some rasters can be read; why the first can't."""
     why: Message | None = None
     for ref in refs:
         try:
             check_readable(OpenRaster(ref))
+            return
         except RasterError as error:
             why = why or error.message
-        else:
-            return None
-    return why
+    if why is not None:
+        raise RasterError(not_read(why))
 
 
 def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRaster) -> tuple[SidedSeam, ...]:
@@ -298,7 +282,8 @@ def scan_request(
     meeting = [request.sources[number].ref for number in request.footprints.meeting(mosaic.extent)]
     if kept and not meeting:
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
-    _check_readable(mosaic, meeting)
+    _check_readable([mosaic.ref], lambda why: messages.MOSAIC_NOT_READ(name=mosaic.ref.name, why=why))
+    _check_readable(meeting, lambda why: messages.SOURCES_NOT_READ(why=why))
     if given is not None and given.seams:
         seams = parting_seams(given, request.named[0], OpenRaster(mosaic.ref))
         request = replace(request, given=replace(given, seams=seams))

@@ -9,11 +9,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Callable
 
+import numpy as np
+
 from ....imagery import limits as imagery_limits
 from ....imagery.documents import plugin_version
 from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from ....imagery.lines import line_wkt, points_at, vertex_stations
+from ....imagery.lines import line_wkt
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import GEOMETRY, Column, Row, TableRows, kinds_of, rows_of
@@ -22,6 +24,7 @@ from .. import messages
 from ..following.likely_source import MIN_FIT
 from ..following.unexplained import MIN_TEXTURE
 from ..judgement.verdicts import MAX_KEPT_LOW, Verdict, judge_profile
+from ..judgement.visibility import visibility
 from ..planning.window_placing import PlacedWindow, WindowIndex
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..profile.seam_sums import StripProfile
@@ -83,20 +86,26 @@ class PieceFigures:
 
     piece: SeamPiece
     strip: StripProfile
-    visibility: float | None = None
-    """Visibility of its loss, JND."""
-    grain: float | None = None
-    """Largest rms of its sources' finest detail, as a share of white; None where that is not known."""
+    grey: float = np.nan
+    """Mean of the mosaic in the strip, DN; NaN where it is not known."""
+    grain: float = np.nan
+    """Largest rms of its sources' finest detail, DN; NaN where nothing was measured densely."""
     profile: str = ""
-    """State as ``JudgedPiece`` has it."""
+    """Profile as ``JudgedPiece`` has it."""
+    beside: tuple[int, int] | None = None
+    """What ``sources_beside`` gives for it; None where it was not asked for."""
+    is_unchanged: bool = False
+    """Whether the mosaic shows one source on both sides, as far as a line may lie aside."""
 
 
 def judge_piece(
-    figures: PieceFigures, sides: tuple[str | None, str | None], ground_sample_distance: float
+    figures: PieceFigures, sides: Sequence[str | None], ground_sample_distance: float, white: float
 ) -> JudgedPiece:
-    """The verdict on one piece by its profile. ``sides``: names of the sources on its left and on its right."""
+    """The verdict on one piece by its profile. ``sides``: names of the sources on its left and on its right; ``white``:
+    what is white on a screen, DN."""
     piece, profile, state = figures.piece, figures.strip.profile, PieceState.NOT_MEASURED
-    is_even = figures.grain is not None and figures.grain <= MOST_GRAIN
+    left, right = sides
+    is_even = figures.grain <= MOST_GRAIN * white  # never where that is not known
     if profile is None:
         needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
         short = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if piece.length_m < needed else None
@@ -113,12 +122,13 @@ def judge_piece(
             width = profile.band_width_px * ground_sample_distance
             feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
             return JudgedPiece(
-                piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, figures.visibility,
-                feather, state=state, profile=figures.profile,
+                piece, left, right, profile.kept, profile.low, profile.high, width, verdict, why,
+                visibility(profile.kept, profile.energy, figures.grey, white), feather, state=state,
+                profile=figures.profile,
             )
     if is_even:
         why, state = messages.PIECE_WITHOUT_DETAIL(), PieceState.NO_DETAIL
-    return JudgedPiece(piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, why, state=state)
+    return JudgedPiece(piece, left, right, None, None, None, None, Verdict.NOT_COMPARABLE, why, state=state)
 
 
 def state_by(kept: float | None, low: float | None, high: float | None, verdict: Verdict) -> PieceState:
@@ -171,9 +181,7 @@ def worst_windows(
         judged = pieces[number]
         if len(worst) >= count:
             break
-        along = vertex_stations(judged.piece.vertices)
-        x, y = points_at(judged.piece.vertices, along, along[-1:] / 2)[0].tolist()
-        window = _fitting(x, y, grid, side, is_valid)
+        window = _fitting(*judged.piece.middle, grid, side, is_valid)
         if window is None or taken.shares_too_much(window):
             continue
         taken.add(window)

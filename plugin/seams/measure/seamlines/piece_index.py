@@ -14,8 +14,6 @@ from .seam_pieces import SeamPiece
 STEP_PX = 0.5
 """Lines are looked up by points at most this far apart; the distance is then taken to the line itself."""
 _SHORTEST_PX = 1e-6  # of a stretch, to divide by: some have no length
-TILE_PX = 2048
-"""Side of the tiles whose places are looked up together."""
 
 _STRETCH = np.dtype(
     [("start", complex), ("step", complex), ("number", np.int64), ("station", float), ("metres", float)]
@@ -97,26 +95,21 @@ class PieceIndex:
         number, distance = np.full(len(places), -1), np.full(len(places), np.inf)
         on_left, station = np.zeros(len(places), dtype=bool), np.zeros(len(places))
         if len(self) and len(places):
-            tile = np.floor(places.real / TILE_PX) + 1j * np.floor(places.imag / TILE_PX)
-            tiles, of_place = np.unique(tile, return_inverse=True)
-            for group in (np.flatnonzero(of_place == number) for number in range(len(tiles))):
-                hit, stretch = self._nearest_of(places[group], reach_px)
-                hit = group[hit]
-                step, away = stretch["step"], places[hit] - stretch["start"]
-                along = _along(stretch, places[hit]).clip(0, 1)
-                away = away - along * step
-                kept = abs(away) <= reach_px
-                hit, stretch, away, along = hit[kept], stretch[kept], away[kept], along[kept]
-                number[hit], distance[hit] = stretch["number"], abs(away)
-                on_left[hit] = (away * stretch["step"].conj()).imag < 0  # rows run down
-                station[hit] = stretch["station"] + along * stretch["metres"]
+            hit, stretch = self._nearest_of(places, reach_px)
+            along = _along(stretch, places[hit]).clip(0, 1)
+            away = places[hit] - stretch["start"] - along * stretch["step"]
+            kept = abs(away) <= reach_px
+            hit, stretch, away, along = hit[kept], stretch[kept], away[kept], along[kept]
+            number[hit], distance[hit] = stretch["number"], abs(away)
+            on_left[hit] = (away * stretch["step"].conj()).imag < 0  # rows run down
+            station[hit] = stretch["station"] + along * stretch["metres"]
         shape = columns.shape
         return NearestPieces(
             number.reshape(shape), distance.reshape(shape), on_left.reshape(shape), station.reshape(shape)
         )
 
     def _nearest_of(self, places: np.ndarray, reach_px: float) -> tuple[np.ndarray, np.ndarray]:
-        """The places, of some that lie together, that have a stretch about in reach, and those stretches."""
+        """The places that have a stretch about in reach, and those stretches."""
         column, row = int(np.floor(places.real.min())), int(np.floor(places.imag.min()))
         width, height = int(np.ceil(places.real.max())) - column, int(np.ceil(places.imag.max())) - row
         stretches = self.near(PixelWindow(column, row, width, height), reach_px)._stretches

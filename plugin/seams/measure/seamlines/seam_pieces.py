@@ -12,7 +12,7 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid
 from ....imagery.lines import points_at, stretches_inside, vertex_stations
 from .. import messages
-from .label_borders import NONE
+from ..seam_cells import NONE
 
 TOLD_OUTSIDE_M = 1.0
 """Less than this beyond the mosaic's edge is how lines end, and nothing to tell."""
@@ -55,6 +55,13 @@ class SeamPiece:
     """The source on the left hand of who walks along the vertices."""
     right: Side
     """The source on the right hand."""
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Map units."""
+        along = vertex_stations(self.vertices)
+        x, y = points_at(self.vertices, along, along[-1:] / 2)[0].tolist()
+        return x, y
 
 
 def cut_in_pieces(seams: Iterable[SidedSeam], piece_m: float, grid: Grid) -> list[SeamPiece]:

@@ -71,11 +71,9 @@ def _padded(clip: Clip, window: PixelWindow, around: PixelWindow) -> Clip:
     """A clip as one of all that is around it, where that has no pixels: mirrored, so that no edge is seen there."""
     if around == window:
         return clip
-    place, shape = place_in(window, around), (around.height, around.width)
-    margins = [(part.start, length - part.stop) for part, length in zip(place, shape)]
-    valid = np.zeros(shape, bool)
-    valid[place] = True if clip.valid is None else clip.valid
-    return replace(clip, bands=np.pad(clip.bands, [(0, 0), *margins], "symmetric"), valid=valid)
+    valid = np.zeros((around.height, around.width), bool)
+    valid[place_in(window, around)] = True if clip.valid is None else clip.valid
+    return replace(clip, bands=np.pad(clip.bands, [(0, 0), *around.margins_of(window)], "symmetric"), valid=valid)
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,7 @@ FOREIGN: dict[str, Callable[[bytes], bytes]] = {
     "a table with holes": with_array("cells row", np.zeros(1, np.int32)),
     "no table": lambda record: packed({"key": np.array([0, 0])}),
     "another block": lambda record: record_of(replace(scan_of(record), key=(0, 7))),
-    "another source": lambda record: record_of(replace(scan_of(record), sources=("/elsewhere.tif",))),
+    "another source": lambda record: record_of(replace(scan_of(record), sources=(7,))),
     "boundless": boundless,
 }
 

@@ -12,7 +12,6 @@ from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
-from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, MosaicPixels, lone_cells
 from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     COLOURLESS,
     LoneKept,
@@ -22,7 +21,7 @@ from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     runs_of,
     verdict_of,
 )
-from seam_inspector.plugin.seams.measure.scan.lone_stretches import lone_stretches
+from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, MosaicPixels, lone_cells, lone_stretches
 from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import cut_in_pieces
 

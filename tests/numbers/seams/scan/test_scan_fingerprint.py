@@ -34,13 +34,16 @@ def files(make_raster: MakeRaster) -> dict[str, str]:
     with zipfile.ZipFile(folder / "archive.zip", "w") as archive:
         archive.write(made["inner"], "inner.tif")
     gdal.BuildVRT(str(folder / "of & parts.vrt"), [made["part"]]).FlushCache()
+    made["bare"], made["wld"] = str(folder / "bare.png"), str(folder / "bare.wld")
+    gdal.Translate(made["bare"], made["part"])
+    Path(made["bare"] + ".aux.xml").unlink()
     made["archive"] = f"/vsizip/{folder}/archive.zip/inner.tif"
     made["vrt"] = str(folder / "of & parts.vrt")
     return made
 
 
 def taken(files: dict[str, str], settings: ScanSettings = SETTINGS, seams: object = (LINE,)) -> str:
-    sources = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "archive", "vrt")]
+    sources = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "archive", "vrt", "bare")]
     return fingerprint_of(RasterRef(files["mosaic"]), sources, settings, seams)  # type: ignore[arg-type]
 
 
@@ -70,9 +73,7 @@ def touch(path: str) -> None:
         (lambda files: Path(files["part"]).unlink(), "the sources or one of their files"),
         (lambda files: rewrite(files["mosaic"]), "the mosaic"),
         (lambda files: rewrite(files["part"]), "the sources or one of their files"),
-        (lambda files: Path(files["mosaic"]).with_suffix(".tfw").write_text("1"), PLACES),
-        (lambda files: Path(files["plain"]).with_suffix(".TFW").write_text("1"), PLACES),
-        (lambda files: Path(files["part"]).with_suffix(".wld").write_text("1"), PLACES),
+        (lambda files: Path(files["wld"]).write_text("1\n0\n0\n-1\n0\n0\n"), "the sources or one of their files"),
     ],
 )
 def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dict[str, str]], None], what: str) -> None:

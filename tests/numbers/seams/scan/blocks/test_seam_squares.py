@@ -8,8 +8,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
-from seam_inspector.plugin.seams.measure.blocks.seam_sides import BESIDE_PX, SeamSquares
+from seam_inspector.plugin.seams.measure.blocks.block_grid import BESIDE_PX, UNIT_PX, UNITS, BlockGrid, SeamSquares
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import SidedSeam
 
 from tests.examples import at_most

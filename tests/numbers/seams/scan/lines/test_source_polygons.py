@@ -6,8 +6,12 @@ import pytest
 from osgeo import ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.seamlines.label_borders import SourceBorder
-from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import polygons_of, seams_of, trace_borders
+from seam_inspector.plugin.seams.measure.seamlines.seam_tracing import (
+    SourceBorder,
+    polygons_of,
+    seams_of,
+    trace_borders,
+)
 
 from tests.numbers.seams.scan.lines.labelled import LABEL_PX, edges_of, estimated
 

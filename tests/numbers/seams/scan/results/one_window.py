@@ -54,7 +54,7 @@ def scan_of_window(detail: WindowDetail, labels: np.ndarray) -> BlockScan:
     count = SIDE // CELL_PX
     mixture[:count, :count] = np.linspace(0, 1, count**2).reshape(count, count)
     return BlockScan(
-        (0, 0), ("a", "b"), np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), *np.zeros((2, UNITS, UNITS), bool), full,
+        (0, 0), (0, 1), np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), *np.zeros((2, UNITS, UNITS), bool), full,
         mixture, mixture.copy(), mixture.copy(), detail.cells, detail.mixture,
         np.zeros((UNITS, UNITS), bool),
     )

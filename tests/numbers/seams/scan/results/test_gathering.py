@@ -246,7 +246,7 @@ def test_the_picture_of_given_seams_names_sources_everywhere(tmp_path: Path) -> 
 def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
     """A block of nothing but what is given."""
     nothing = BlockScan(
-        (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), *np.zeros((2, UNITS, UNITS), bool),
+        (0, 0), (0, 1), np.full((16, 16), UNKNOWN, np.uint8), *np.zeros((2, UNITS, UNITS), bool),
         np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,
         *np.full((3, 128, 128), np.nan, np.float32), CellTable.empty(3), MixtureTable.empty(3),
         np.full((UNITS, UNITS), LACKING, np.int16),

@@ -68,7 +68,7 @@ def written(path: Path, mosaic: Raster, cell_px: int = 32) -> np.ndarray:
             for column in range(3):
                 block = np.s_[:, row * side : (row + 1) * side, column * side : (column + 1) * side]
                 raster.write(row, column, everything[block])
-        raster.close(["one.tif", "zwei ö.tif", "three.tif"])
+        raster.close(["one.tif", "zwei ö.tif", "three.tif"], {})
     return everything[:, :rows, :columns]
 
 
@@ -115,7 +115,7 @@ def test_what_is_not_measured_takes_no_room(tmp_path: Path, mosaic: Raster) -> N
         raster.write(20, 30, cells)
         cells[:, 10:50, 20:] = 2
         raster.write(30, 40, cells)
-        raster.close([])
+        raster.close([], {})
     dataset = gdal.Open(str(tmp_path / "loss.tif"))
     assert dataset.RasterXSize == dataset.RasterYSize == 3125
     assert (tmp_path / "loss.tif").stat().st_size < 200_000

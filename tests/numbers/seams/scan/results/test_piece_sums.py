@@ -11,7 +11,8 @@ from seam_inspector.plugin.seams.measure.judgement.visibility import white_grey,
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure
-from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities, without_even
+from seam_inspector.plugin.seams.measure.scan.piece_sums import without_even
+from seam_inspector.plugin.seams.measure.scan.scan_result import PieceFigures, judge_piece
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend
 from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of, profiles_of, sums_of
@@ -82,12 +83,14 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     grey[:count, :count] = made.made.reshape(count, CELL_PX, count, CELL_PX).mean(axis=(1, 3))
     whole = slice(0, SIDE), slice(0, SIDE)
     expected = window_visibility(detail.profile, detail.judged, made.made, whole, MOSAIC)
-    sums = sums_of(pieces_of(made))
+    (made_piece,) = pieces_of(made)
+    sums = sums_of([made_piece])
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW, grey)
     grey, brightest = sums.grey
-    (visibility,) = visibilities(sums.profiles(), grey, white_grey(MOSAIC, brightest))
-    assert visibility == pytest.approx(expected, rel=0.03, abs=0.03)
-    assert (visibility > 1) == (width > 0)
+    (strip,) = sums.profiles()
+    judged = judge_piece(PieceFigures(made_piece, strip, *grey), ("a", "b"), 0.1, white_grey(MOSAIC, brightest))
+    assert judged.visibility == pytest.approx(expected, rel=0.03, abs=0.03)
+    assert (judged.visibility > 1) == (width > 0)
 
 
 def test_without_ground_the_mixture_is_measured_and_without_both_nothing() -> None:

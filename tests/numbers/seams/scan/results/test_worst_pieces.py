@@ -41,7 +41,7 @@ def profile(kept: float, low: float, high: float, width_px: float = 0.0) -> Stri
 
 def judged(kept: float | None, *place: float, **of_piece: float) -> JudgedPiece:
     strip = StripProfile(None, 0.0, 0.0, 0.0) if kept is None else profile(kept, 0.9 * kept, 1.1 * kept)
-    return judge_piece(PieceFigures(piece(*place, **of_piece), strip), ("a.tif", "b.tif"), GSD)  # type: ignore[arg-type]
+    return judge_piece(PieceFigures(piece(*place, **of_piece), strip), ("a.tif", "b.tif"), GSD, 255.0)  # type: ignore[arg-type]
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +56,7 @@ def mosaic(tmp_path_factory: pytest.TempPathFactory) -> Raster:
     (0.6, 0.45, 0.88, Verdict.REDUCED),
 ])
 def test_a_verdict_follows_kept_and_its_interval(kept: float, low: float, high: float, verdict: Verdict) -> None:
-    result = judge_piece(PieceFigures(piece(), profile(kept, low, high, 8.0)), ("a.tif", None), GSD)
+    result = judge_piece(PieceFigures(piece(), profile(kept, low, high, 8.0)), ("a.tif", None), GSD, 255.0)
     assert result.verdict == verdict
     assert (result.least_kept, result.low, result.high) == (kept, low, high)
     assert result.band_width_m == pytest.approx(8.0 * GSD)
@@ -88,9 +88,9 @@ def test_ground_without_detail_has_nothing_to_lose() -> None:
     nothing, measured = StripProfile(None, 0.0, 0.0, 0.0), profile(0.5, 0.45, 0.55)
     for strip, grain, state in (
         (nothing, 0.5 / 255, PieceState.NO_DETAIL), (nothing, 4 / 255, PieceState.NOT_MEASURED),
-        (nothing, None, PieceState.NOT_MEASURED), (measured, 0.5 / 255, PieceState.FAILED),
+        (nothing, np.nan, PieceState.NOT_MEASURED), (measured, 0.5 / 255, PieceState.FAILED),
     ):
-        result = judge_piece(PieceFigures(piece(), strip, grain=grain), ("a.tif", "b.tif"), GSD)
+        result = judge_piece(PieceFigures(piece(), strip, grain=255 * grain), ("a.tif", "b.tif"), GSD, 255.0)
         assert result.state is state
         assert (result.verdict is Verdict.NOT_COMPARABLE) == (state is not PieceState.FAILED)
 
