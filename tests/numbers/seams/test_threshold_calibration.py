@@ -20,6 +20,7 @@ from seam_inspector.plugin.seams.measure.calibration.threshold_calibration impor
     step_at,
     wanted_verdicts,
 )
+from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
@@ -99,7 +100,7 @@ def test_the_interval_holds_the_true_area() -> None:
     held = 0
     for seed in range(100):
         verdicts = normal_verdicts(25, 40, seed=seed)
-        area = roc_area(np.array(verdicts.visible), np.array(verdicts.invisible), verdicts.neighbourhoods)
+        area = roc_area(np.array(verdicts.visible), np.array(verdicts.invisible), Neighbourhoods(range(25), range(25, 65)))
         held += area.low <= true <= area.high
     assert held >= 88  # 95 expected, give or take chance
 
@@ -191,7 +192,7 @@ def test_wanted_verdicts_are_just_enough(area: float, visible: int, invisible: i
 
 def test_verdicts_of_one_place_are_told() -> None:
     lonely = normal_verdicts(10, 10)
-    together = replace(lonely, visible_places=(0,) * 10, invisible_places=(0,) * 10)
+    together = replace(lonely, places=((0,) * 10, (0,) * 10))
     result = calibrate(together)
     assert result.best_range == calibrate(lonely).best_range
     assert result.neighbourhoods is None
