@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
+from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     STANDARD_LIMITS,
     Verdicts,
@@ -20,7 +21,6 @@ from seam_inspector.plugin.seams.measure.calibration.threshold_calibration impor
     step_at,
     wanted_verdicts,
 )
-from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
@@ -97,10 +97,10 @@ def test_the_same_verdicts_give_the_same_numbers() -> None:
 
 def test_the_interval_holds_the_true_area() -> None:
     true = stats.norm.cdf(1.5 / math.sqrt(2))
-    held = 0
+    held, places = 0, Neighbourhoods(range(25), range(25, 65))
     for seed in range(100):
         verdicts = normal_verdicts(25, 40, seed=seed)
-        area = roc_area(np.array(verdicts.visible), np.array(verdicts.invisible), Neighbourhoods(range(25), range(25, 65)))
+        area = roc_area(np.array(verdicts.visible), np.array(verdicts.invisible), places)
         held += area.low <= true <= area.high
     assert held >= 88  # 95 expected, give or take chance
 
