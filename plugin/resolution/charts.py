@@ -110,19 +110,14 @@ def _panel_figure(
 
 
 def _panels(results: Sequence[GroupResult]) -> list[Sequence[GroupResult]]:
-    groups, by_place = _by_place(lines_of(results))
-    directions = [direction for direction in DIRECTIONS if any(direction == known for _, known in by_place)]
-    return [by_place.get((group, direction), []) for group in groups for direction in directions]
-
-
-def _by_place(
-    lines: Sequence[Sequence[GroupResult]],
-) -> tuple[list[int | None], dict[tuple[int | None, str], Sequence[GroupResult]]]:
-    """The groups that have a width, the widest first; and the first line of each group and direction."""
-    known = [line for line in lines if line[0].grd_cm is not None]
+    """The first line of each group that has a width and each direction, the widest group first; nothing where there is
+    no line."""
+    known = [line for line in lines_of(results) if line[0].grd_cm is not None]
     by_place = {(line[0].measured.line.group, line[0].measured.line.direction): line for line in reversed(known)}
-    widths = {group: line[0].grd_cm or 0.0 for (group, _), line in by_place.items()}
-    return sorted(widths, key=lambda group: -widths[group]), by_place
+    widths = {group: line[0].distance for (group, _), line in by_place.items()}
+    directions = [direction for direction in DIRECTIONS if any(direction == known for _, known in by_place)]
+    groups = sorted(widths, key=lambda group: -widths[group])
+    return [by_place.get((group, direction), []) for group in groups for direction in directions]
 
 
 def _draw_panel(panel: Axes, results: Sequence[GroupResult], criterion: float) -> None:

@@ -120,7 +120,7 @@ def test_a_band_without_any_bars_leaves_no_worst_of_the_bands(make_raster: MakeR
     path = make_raster("target.tif", np.stack([seen, seen, np.full_like(seen, 3)]), gsd=0.1)
     lines = {group: bars.line() for group, bars in enumerate(groups)}
     result = resolution(path, lines, Target(reference_group=0, reference_grd_cm=140, step=7 / 6))
-    assert result.grd_cm["along", "red"] is not None
+    assert result.finest["along", "red"] is not None
     assert result.worst("along") is None
     (words,) = [str(notice) for notice in result.notices if "is resolved in" in str(notice)]
     assert "blue" in words
