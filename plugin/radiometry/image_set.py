@@ -42,7 +42,6 @@ from .words import spot_words
 
 if TYPE_CHECKING:
     from ..imagery.lines import Seam
-    from .measure.areas import GreyArea
     from .measure.seam_steps import SeamStep
 
 ImageJob = tuple[Raster, PixelWindow, Optional[int]]
@@ -70,9 +69,18 @@ class DrawnLayers:
 
         Raises SeamInspectorError for an image that can't be measured.
         """
+        from ..imagery.lines import find_seams
+        from .measure.areas import GreyArea
+
         image, window, number = job
-        seams = None if self.seamlines is None else self._seams_on(self.seamlines, image)
-        grey = None if self.grey_areas is None else self._grey_on(self.grey_areas, image)
+        seams: list[Seam] | None = None
+        if self.seamlines is not None:
+            lines = [wkb for _, wkb in self._wkb_on(self.seamlines, image)]
+            seams = find_seams(lines, image.grid.pixel_width) if has_map(image) else []
+        grey = None
+        if self.grey_areas is not None:
+            areas = self._wkb_on(self.grey_areas, image, are_areas=True)
+            grey = [GreyArea(number, wkb) for number, wkb in areas if wkb is not None]
         measured = measure(OpenRaster(image.ref), window, rules, seams, grey, number, goes_on)
         if measured is not None and measured.seams and self.seamlines is not None and has_map(image):
             return replace(measured, seams=self._with_features(measured.seams, self.seamlines, image))
@@ -88,17 +96,6 @@ class DrawnLayers:
             for row in layers.features(source):
                 if not are_areas or row.geometry().type() == QgsWkbTypes.GeometryType.PolygonGeometry:
                     yield row.id(), layers.line_wkb(row, transform)
-
-    def _seams_on(self, seamlines: QgsProcessingFeatureSource, image: Raster) -> list[Seam]:
-        from ..imagery.lines import find_seams
-
-        lines = [wkb for _, wkb in self._wkb_on(seamlines, image)]
-        return find_seams(lines, image.grid.pixel_width) if has_map(image) else []
-
-    def _grey_on(self, areas: QgsProcessingFeatureSource, image: Raster) -> list[GreyArea]:
-        from .measure.areas import GreyArea
-
-        return [GreyArea(number, wkb) for number, wkb in self._wkb_on(areas, image, True) if wkb is not None]
 
     def _with_features(
         self, steps: Iterable[SeamStep], seamlines: QgsProcessingFeatureSource, image: Raster
@@ -248,7 +245,8 @@ def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
 
 def maybe_grey_layout(images: Sequence[Raster]) -> tuple[QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem]:
     """MAYBE_GREY: polygons of areas that may be grey, in the reference system of the first raster on the map."""
-    return table_fields(*_AREA_FIELDS), QgsWkbTypes.Type.Polygon, _first_system(images)
+    wkt = next((image.wkt for image in images if has_map(image)), "")
+    return table_fields(*_AREA_FIELDS), QgsWkbTypes.Type.Polygon, reference_system(wkt)
 
 
 def maybe_grey_features(
@@ -258,11 +256,11 @@ def maybe_grey_features(
     areas, image = result.maybe_grey, result.image
     if areas is None or not has_map(image):
         return
+    fields, _, crs = maybe_grey_layout(images)
     try:
-        transform = transformation(reference_system(image.wkt), _first_system(images), transforms)
+        transform = transformation(reference_system(image.wkt), crs, transforms)
     except WindowError:
         return
-    fields = table_fields(*_AREA_FIELDS)
     for (column, row), means, spread in zip(areas.corners.tolist(), areas.means.tolist(), areas.spreads.tolist()):
         window = PixelWindow(column, row, limits.AREA_PX, limits.AREA_PX)
         outline = rectangle(image.grid.window_extent(window))
@@ -271,11 +269,6 @@ def maybe_grey_features(
         except WindowError:
             continue
         yield feature(fields, [image.ref.name, *means, spread], outline)
-
-
-def _first_system(images: Sequence[Raster]) -> QgsCoordinateReferenceSystem:
-    wkt = next((image.wkt for image in images if has_map(image)), "")
-    return reference_system(wkt)
 
 
 def limit_text(rule: Rule) -> str | None:

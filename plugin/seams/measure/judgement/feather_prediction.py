@@ -61,14 +61,10 @@ def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Fe
     return each
 
 
-def expected_ratios(feathers: Sequence[Feather], levels: int) -> tuple[float | None, ...]:
-    """The smallest over the pairs, level by level: where feathering will hurt most."""
-    return _smallest([(None,) * levels, *(feather.ratios for feather in feathers)])
-
-
-def _smallest(values: Iterable[Sequence[float | None]]) -> tuple[float | None, ...]:
-    """Mean of several, level by level."""
-    return tuple(min((value for value in level if value is not None), default=None) for level in zip(*values))
+def smallest(pairs: Iterable[Sequence[float | None]]) -> tuple[float | None, ...] | None:
+    """The smallest over several pairs of sources, level by level: where feathering will hurt most; None of none."""
+    levels = zip(*pairs)
+    return tuple(min((value for value in level if value is not None), default=None) for level in levels) or None
 
 
 SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
@@ -132,11 +128,6 @@ def kept_detail(
         tuple(float(a / b) if b > least else None for a, b in zip(*both)) for both in zip(feathered, cut)
     )
     return KeptDetail(window, strip)
-
-
-def least_kept(pairs: Sequence[KeptDetail]) -> KeptDetail:
-    """The smallest over several pairs of sources, level by level: where feathering will hurt most."""
-    return KeptDetail(_smallest(pair.window for pair in pairs), _smallest(pair.strip for pair in pairs))
 
 
 def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:

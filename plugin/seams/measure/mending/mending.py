@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from operator import attrgetter
 from pathlib import Path
-from typing import Any, Callable
+from typing import Callable
 
 import numpy as np
 
@@ -318,8 +318,5 @@ def _patch_name(number: int) -> str:
     return _PATCHES.replace("*", f"{number + 1:04d}")
 
 
-def _run_of(record: bytes) -> Any:
-    return value_of(MendedRun, record, sentences_of(imagery_messages, messages))
-
-
-_LOOK = BlockLook("run", mend_run, not_mended, record_of, _run_of, brief=attrgetter("fitting"))
+_read = partial(value_of, MendedRun, sentences=sentences_of(imagery_messages, messages))
+_LOOK = BlockLook("run", mend_run, not_mended, record_of, _read, brief=attrgetter("fitting"))
