@@ -1,6 +1,7 @@
 """``seaminspector:interiororientation``: the fiducial marks of a scanned photo and its interior orientation."""
 from __future__ import annotations
 
+import json
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -178,7 +179,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
-        text = orientation_files.parameters_text(photo, calibration, made)
+        known = orientation_files.parameters(photo, calibration, made)
+        text = json.dumps(known, indent=2, ensure_ascii=False) + "\n"
         results.update(run.save(PARAMETERS, partial(save_text, text)))
         results.update(run.save(WORLD_FILE, partial(save_text, orientation_files.world_file(made))))
         return results

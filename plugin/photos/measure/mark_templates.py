@@ -91,9 +91,7 @@ def _below(distance: np.ndarray, soft: float) -> np.ndarray:
 
 
 def _line(across: np.ndarray, width: float, soft: float) -> np.ndarray:
-    return _below(np.abs(across) - width / 2, soft) if width > 6 * soft else (
-        _below(across - width / 2, soft) - _below(across + width / 2, soft)
-    )
+    return _below(across - width / 2, soft) - _below(across + width / 2, soft)
 
 
 def _arms(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float, length: float, gap: float) -> list[np.ndarray]:
