@@ -137,6 +137,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         self._template_ref = run.raster(TEMPLATE)
 
     def execute(self, run: Run) -> dict[str, Any]:
+        from ..toolkit import layers
         from . import mark_tables
         from .measure.interior_orientation import orient_photo
         from .measure.orientation import MarkStatus
@@ -144,7 +145,11 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
         calibration = self._calibration(run)
         photo = scanned_photo(self._photo_ref)
-        positions = self._positions(run, photo)
+        positions: dict[str, GivenPosition] = {}
+        if run.parameters.get(POSITIONS):
+            source = run.source(POSITIONS)
+            names, is_measured = source.fields().names(), run.flag(MEASURE)
+            positions = mark_tables.given_positions(layers.features(source), names, photo, is_measured)
         settings = self._settings(run)
         run.progress(0.05)
         made = orient_photo(photo, calibration, positions, settings, run.is_cancelled)
@@ -202,16 +207,6 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         if not path:
             raise PhotoError(messages.NO_CALIBRATION())
         return read_calibration(Path(path))
-
-    def _positions(self, run: Run, photo: Photo) -> dict[str, GivenPosition]:
-        from ..toolkit import layers
-        from . import mark_tables
-
-        if not run.parameters.get(POSITIONS):
-            return {}
-        source = run.source(POSITIONS)
-        names = source.fields().names()
-        return mark_tables.given_positions(layers.features(source), names, photo, run.flag(MEASURE))
 
     def _settings(self, run: Run) -> OrientationSettings:
         from .measure.mark_templates import chosen_shapes, cut_out

@@ -31,7 +31,7 @@ from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.layers import rectangle, transformed
 from ..toolkit.reference_systems import reference_system, transformation
-from ..toolkit.table_fields import column_features, column_fields, feature, table_fields
+from ..toolkit.table_fields import column_features, feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import limits
 from .measure.assessment import Assessment, CheckedFigure, decide_image, judge
@@ -175,7 +175,12 @@ def jobs_on(
     for image in images:
         for window in drawn:
             try:
-                pixels = _pixels_under(window, image)
+                if not image.is_north_up:
+                    raise WindowError(imagery_messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
+                extent = extent_on_image(window.extent, window.wkt, image)
+                pixels = None
+                if extent is not None and shown_share(image.grid, extent):
+                    pixels = snap_window(image.grid, extent, levels=0)
             except WindowError as error:
                 name, why = image.ref.name, error.message
                 notices.append(imagery_messages.WINDOW_LEFT_OUT(window=window.window_id, name=name, why=why))
@@ -188,26 +193,13 @@ def jobs_on(
     notices += [imagery_messages.WINDOW_ON_NO_RASTER(window=window) for window in unseen]
 
 
-def _pixels_under(drawn: DrawnWindow, image: Raster) -> PixelWindow | None:
-    """The pixels of an image under a window, cut to the image; None where the image does not show it.
-
-    Raises WindowError when the image is rotated, or too few or too many pixels are under it.
-    """
-    if not image.is_north_up:
-        raise WindowError(imagery_messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
-    extent = extent_on_image(drawn.extent, drawn.wkt, image)
-    if extent is None or not shown_share(image.grid, extent):
-        return None
-    return snap_window(image.grid, extent, levels=0)
-
-
 class _Row(NamedTuple):
     result: Assessment
     checked: CheckedFigure
     decision: str
 
 
-_COLUMNS: tuple[Column[_Row], ...] = (
+COLUMNS: tuple[Column[_Row], ...] = (
     Column("raster", "text", lambda row: row.result.image.ref.name),
     Column("window_id", "integer", lambda row: row.result.window_id),
     Column("band", "text", lambda row: row.checked.band),
@@ -225,22 +217,18 @@ _COLUMNS: tuple[Column[_Row], ...] = (
     Column("x", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[0]),
     Column("y", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[1]),
 )
+"""OUTPUT: one row per raster (or window of it), check and band. Shares are fractions of 1; ``passed`` is 1, 0, or
+nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
+``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
 
 
 _AREA_FIELDS = (("raster", "text"), ("red", "real"), ("green", "real"), ("blue", "real"), ("difference", "real"))
 
 
-def radiometry_fields() -> QgsFields:
-    """OUTPUT: one row per raster (or window of it), check and band. Shares are fractions of 1; ``passed`` is 1, 0, or
-    nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
-    ``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
-    return column_fields(_COLUMNS)
-
-
 def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image or a window of it."""
     decision = decide_image(result).outcome.value
-    return column_features(_COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
+    return column_features(COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
 
 
 def maybe_grey_layout(images: Sequence[Raster]) -> tuple[QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem]:

@@ -53,21 +53,14 @@ def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: flo
         axes.axvline(0, color=PAPER.grid, linewidth=1, zorder=0)
         axes.axvline(weakest.profile.length, color=PAPER.grid, linewidth=1, zorder=0)
         if len(weakest.bars) > 1:
-            _draw_threshold(axes, weakest, criterion)
+            # Gaps that lie on the bars' side of this line, on the whole, are too shallow.
+            ends, level = (weakest.bars[0].position, weakest.bars[-1].position), weakest.threshold(criterion)
+            axes.plot(ends, (level, level), "--", color=PAPER.limit, linewidth=1.2, zorder=2)
     axes.set_facecolor(PAPER.background)
     axes.tick_params(colors=PAPER.text)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["bottom", "left"]].set_color(PAPER.text)
     axes.margins(x=0.01, y=0.08)
-
-
-def _draw_threshold(axes: Axes, reading: BarReading, criterion: float) -> None:
-    """Gaps that lie on the bars' side of this line, on the whole, are too shallow."""
-    down = -1 if reading.bright else 1
-    bars = sum(bar.value for bar in reading.inner_bars) / len(reading.inner_bars)
-    level = bars + down * criterion * reading.full_amplitude
-    ends = reading.bars[0].position, reading.bars[-1].position
-    axes.plot(ends, (level, level), "--", color=PAPER.limit, linewidth=1.2, zorder=2)
 
 
 def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:

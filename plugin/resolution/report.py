@@ -87,14 +87,15 @@ def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
 
 def _observers(resolution: TargetResolution) -> list[tuple[str, ...]]:
     """Each observer's distances along and across the flight, and those that all agree on."""
-    if not resolution.observers:
+    observers = list(dict.fromkeys(name for result in resolution.results for name in result.measured.line.seen))
+    if not observers:
         return []
 
     def distances(observer: str | None) -> list[str]:
         distances = [resolution.seen(direction, observer) for direction in DIRECTIONS]
         return ["" if grd is None else shown_number(grd) for grd in distances]
 
-    rows = [(name, *distances(name)) for name in resolution.observers]
+    rows = [(name, *distances(name)) for name in observers]
     return [*rows, (tr("all of them"), *distances(None))]
 
 
@@ -180,7 +181,10 @@ def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | N
     figure, gap = plain_figure(*(shape[::-1] if axis else shape)), _GAP / (breadth * scale)
     grid = {"left": 0, "right": 1, "bottom": 0, "top": 1, "wspace": gap, "hspace": gap}
     parts = figure.subplots(*((1, count) if axis else (count, 1)), squeeze=False, gridspec_kw=grid)
-    pixels = _toned(raster, PixelWindow(*first.tolist(), *size.tolist()))
+    bands = OpenRaster(raster.ref).read(PixelWindow(*first.tolist(), *size.tolist())).bands
+    pixels = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
+    low, high = np.percentile(pixels, (0.5, 99.5))
+    pixels = np.clip((pixels - low) / max(high - low, 1e-9), 0, 1)
     for axes, start in zip(parts.flat, np.linspace(0, size[axis] - length, count).astype(int).tolist()):
         seen = pixels[start : start + length] if axis else pixels[:, start : start + length]
         (left, top), (height, width) = first + (start * (1 - axis), start * axis), seen.shape[:2]
@@ -222,11 +226,3 @@ def line_ends(line: Line) -> tuple[tuple[float, float], tuple[float, float]]:
     segment = line[0].measured.segment
     assert segment is not None
     return segment.start, segment.end
-
-
-def _toned(raster: Raster, window: PixelWindow) -> np.ndarray:
-    """The pixels of a window, 0 to 1."""
-    bands = OpenRaster(raster.ref).read(window).bands
-    shown = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
-    low, high = np.percentile(shown, (0.5, 99.5))
-    return np.asarray(np.clip((shown - low) / max(high - low, 1e-9), 0, 1))

@@ -115,11 +115,6 @@ class TargetResolution:
             finest = grd
         return finest
 
-    @property
-    def observers(self) -> tuple[str, ...]:
-        """The observers who judged any group, in the order of the layer's fields."""
-        return tuple(dict.fromkeys(name for result in self.results for name in result.measured.line.seen))
-
     def worst_error(self, direction: str) -> float | None:
         groups, worst = self._finest(direction), self.worst(direction)
         errors = [group.grd_error_cm for group in groups if group.distance == worst and group.grd_error_cm is not None]
@@ -130,11 +125,6 @@ class TargetResolution:
         parts = [(self.worst(direction), self.worst_error(direction)) for direction in DIRECTIONS]
         relative = [error / grd for grd, error in parts if grd and error is not None]
         return self.mean * math.hypot(*relative) / 2 if self.mean is not None and len(relative) == 2 else None
-
-    @property
-    def is_any_measured(self) -> bool:
-        """Whether any line shows anything to judge."""
-        return any(result.is_judged for result in self.results)
 
     @property
     def mean(self) -> float | None:

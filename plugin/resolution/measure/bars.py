@@ -82,6 +82,11 @@ class BarReading:
         """The bars between the outer ones, which other ground does not reach; all when there is none."""
         return self.bars[1:-1] or self.bars
 
+    def threshold(self, criterion: float) -> float:
+        """The brightness, DN, that the gaps of a resolved group lie beyond, on the whole."""
+        down = -1 if self.bright else 1
+        return mean_value(self.inner_bars) + down * criterion * self.full_amplitude
+
     @property
     def is_flat(self) -> bool:
         """Whether no bar rises out of the noise."""

@@ -36,13 +36,6 @@ def kept_contrast(width: np.ndarray | float) -> np.ndarray:
     return np.asarray(1 - 4 * ndtr(-quarter) + 4 * ndtr(-3 * quarter) - 2 * ndtr(-5 * quarter))
 
 
-def kept_slope(kept: float) -> float:
-    """The change of the contrast's kept share with a relative change of the cycle, where so much is kept."""
-    widths = np.geomspace(0.5, 40, 2000)
-    shares = kept_contrast(widths)
-    return float(np.interp(kept, shares, np.gradient(shares, np.log(widths))))
-
-
 def target_levels(groups: Sequence[tuple[float, BarReading]]) -> TargetLevels | None:
     """The plain brightness of a target in one band; None where no group shows bars. ``groups``: cycle, in any unit, and
     reading.
@@ -136,7 +129,10 @@ def distance_error(reading: BarReading, grd_cm: float, target: Target) -> float 
     """
     criterion = target.criterion
     kept = criterion if target.full_amplitude == COARSEST else criterion / (2 - criterion)
-    slope = kept_slope(kept)
+    widths = np.geomspace(0.5, 40, 2000)
+    shares = kept_contrast(widths)
+    # The change of the contrast's kept share with a relative change of the cycle, where so much is kept.
+    slope = float(np.interp(kept, shares, np.gradient(shares, np.log(widths))))
     if target.full_amplitude != COARSEST:
         slope *= 2 / (1 + kept) ** 2  # share = 2 kept / (1 + kept)
     return None if reading.share_error is None or not slope else grd_cm * reading.share_error / slope
