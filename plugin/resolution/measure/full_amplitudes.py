@@ -103,7 +103,11 @@ def with_full_amplitudes(measured: Sequence[MeasuredLine], target: Target) -> li
     lines = _alike(measured, target.bars)
     for direction in DIRECTIONS:
         for band in dict.fromkeys(band for line in lines for band in line.readings):
-            groups = _groups(lines, direction, band, target)
+            groups = [
+                (target.grd_cm(line.line.group), line.readings[band]) for line in lines
+                if line.line.direction == direction and line.line.group is not None and band in line.readings
+                and len(line.readings[band].bars) == target.bars
+            ]
             levels = target_levels([pair for pair in groups if (pair[1].spacing or 0) >= MIN_ALIAS_FREE_PX])
             if levels is None:
                 continue
@@ -152,17 +156,6 @@ def _alike(measured: Sequence[MeasuredLine], bars: int) -> list[MeasuredLine]:
         band: reading if reading.bright == bright else read_bars(reading.profile, bars, bright)
         for band, reading in line.readings.items()
     }) for line in measured]
-
-
-def _groups(
-    lines: Sequence[MeasuredLine], direction: str, band: str, target: Target
-) -> list[tuple[float, BarReading]]:
-    """Distance and reading of the groups of a direction that show all their bars."""
-    return [
-        (target.grd_cm(line.line.group), line.readings[band]) for line in lines
-        if line.line.direction == direction and line.line.group is not None and band in line.readings
-        and len(line.readings[band].bars) == target.bars
-    ]
 
 
 def _with_levels(reading: BarReading, levels: TargetLevels) -> BarReading:

@@ -66,9 +66,7 @@ def test_bars_too_weak_to_be_resolved_are_seen_and_their_share_is_told(make_rast
 
 def test_a_directions_distance_is_its_worst_bands_and_the_targets_the_geometric_mean() -> None:
     line = MeasuredLine(BarLine(0, "along", None), None)
-    finest = {
-        ("along", "red"): 30.0, ("along", "green"): 40.0, ("across", "red"): 90.0, ("across", "green"): 85.0
-    }
+    finest = {("along", "red"): 30.0, ("along", "green"): 40.0, ("across", "red"): 90.0, ("across", "green"): 85.0}
     groups = {key: GroupResult(line, key[1], grd, grd_error_cm=0.04 * grd) for key, grd in finest.items()}
     result = TargetResolution((), groups, {}, ())
     assert (result.worst("along"), result.worst("across"), result.mean) == (40, 90, 60)

@@ -292,22 +292,17 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     given = [item for piece in request.pieces for item in (piece.piece.vertices, piece.piece.left, piece.piece.right)]
     given.append(np.array([piece.is_wanted for piece in request.pieces]))
     refs = request.mosaic.ref, *(source.ref for source in request.sources)
-    outputs = {"mended": mended, **{os.path.basename(path): path for path in _made_patches(patches)}}
+    with files_written(patches):
+        folder = Path(os.path.dirname(os.path.abspath(patches)) if _is_file(patches) else patches)
+        folder.mkdir(parents=True, exist_ok=True)
+        made = [patches] if _is_file(patches) else [str(path) for path in folder.glob(_PATCHES)]
+    outputs = {"mended": mended, **{os.path.basename(path): path for path in made}}
     place = request.mosaic.geotransform, request.mosaic.wkt
     fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)
     refuse_overwriting(outputs, (path for ref in refs for path in ref.paths))
     with journal_beside(Path(mended), JOURNAL_ENDING, fingerprint) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()
-
-
-def _made_patches(patches: str) -> list[str]:
-    """What their file or folder, which is there then, holds of them already. Raises SettingsError if it can't be."""
-    single = _is_file(patches)
-    with files_written(patches):
-        folder = Path(os.path.dirname(os.path.abspath(patches)) if single else patches)
-        folder.mkdir(parents=True, exist_ok=True)
-        return [patches] if single else [str(path) for path in folder.glob(_PATCHES)]
 
 
 def _is_file(patches: str) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from operator import itemgetter
 from typing import Callable
@@ -213,16 +214,14 @@ def fitting_side_m(grid: Grid, settings: PlacingSettings) -> float:
     fewest = max(imagery_limits.MIN_SIDE_PX, 2**settings.levels)
     if shorter >= limits.MEASURABLE_SIDE_PX:
         fewest = max(fewest, limits.MEASURABLE_SIDE_PX)
-    try:
-        wanted = window_side_px(grid, settings)
-    except SettingsError:
-        wanted = fewest
-    else:
-        is_enough = wanted >= fewest or side_m != imagery_limits.STANDARD_SIDE_M
-        if is_enough and wanted <= min(shorter, LONGEST_SIDE_PX):
-            return side_m
-        across = 2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1)))
-        wanted = min(max(across, fewest), LONGEST_SIDE_PX) if is_enough else fewest
+    wanted = fewest
+    with suppress(SettingsError):
+        asked = window_side_px(grid, settings)
+        if asked >= fewest or side_m != imagery_limits.STANDARD_SIDE_M:
+            if asked <= min(shorter, LONGEST_SIDE_PX):
+                return side_m
+            across = 2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1)))
+            wanted = min(max(across, fewest), LONGEST_SIDE_PX)
     if wanted > shorter:
         return side_m
     return max(math.floor(100 * wanted * grid.ground_sample_distance + 1e-6) / 100, 0.1)
