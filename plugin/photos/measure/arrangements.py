@@ -34,6 +34,7 @@ REFINING_SIZE_PX = 40.0  # of a mark while its figure is fitted: larger ones are
 GLANCING_SIZE_PX = 20.0  # the same while figures are compared
 REFINED_ARRANGEMENTS = 5  # looked at closely, of one for each figure
 WORTH_A_LOOK = 0.75  # of the best arrangement's sum of correlations
+NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one that explains most pixels is the mark
 
 
 @dataclass(frozen=True, eq=False)
@@ -275,6 +276,21 @@ class Candidate:
     fitness: float = 1.0  # how like the figure its marks are: the median correlation, less where marks are missing
     others: tuple[Arrangement, ...] = ()  # of the same figure, for the calibration turned another way
 
+    @property
+    def side(self) -> int:
+        return 2 * self.template.margin + 1 if isinstance(self.template, MarkShape) else min(self.template.pixels.shape)
+
+    @property
+    def weight(self) -> float:
+        """Evidence of the fit: the share of the pixels' variance that it leaves, by the number of pixels."""
+        return -math.log(max(1 - self.fitness**2, 1e-6)) * self.side**2
+
+    def is_where(self, other: Candidate) -> bool:
+        """Whether the marks of another candidate lie at the same places."""
+        places, others = self.arrangement.places, other.arrangement.places
+        distances = [math.dist(places[name], others[name]) for name in places if name in others]
+        return bool(distances) and float(np.median(distances)) <= max(self.side, other.side) / 2
+
 
 def candidates(
     photo: Photo, scene: Scene, frames: Sequence[MarkFrame], template: CutOut | None, shapes: Sequence[MarkShape],
@@ -293,7 +309,19 @@ def candidates(
             shape, fitness = _refined(photo, arrangement, arrangement.shape, GLANCING_SIZE_PX)
             fitness *= len(arrangement.values) / len(arrangement.frame.marks)
             looked_at.append(Candidate(arrangement, shape, fitness, tuple(others)))
-    for candidate in sorted(looked_at, key=lambda candidate: -candidate.fitness):
+    for candidate in _by_fitness(looked_at):
         assert isinstance(candidate.template, MarkShape)
         shape, _ = _refined(photo, candidate.arrangement, candidate.template, REFINING_SIZE_PX)
         yield replace(candidate, template=shape)
+
+
+def _by_fitness(looked_at: Sequence[Candidate]) -> Iterator[Candidate]:
+    """The best fitting first; of figures at the same places a larger one that fits nearly as well goes before it. The
+    small figure may be a part of the large one, a dot of a ring with a dot, which explains more of the pixels."""
+    waiting = sorted(looked_at, key=lambda candidate: -candidate.fitness)
+    while waiting:
+        best = waiting[0]
+        least = best.fitness - NEARLY_AS_FIT
+        same = [candidate for candidate in waiting if candidate.is_where(best)]
+        waiting = [candidate for candidate in waiting if candidate not in same]
+        yield from sorted(same, key=lambda candidate: (candidate.fitness >= least, candidate.weight), reverse=True)
