@@ -559,7 +559,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="93"/>
+        <location filename="../plugin/radiometry/report.py" line="92"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
@@ -1079,7 +1079,7 @@
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="121"/>
+        <location filename="../plugin/photos/interiororientation.py" line="122"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
@@ -1184,7 +1184,7 @@
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="78"/>
+        <location filename="../plugin/resolution/charts.py" line="71"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
@@ -1644,7 +1644,7 @@
         <translation>Miara</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="63"/>
+        <location filename="../plugin/photos/interiororientation.py" line="64"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
@@ -1759,7 +1759,7 @@
         <translation>wszystkie przeloty</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="47"/>
+        <location filename="../plugin/photos/interiororientation.py" line="48"/>
         <source>Interior orientation</source>
         <translation>Orientacja wewnętrzna</translation>
     </message>
@@ -1769,162 +1769,162 @@
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="50"/>
+        <location filename="../plugin/photos/interiororientation.py" line="51"/>
         <source>Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can&apos;t be trusted fails with the reason; point at it on the map and give that point as its position, with the measurement off.</source>
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="123"/>
+        <location filename="../plugin/photos/interiororientation.py" line="124"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="124"/>
+        <location filename="../plugin/photos/interiororientation.py" line="125"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="64"/>
+        <location filename="../plugin/photos/interiororientation.py" line="65"/>
         <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="68"/>
+        <location filename="../plugin/photos/interiororientation.py" line="69"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="73"/>
+        <location filename="../plugin/photos/interiororientation.py" line="74"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="74"/>
+        <location filename="../plugin/photos/interiororientation.py" line="75"/>
         <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="78"/>
+        <location filename="../plugin/photos/interiororientation.py" line="79"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="83"/>
+        <location filename="../plugin/photos/interiororientation.py" line="84"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="84"/>
+        <location filename="../plugin/photos/interiororientation.py" line="85"/>
         <source>The shape to look for, in the size it has on the photo; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="85"/>
+        <location filename="../plugin/photos/interiororientation.py" line="86"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="86"/>
+        <location filename="../plugin/photos/interiororientation.py" line="87"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="87"/>
+        <location filename="../plugin/photos/interiororientation.py" line="88"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="87"/>
+        <location filename="../plugin/photos/interiororientation.py" line="88"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="88"/>
+        <location filename="../plugin/photos/interiororientation.py" line="89"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="89"/>
+        <location filename="../plugin/photos/interiororientation.py" line="90"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="92"/>
+        <location filename="../plugin/photos/interiororientation.py" line="93"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="93"/>
+        <location filename="../plugin/photos/interiororientation.py" line="94"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="96"/>
+        <location filename="../plugin/photos/interiororientation.py" line="97"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="97"/>
+        <location filename="../plugin/photos/interiororientation.py" line="98"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="98"/>
+        <location filename="../plugin/photos/interiororientation.py" line="99"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="99"/>
+        <location filename="../plugin/photos/interiororientation.py" line="100"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="102"/>
+        <location filename="../plugin/photos/interiororientation.py" line="103"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="103"/>
+        <location filename="../plugin/photos/interiororientation.py" line="104"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="105"/>
+        <location filename="../plugin/photos/interiororientation.py" line="106"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="110"/>
+        <location filename="../plugin/photos/interiororientation.py" line="111"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="110"/>
+        <location filename="../plugin/photos/interiororientation.py" line="111"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="111"/>
+        <location filename="../plugin/photos/interiororientation.py" line="112"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, nieortogonalność osi, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="112"/>
+        <location filename="../plugin/photos/interiororientation.py" line="113"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="112"/>
+        <location filename="../plugin/photos/interiororientation.py" line="113"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="113"/>
+        <location filename="../plugin/photos/interiororientation.py" line="114"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="120"/>
+        <location filename="../plugin/photos/interiororientation.py" line="121"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
@@ -2339,7 +2339,7 @@
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="139"/>
+        <location filename="../plugin/photos/comparemarks.py" line="140"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
@@ -3378,7 +3378,7 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layers.py" line="176"/>
+        <location filename="../plugin/resolution/line_layers.py" line="167"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
@@ -4077,7 +4077,7 @@
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="103"/>
+        <location filename="../plugin/resolution/report.py" line="104"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
@@ -4138,22 +4138,22 @@
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="173"/>
+        <location filename="../plugin/radiometry/report.py" line="177"/>
         <source>value (DN)</source>
         <translation>wartość (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="174"/>
+        <location filename="../plugin/radiometry/report.py" line="178"/>
         <source>pixels (%)</source>
         <translation>piksele (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="207"/>
+        <location filename="../plugin/radiometry/report.py" line="204"/>
         <source>largest step at a seam (% of the largest value)</source>
         <translation>największy skok na linii mozaikowania (% największej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="208"/>
+        <location filename="../plugin/radiometry/report.py" line="205"/>
         <source>contrast beside the seams (% of the range)</source>
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
@@ -6130,57 +6130,57 @@
         <translation>średnia geometryczna</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="98"/>
+        <location filename="../plugin/resolution/report.py" line="99"/>
         <source>all of them</source>
         <translation>wszyscy razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="105"/>
+        <location filename="../plugin/resolution/report.py" line="106"/>
         <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="106"/>
+        <location filename="../plugin/resolution/report.py" line="107"/>
         <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="110"/>
+        <location filename="../plugin/resolution/report.py" line="111"/>
         <source>higher</source>
         <translation>wyższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="110"/>
+        <location filename="../plugin/resolution/report.py" line="111"/>
         <source>lower</source>
         <translation>niższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="112"/>
         <source>the group&apos;s own bars against plain gaps</source>
         <translation>własne paski grupy względem gładkich przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="111"/>
+        <location filename="../plugin/resolution/report.py" line="112"/>
         <source>that of the coarsest group</source>
         <translation>amplituda najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="113"/>
+        <location filename="../plugin/resolution/report.py" line="114"/>
         <source>group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide</source>
         <translation>szerokość grupy {group} wynosi {grd:.2f} cm, a grupa o następnym numerze ({coarser}) jest {step:.3f} razy szersza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="115"/>
+        <location filename="../plugin/resolution/report.py" line="116"/>
         <source>bars in each group</source>
         <translation>paski w każdej grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="116"/>
+        <location filename="../plugin/resolution/report.py" line="117"/>
         <source>widths</source>
         <translation>szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="118"/>
+        <location filename="../plugin/resolution/report.py" line="119"/>
         <source>widths are of</source>
         <translation>szerokości dotyczą</translation>
     </message>
@@ -6190,17 +6190,17 @@
         <translation>jeden pasek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="118"/>
+        <location filename="../plugin/resolution/report.py" line="119"/>
         <source>a bar and a gap together</source>
         <translation>pasek i przerwa razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="119"/>
+        <location filename="../plugin/resolution/report.py" line="120"/>
         <source>criterion</source>
         <translation>kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="120"/>
+        <location filename="../plugin/resolution/report.py" line="121"/>
         <source>full amplitude</source>
         <translation>pełna amplituda</translation>
     </message>
@@ -6240,17 +6240,17 @@
         <translation>Pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="70"/>
+        <location filename="../plugin/resolution/distance_words.py" line="64"/>
         <source>Group {group}, {distance}</source>
         <translation>Grupa {group}, {distance}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="75"/>
+        <location filename="../plugin/resolution/distance_words.py" line="69"/>
         <source>(amplitude {share:.0%} of the full one)</source>
         <translation>(amplituda {share:.0%} pełnej)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="79"/>
+        <location filename="../plugin/resolution/distance_words.py" line="73"/>
         <source>All lines: {distances}</source>
         <translation>Wszystkie linie: {distances}</translation>
     </message>
@@ -6400,17 +6400,12 @@
         <translation>kontrast testu {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="55"/>
-        <source>contrast of the target, bars to gaps, {band}: {contrast:.1f}:1</source>
-        <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/charts.py" line="137"/>
+        <location filename="../plugin/resolution/charts.py" line="125"/>
         <source>group {group} {direction}</source>
         <translation>grupa {group} {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="138"/>
+        <location filename="../plugin/resolution/charts.py" line="126"/>
         <source>{grd:.2f} cm: {verdict}</source>
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
@@ -7395,32 +7390,32 @@
         <translation>klin</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="60"/>
+        <location filename="../plugin/photos/interiororientation.py" line="61"/>
         <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value even if the file calls it nodata.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="69"/>
+        <location filename="../plugin/photos/interiororientation.py" line="70"/>
         <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look different are measured by drawn ones. A template that looks the same when turned by 180 degrees is measured by its centre of symmetry, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="79"/>
+        <location filename="../plugin/photos/interiororientation.py" line="80"/>
         <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that is off by more than a thousandth of the frame fails like a measured mark.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="114"/>
+        <location filename="../plugin/photos/interiororientation.py" line="115"/>
         <source>MicMac measurement</source>
         <translation>Pomiar MicMac</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="114"/>
+        <location filename="../plugin/photos/interiororientation.py" line="115"/>
         <source>XML files (*.xml)</source>
         <translation>Pliki XML (*.xml)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="115"/>
+        <location filename="../plugin/photos/interiororientation.py" line="116"/>
         <source>The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo&apos;s whole file name, as in MeasuresIm-114.jpg.xml.</source>
         <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
     </message>
@@ -7480,12 +7475,12 @@
         <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="145"/>
+        <location filename="../plugin/photos/comparemarks.py" line="146"/>
         <source>The mean distance is within the limit of {limit:g} px.</source>
         <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="146"/>
+        <location filename="../plugin/photos/comparemarks.py" line="147"/>
         <source>The mean distance is beyond the limit of {limit:g} px.</source>
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
@@ -7964,17 +7959,17 @@
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="123"/>
+        <location filename="../plugin/photos/interiororientation.py" line="124"/>
         <source>Root mean square of the residuals (µm)</source>
         <translation>Średnia kwadratowa odchyłek (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="192"/>
+        <location filename="../plugin/photos/interiororientation.py" line="199"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.</source>
         <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/interiororientation.py" line="106"/>
+        <location filename="../plugin/photos/interiororientation.py" line="107"/>
         <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in µm, correlation, status, reason and the photo&apos;s name.</source>
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
     </message>

@@ -109,7 +109,8 @@ class CompareMarks(SeamInspectorAlgorithm):
         if size is None:
             run.tell(messages.PIXEL_SIZE_UNKNOWN())
         else:
-            statistics["um"], limits_of_units["um"] = statistics["px"].scaled(size), limit * size
+            statistics["um"] = mark_comparison.distance_statistics(differences, size)
+            limits_of_units["um"] = limit * size
         if alone:
             names = ", ".join(alone[:NAMED]) + (", ..." if len(alone) > NAMED else "")
             run.tell(messages.COMPARED_ALONE(count=len(alone), names=names))

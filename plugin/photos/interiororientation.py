@@ -1,6 +1,7 @@
 """``seaminspector:interiororientation``: the fiducial marks of a scanned photo and its interior orientation."""
 from __future__ import annotations
 
+import json
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -136,6 +137,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         self._template_ref = run.raster(TEMPLATE)
 
     def execute(self, run: Run) -> dict[str, Any]:
+        from ..toolkit import layers
         from . import mark_tables
         from .measure.interior_orientation import orient_photo
         from .measure.orientation import MarkStatus
@@ -143,7 +145,11 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
         calibration = self._calibration(run)
         photo = scanned_photo(self._photo_ref)
-        positions = self._positions(run, photo)
+        positions: dict[str, GivenPosition] = {}
+        if run.parameters.get(POSITIONS):
+            source = run.source(POSITIONS)
+            names, is_measured = source.fields().names(), run.flag(MEASURE)
+            positions = mark_tables.given_positions(layers.features(source), names, photo, is_measured)
         settings = self._settings(run)
         run.progress(0.05)
         made = orient_photo(photo, calibration, positions, settings, run.is_cancelled)
@@ -178,7 +184,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
-        text = orientation_files.parameters_text(photo, calibration, made)
+        known = orientation_files.parameters(photo, calibration, made)
+        text = json.dumps(known, indent=2, ensure_ascii=False) + "\n"
         results.update(run.save(PARAMETERS, partial(save_text, text)))
         results.update(run.save(WORLD_FILE, partial(save_text, orientation_files.world_file(made))))
         return results
@@ -200,16 +207,6 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         if not path:
             raise PhotoError(messages.NO_CALIBRATION())
         return read_calibration(Path(path))
-
-    def _positions(self, run: Run, photo: Photo) -> dict[str, GivenPosition]:
-        from ..toolkit import layers
-        from . import mark_tables
-
-        if not run.parameters.get(POSITIONS):
-            return {}
-        source = run.source(POSITIONS)
-        names = source.fields().names()
-        return mark_tables.given_positions(layers.features(source), names, photo, run.flag(MEASURE))
 
     def _settings(self, run: Run) -> OrientationSettings:
         from .measure.mark_templates import chosen_shapes, cut_out

@@ -18,7 +18,7 @@ from ..toolkit.algorithms.base import IMAGE_QUALITY
 from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.raster_lists import RASTERS, WINDOWS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.table_fields import text
+from ..toolkit.table_fields import column_fields, text
 from ..toolkit.translation import filled, tr
 from .measure import messages
 from .measure.rules import DEFAULT_RULES, ready_rule_files
@@ -125,7 +125,7 @@ class CheckRadiometry(RasterListAlgorithm):
         images = self.opened([*self.refs[RASTERS], *self._indexed(run)])
         self.require_rasters(images)
         run.tell_once(self.left_out)
-        sink, output_id = run.sink(OUTPUT, image_set.radiometry_fields())
+        sink, output_id = run.sink(OUTPUT, column_fields(image_set.COLUMNS))
         grey_sink, grey_id = run.optional_sink(MAYBE_GREY, *image_set.maybe_grey_layout(images))
         unseen = list(self.left_out)
         jobs = list(jobs_on(images, drawn, unseen))

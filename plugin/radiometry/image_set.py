@@ -31,7 +31,7 @@ from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.layers import rectangle, transformed
 from ..toolkit.reference_systems import reference_system, transformation
-from ..toolkit.table_fields import column_features, column_fields, feature, table_fields
+from ..toolkit.table_fields import column_features, feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import limits
 from .measure.assessment import Assessment, CheckedFigure, decide_image, judge
@@ -42,7 +42,6 @@ from .words import spot_words
 
 if TYPE_CHECKING:
     from ..imagery.lines import Seam
-    from .measure.areas import GreyArea
     from .measure.seam_steps import SeamStep
 
 ImageJob = tuple[Raster, PixelWindow, Optional[int]]
@@ -70,9 +69,18 @@ class DrawnLayers:
 
         Raises SeamInspectorError for an image that can't be measured.
         """
+        from ..imagery.lines import find_seams
+        from .measure.areas import GreyArea
+
         image, window, number = job
-        seams = None if self.seamlines is None else self._seams_on(self.seamlines, image)
-        grey = None if self.grey_areas is None else self._grey_on(self.grey_areas, image)
+        seams: list[Seam] | None = None
+        if self.seamlines is not None:
+            lines = [wkb for _, wkb in self._wkb_on(self.seamlines, image)]
+            seams = find_seams(lines, image.grid.pixel_width) if has_map(image) else []
+        grey = None
+        if self.grey_areas is not None:
+            areas = self._wkb_on(self.grey_areas, image, are_areas=True)
+            grey = [GreyArea(number, wkb) for number, wkb in areas if wkb is not None]
         measured = measure(OpenRaster(image.ref), window, rules, seams, grey, number, goes_on)
         if measured is not None and measured.seams and self.seamlines is not None and has_map(image):
             return replace(measured, seams=self._with_features(measured.seams, self.seamlines, image))
@@ -88,17 +96,6 @@ class DrawnLayers:
             for row in layers.features(source):
                 if not are_areas or row.geometry().type() == QgsWkbTypes.GeometryType.PolygonGeometry:
                     yield row.id(), layers.line_wkb(row, transform)
-
-    def _seams_on(self, seamlines: QgsProcessingFeatureSource, image: Raster) -> list[Seam]:
-        from ..imagery.lines import find_seams
-
-        lines = [wkb for _, wkb in self._wkb_on(seamlines, image)]
-        return find_seams(lines, image.grid.pixel_width) if has_map(image) else []
-
-    def _grey_on(self, areas: QgsProcessingFeatureSource, image: Raster) -> list[GreyArea]:
-        from .measure.areas import GreyArea
-
-        return [GreyArea(number, wkb) for number, wkb in self._wkb_on(areas, image, True) if wkb is not None]
 
     def _with_features(
         self, steps: Iterable[SeamStep], seamlines: QgsProcessingFeatureSource, image: Raster
@@ -178,7 +175,12 @@ def jobs_on(
     for image in images:
         for window in drawn:
             try:
-                pixels = _pixels_under(window, image)
+                if not image.is_north_up:
+                    raise WindowError(imagery_messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
+                extent = extent_on_image(window.extent, window.wkt, image)
+                pixels = None
+                if extent is not None and shown_share(image.grid, extent):
+                    pixels = snap_window(image.grid, extent, levels=0)
             except WindowError as error:
                 name, why = image.ref.name, error.message
                 notices.append(imagery_messages.WINDOW_LEFT_OUT(window=window.window_id, name=name, why=why))
@@ -191,26 +193,13 @@ def jobs_on(
     notices += [imagery_messages.WINDOW_ON_NO_RASTER(window=window) for window in unseen]
 
 
-def _pixels_under(drawn: DrawnWindow, image: Raster) -> PixelWindow | None:
-    """The pixels of an image under a window, cut to the image; None where the image does not show it.
-
-    Raises WindowError when the image is rotated, or too few or too many pixels are under it.
-    """
-    if not image.is_north_up:
-        raise WindowError(imagery_messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
-    extent = extent_on_image(drawn.extent, drawn.wkt, image)
-    if extent is None or not shown_share(image.grid, extent):
-        return None
-    return snap_window(image.grid, extent, levels=0)
-
-
 class _Row(NamedTuple):
     result: Assessment
     checked: CheckedFigure
     decision: str
 
 
-_COLUMNS: tuple[Column[_Row], ...] = (
+COLUMNS: tuple[Column[_Row], ...] = (
     Column("raster", "text", lambda row: row.result.image.ref.name),
     Column("window_id", "integer", lambda row: row.result.window_id),
     Column("band", "text", lambda row: row.checked.band),
@@ -228,27 +217,24 @@ _COLUMNS: tuple[Column[_Row], ...] = (
     Column("x", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[0]),
     Column("y", "real", lambda row: None if row.checked.spot is None else row.checked.spot.place[1]),
 )
+"""OUTPUT: one row per raster (or window of it), check and band. Shares are fractions of 1; ``passed`` is 1, 0, or
+nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
+``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
 
 
 _AREA_FIELDS = (("raster", "text"), ("red", "real"), ("green", "real"), ("blue", "real"), ("difference", "real"))
 
 
-def radiometry_fields() -> QgsFields:
-    """OUTPUT: one row per raster (or window of it), check and band. Shares are fractions of 1; ``passed`` is 1, 0, or
-    nothing where the figure can't be measured or has no limit; ``decision`` is that on the raster or window; ``place``,
-    ``x`` and ``y`` say where a figure comes from, in the raster's reference system."""
-    return column_fields(_COLUMNS)
-
-
 def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image or a window of it."""
     decision = decide_image(result).outcome.value
-    return column_features(_COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
+    return column_features(COLUMNS, (_Row(result, checked, decision) for checked in result.checked_figures))
 
 
 def maybe_grey_layout(images: Sequence[Raster]) -> tuple[QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem]:
     """MAYBE_GREY: polygons of areas that may be grey, in the reference system of the first raster on the map."""
-    return table_fields(*_AREA_FIELDS), QgsWkbTypes.Type.Polygon, _first_system(images)
+    wkt = next((image.wkt for image in images if has_map(image)), "")
+    return table_fields(*_AREA_FIELDS), QgsWkbTypes.Type.Polygon, reference_system(wkt)
 
 
 def maybe_grey_features(
@@ -258,11 +244,11 @@ def maybe_grey_features(
     areas, image = result.maybe_grey, result.image
     if areas is None or not has_map(image):
         return
+    fields, _, crs = maybe_grey_layout(images)
     try:
-        transform = transformation(reference_system(image.wkt), _first_system(images), transforms)
+        transform = transformation(reference_system(image.wkt), crs, transforms)
     except WindowError:
         return
-    fields = table_fields(*_AREA_FIELDS)
     for (column, row), means, spread in zip(areas.corners.tolist(), areas.means.tolist(), areas.spreads.tolist()):
         window = PixelWindow(column, row, limits.AREA_PX, limits.AREA_PX)
         outline = rectangle(image.grid.window_extent(window))
@@ -271,11 +257,6 @@ def maybe_grey_features(
         except WindowError:
             continue
         yield feature(fields, [image.ref.name, *means, spread], outline)
-
-
-def _first_system(images: Sequence[Raster]) -> QgsCoordinateReferenceSystem:
-    wkt = next((image.wkt for image in images if has_map(image)), "")
-    return reference_system(wkt)
 
 
 def limit_text(rule: Rule) -> str | None:

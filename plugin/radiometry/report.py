@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ..imagery.errors import Message
-from ..imagery.rasters import ValueRange
 from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, band_colour
 from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
@@ -97,7 +96,7 @@ def _overview(image: ImageDecision) -> list[object]:
 
 def _section(image: ImageDecision, sources: Sequence[str], is_drawn: bool) -> dict[str, object]:
     """The page's section on one image: a row for each check, a column for each band."""
-    result = image.result
+    result, is_without_limit = image.result, image.outcome is RadiometricOutcome.UNDECIDED and not image.missed
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
@@ -106,7 +105,7 @@ def _section(image: ImageDecision, sources: Sequence[str], is_drawn: bool) -> di
     return {
         "title": title(result),
         "outcome": tr(OUTCOME_WORDS[image.outcome]).capitalize(),
-        "reasons": [*([no_limit_words()] if image.is_without_limit else ()), *found_words(result)],
+        "reasons": [*([no_limit_words()] if is_without_limit else ()), *found_words(result)],
         "available": result.available,
         "histogram": None if figure is None else svg_text(figure),
         "bands": [band_words(band) for band in bands],
@@ -147,7 +146,12 @@ def histogram_figure(result: Assessment) -> Figure | None:
     """
     if not result.histograms or not any(histogram.pixels for histogram in result.histograms.values()):
         return None
-    low, high = shown = result.available or _range_of_values(result)
+    shown = result.available
+    if shown is None:
+        occurring = [histogram for histogram in result.histograms.values() if histogram.pixels]
+        least = min(float(histogram.values[np.flatnonzero(histogram.counts)[0]]) for histogram in occurring)
+        shown = least, max(least + 1, *(histogram.largest for histogram in occurring))
+    low, high = shown
     figure = new_figure(2.7, 1.7)
     axes = figure.subplots()
     for place, (name, histogram) in enumerate(_drawn(result).items()):
@@ -182,13 +186,6 @@ def histogram_figure(result: Assessment) -> Figure | None:
 def _drawn(result: Assessment) -> Mapping[str, Histogram]:
     """Histograms that are drawn: of one band the luminosity is the band itself, so that one of the two is enough."""
     return dict(list(result.histograms.items())[:1]) if len(result.image.band_names) == 1 else result.histograms
-
-
-def _range_of_values(result: Assessment) -> ValueRange:
-    occurring = [histogram for histogram in result.histograms.values() if histogram.pixels]
-    least = min(float(histogram.values[np.flatnonzero(histogram.counts)[0]]) for histogram in occurring)
-    most = max(histogram.largest for histogram in occurring)
-    return least, max(most, least + 1)
 
 
 def balance_figure(results: Sequence[Assessment]) -> Figure | None:

@@ -53,21 +53,14 @@ def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: flo
         axes.axvline(0, color=PAPER.grid, linewidth=1, zorder=0)
         axes.axvline(weakest.profile.length, color=PAPER.grid, linewidth=1, zorder=0)
         if len(weakest.bars) > 1:
-            _draw_threshold(axes, weakest, criterion)
+            # Gaps that lie on the bars' side of this line, on the whole, are too shallow.
+            ends, level = (weakest.bars[0].position, weakest.bars[-1].position), weakest.threshold(criterion)
+            axes.plot(ends, (level, level), "--", color=PAPER.limit, linewidth=1.2, zorder=2)
     axes.set_facecolor(PAPER.background)
     axes.tick_params(colors=PAPER.text)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["bottom", "left"]].set_color(PAPER.text)
     axes.margins(x=0.01, y=0.08)
-
-
-def _draw_threshold(axes: Axes, reading: BarReading, criterion: float) -> None:
-    """Gaps that lie on the bars' side of this line, on the whole, are too shallow."""
-    down = -1 if reading.bright else 1
-    bars = sum(bar.value for bar in reading.inner_bars) / len(reading.inner_bars)
-    level = bars + down * criterion * reading.full_amplitude
-    ends = reading.bars[0].position, reading.bars[-1].position
-    axes.plot(ends, (level, level), "--", color=PAPER.limit, linewidth=1.2, zorder=2)
 
 
 def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
@@ -110,19 +103,14 @@ def _panel_figure(
 
 
 def _panels(results: Sequence[GroupResult]) -> list[Sequence[GroupResult]]:
-    groups, by_place = _by_place(lines_of(results))
-    directions = [direction for direction in DIRECTIONS if any(direction == known for _, known in by_place)]
-    return [by_place.get((group, direction), []) for group in groups for direction in directions]
-
-
-def _by_place(
-    lines: Sequence[Sequence[GroupResult]],
-) -> tuple[list[int | None], dict[tuple[int | None, str], Sequence[GroupResult]]]:
-    """The groups that have a width, the widest first; and the first line of each group and direction."""
-    known = [line for line in lines if line[0].grd_cm is not None]
+    """The first line of each group that has a width and each direction, the widest group first; nothing where there is
+    no line."""
+    known = [line for line in lines_of(results) if line[0].grd_cm is not None]
     by_place = {(line[0].measured.line.group, line[0].measured.line.direction): line for line in reversed(known)}
-    widths = {group: line[0].grd_cm or 0.0 for (group, _), line in by_place.items()}
-    return sorted(widths, key=lambda group: -widths[group]), by_place
+    widths = {group: line[0].distance for (group, _), line in by_place.items()}
+    directions = [direction for direction in DIRECTIONS if any(direction == known for _, known in by_place)]
+    groups = sorted(widths, key=lambda group: -widths[group])
+    return [by_place.get((group, direction), []) for group in groups for direction in directions]
 
 
 def _draw_panel(panel: Axes, results: Sequence[GroupResult], criterion: float) -> None:

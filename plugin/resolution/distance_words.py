@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..toolkit.translation import band_title, filled, sentence, shown_number, tr
+from ..toolkit.translation import filled, sentence, shown_number, tr
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import DIRECTIONS
 
@@ -31,8 +31,8 @@ def target_distances(resolution: TargetResolution) -> list[tuple[str, float, flo
     return [(name, grd, error) for name, grd, error in distances if grd is not None]
 
 
-def distance_sentences(resolution: TargetResolution, each_band: bool = True) -> list[str]:
-    """The results line by line: distances, what observers saw, the target's contrast, the lowest one or all."""
+def distance_sentences(resolution: TargetResolution) -> list[str]:
+    """The results line by line: distances, what observers saw, the lowest contrast of the target."""
     words = [f"{name}: {distance_text(grd, error)}" for name, grd, error in target_distances(resolution)]
     for direction in DIRECTIONS:
         interval = resolution.interval(direction)
@@ -47,15 +47,9 @@ def distance_sentences(resolution: TargetResolution, each_band: bool = True) -> 
             words.append(filled(
                 tr("seen by all observers {direction}: {grd:.2f} cm"), direction=direction_title(direction), grd=seen
             ))
-    contrasts = resolution.contrasts
-    if contrasts and not each_band:
-        words.append(filled(tr("contrast of the target {contrast:.1f}:1"), contrast=min(contrasts.values())))
-        return words
-    words += [
-        filled(tr("contrast of the target, bars to gaps, {band}: {contrast:.1f}:1"), band=band_title(band),
-               contrast=contrast)
-        for band, contrast in contrasts.items()
-    ]
+    if resolution.contrasts:
+        contrast = min(resolution.contrasts.values())
+        words.append(filled(tr("contrast of the target {contrast:.1f}:1"), contrast=contrast))
     return words
 
 
@@ -75,6 +69,6 @@ def verdict_text(results: Sequence[GroupResult], resolution: TargetResolution) -
             words += " " + filled(tr("(amplitude {share:.0%} of the full one)"), share=min(shares))
     verdict = ": ".join(part for part in (words, " ".join(reasons)) if part)
     notice = sentence(resolution.scale_notice) if resolution.scale_notice is not None else ""
-    together = "; ".join(distance_sentences(resolution, each_band=False))
+    together = "; ".join(distance_sentences(resolution))
     together = together and filled(tr("All lines: {distances}"), distances=together)
     return "\n".join(part for part in (verdict, notice, together) if part)

@@ -94,14 +94,6 @@ def bar_line(
     })
 
 
-def line_on_map(segment: Segment, grid: Grid) -> QgsGeometry:
-    """A line in pixels on the map of its raster."""
-    return QgsGeometry.fromPolylineXY([
-        QgsPointXY(grid.left + column * grid.pixel_width, grid.top - row * grid.pixel_height)
-        for column, row in (segment.start, segment.end)
-    ])
-
-
 def pixel_segment(points: Sequence[QgsPointXY], grid: Grid) -> Segment:
     """A line between two points of the map in pixels of the raster."""
     start, end = ((grid.column_at(point.x()), grid.row_at(point.y())) for point in points)
@@ -117,7 +109,8 @@ def result_features(results: Sequence[GroupResult], grid: Grid) -> Iterator[QgsF
     fields = result_fields()
     for result in results:
         segment = result.measured.segment or result.measured.line.segment
-        line = None if segment is None else line_on_map(segment, grid)
+        ends = [] if segment is None else [grid.to_map(*end) for end in (segment.start, segment.end)]
+        line = QgsGeometry.fromPolylineXY([QgsPointXY(*end) for end in ends]) if ends else None
         yield feature(fields, column_values(_COLUMNS, result), line)
 
 
@@ -163,18 +156,17 @@ def add_bar_line(
 ) -> int:
     """Add a line as one step of undo; its feature id. ``transform``: from the line's system to the layer's.
 
-    Raises WindowLayerError when the layer lacks the fields or can't be edited.
+    Raises SettingsError when the layer lacks the fields, WindowLayerError when it can't be edited.
     """
+    check_fields(layer.fields().names())
     shape = QgsGeometry(line)
     try:
         shape.transform(transform)
     except QgsCsException:
         raise WindowLayerError(imagery_messages.EXTENT_NOT_TRANSFORMED()) from None
-    places = [layer.fields().indexOf(name) for name in (GROUP, DIRECTION)]
-    if min(places) < 0:
-        raise WindowLayerError(messages.FIELD_MISSING(field=(GROUP, DIRECTION)[places.index(min(places))]))
     with edit_step(layer, tr("Add a bar group")):
-        feature = QgsVectorLayerUtils.createFeature(layer, shape, dict(zip(places, (group, direction))))
+        values = {layer.fields().indexOf(GROUP): group, layer.fields().indexOf(DIRECTION): direction}
+        feature = QgsVectorLayerUtils.createFeature(layer, shape, values)
         if not layer.addFeature(feature):
             raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
     return int(feature.id())

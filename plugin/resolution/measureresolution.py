@@ -148,7 +148,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
                 line, band_name = result.measured.line, band_title(result.band) if result.band else ""
                 where = f"{line.group} {tr(line.direction)} {band_name}".strip()
                 run.tell(imagery_messages.ABOUT(what=where, why=result.reason))
-        if not resolution.is_any_measured and not run.is_cancelled():
+        if not any(result.is_judged for result in resolution.results) and not run.is_cancelled():
             raise SettingsError(messages.NO_LINE_MEASURED(count=count))
         run.tell(*resolution.notices)
         for sentence in distance_sentences(resolution):

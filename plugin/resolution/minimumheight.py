@@ -127,9 +127,9 @@ class MinimumHeight(SeamInspectorAlgorithm):
         self.addNumbers({GROUP_COUNT: tr("Groups")})
 
     def check(self, run: Run) -> None:
-        from .measure.minimum_height import check_references, read_references
+        from .measure.minimum_height import read_references
 
-        check_references(read_references(run.text(REFERENCE_HEIGHT)))
+        read_references(run.text(REFERENCE_HEIGHT))
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit import layers

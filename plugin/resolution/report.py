@@ -51,18 +51,18 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
 
 
 def _distances(resolution: TargetResolution) -> dict[str, object]:
-    known = resolution.grd_cm
-    bands = list(dict.fromkeys(band for _, band in known))
+    finest = resolution.finest
+    bands = list(dict.fromkeys(band for _, band in finest))
 
     def word(key: tuple[str, str]) -> str:
-        grd = known.get(key)
-        if grd is None:
-            return tr("none") if key in known else ""
-        return distance_number(grd, resolution.grd_error_cm.get(key))
+        group = finest.get(key)
+        if group is None:
+            return tr("none") if key in finest else ""
+        return distance_number(group.distance, group.grd_error_cm)
 
     rows = [
         [direction_title(direction), *(word((direction, band)) for band in bands)]
-        for direction in DIRECTIONS if any(where == direction for where, _ in known)
+        for direction in DIRECTIONS if any(where == direction for where, _ in finest)
     ]  # fmt: skip
     return {"distance_bands": [band_title(band) for band in bands], "distances": rows}
 
@@ -87,14 +87,15 @@ def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
 
 def _observers(resolution: TargetResolution) -> list[tuple[str, ...]]:
     """Each observer's distances along and across the flight, and those that all agree on."""
-    if not resolution.observers:
+    observers = list(dict.fromkeys(name for result in resolution.results for name in result.measured.line.seen))
+    if not observers:
         return []
 
     def distances(observer: str | None) -> list[str]:
         distances = [resolution.seen(direction, observer) for direction in DIRECTIONS]
         return ["" if grd is None else shown_number(grd) for grd in distances]
 
-    rows = [(name, *distances(name)) for name in resolution.observers]
+    rows = [(name, *distances(name)) for name in observers]
     return [*rows, (tr("all of them"), *distances(None))]
 
 
@@ -143,7 +144,7 @@ def _names(result: GroupResult) -> tuple[object, str, str]:
 
 
 _LARGEST_PX = 3200  # of the target's longer side: a larger one is not read for a picture
-_WIDTH, _HEIGHT = 7.0, 4.0  # inches: of the picture at most
+_ROOM = np.array([7.0, 4.0])  # inches: width and height of the picture at most
 _GAP = 0.12  # inches between strips
 _MOST_STRIPS = 8
 _LARGEST_PIXEL = 0.08  # inches: no pixel is shown larger
@@ -151,74 +152,47 @@ _LETTERS = 7.0  # points
 _POINT = 1 / 72  # inches
 
 Line = Sequence[GroupResult]
-Box = tuple[float, float, float, float]  # left, top, right and bottom, px
-_Strip = tuple[Sequence[Line], Box]  # a part of the target with the lines in it
 
 
 def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:
     """The image around all lines, each line in the colour of its verdict; None when no line lies on the image.
 
-    A target far wider than high, or higher than wide, is cut between its groups into strips below or beside each other.
+    A target far wider than high, or higher than wide, is cut into strips below or beside each other. They overlap, so
+    that each group is whole in one of them.
     """
     lines = [line for line in lines_of(results) if line[0].measured.segment is not None]
     if not lines:
         return None
-    whole = _box(lines, raster, _margin(lines))
-    if max(whole[2] - whole[0], whole[3] - whole[1]) > _LARGEST_PX:
+    ends = np.array([line_ends(line) for line in lines])
+    longest = float(np.hypot(*(ends[:, 1] - ends[:, 0]).T).max())
+    margin = 0.5 * longest + 6  # px around lines, in which their numbers have room
+    first = np.floor(ends.min(axis=(0, 1)) - margin).clip(0).astype(int)
+    size = np.minimum(np.ceil(ends.max(axis=(0, 1)) + margin), (raster.columns, raster.rows)).astype(int) - first
+    if size.max() > _LARGEST_PX:
         return None
-    axis = 0 if whole[2] - whole[0] >= whole[3] - whole[1] else 1
-    counts = range(1, _MOST_STRIPS + 1)
-    strips = max((_strips(lines, raster, axis, count) for count in counts), key=lambda made: _scale(made, axis)[0])
-    return _drawn(raster, whole, strips, axis)
-
-
-def _strips(lines: Sequence[Line], raster: Raster, axis: int, count: int) -> list[_Strip]:
-    """The lines in their order along the target, in parts that are about equally long; each as thick as all.
-
-    ``axis``: along which the target is longer, 0 for columns, 1 for rows.
-    """
-    margin = _margin(lines)
-    whole = _box(lines, raster, margin)
-    start, end = whole[axis], whole[axis + 2]
-    parts: list[list[Line]] = [[] for _ in range(count)]
-    for line in lines:
-        first, last = line_ends(line)
-        middle = (first[axis] + last[axis]) / 2
-        parts[min(int(count * (middle - start) / (end - start)), count - 1)].append(line)
-    boxes = ((part, _box(part, raster, margin)) for part in parts if part)
-    return [
-        (part, (box[0], whole[1], box[2], whole[3]) if axis == 0 else (whole[0], box[1], whole[2], box[3]))
-        for part, box in boxes
-    ]
-
-
-def _scale(strips: Sequence[_Strip], axis: int) -> tuple[float, np.ndarray]:
-    """Inches a pixel at which strips, one beside the other across the axis, fill the picture; its width and height."""
-    sizes = np.array([(box[2] - box[0], box[3] - box[1]) for _, box in strips])
-    gaps, across = _GAP * (len(strips) - 1), 1 - axis
-    room, taken = np.array([_WIDTH, _HEIGHT]), sizes.max(axis=0).astype(float)
-    room[across] -= gaps
-    taken[across] = sizes[:, across].sum()
-    scale = min(*(room / taken).tolist(), _LARGEST_PIXEL)
-    size = taken * scale
-    size[across] += gaps
-    return scale, size
-
-
-def _drawn(raster: Raster, whole: Box, strips: Sequence[_Strip], axis: int) -> Figure:
-    scale, (width, height) = _scale(strips, axis)
-    figure = plain_figure(width, height)
-    pixels, x, y = _toned(raster, whole), 0.0, height
-    for lines, (first, upper, last, lower) in strips:
-        across, down = (last - first) * scale, (lower - upper) * scale
-        axes = figure.add_axes((x / width, (y - down) / height, across / width, down / height))
-        shown = pixels[int(upper - whole[1]) : int(lower - whole[1]), int(first - whole[0]) : int(last - whole[0])]
-        axes.imshow(shown, cmap="gray", vmin=0, vmax=1, extent=(first, last, lower, upper), interpolation="nearest")
+    axis = int(size[1] > size[0])  # along which the target is longer: 0 for columns, 1 for rows
+    breadth, counts = size[1 - axis], np.arange(1, _MOST_STRIPS + 1)
+    lengths = np.minimum(np.ceil(size[axis] / counts + (counts > 1) * (longest + margin)), size[axis]).astype(int)
+    across = (_ROOM[1 - axis] - _GAP * (counts - 1)) / (counts * breadth)
+    scales = np.minimum(_ROOM[axis] / lengths, across).clip(max=_LARGEST_PIXEL)  # inches a pixel
+    best = int(scales.argmax())
+    count, length, scale = int(counts[best]), int(lengths[best]), float(scales[best])
+    shape = length * scale, count * breadth * scale + (count - 1) * _GAP
+    figure, gap = plain_figure(*(shape[::-1] if axis else shape)), _GAP / (breadth * scale)
+    grid = {"left": 0, "right": 1, "bottom": 0, "top": 1, "wspace": gap, "hspace": gap}
+    parts = figure.subplots(*((1, count) if axis else (count, 1)), squeeze=False, gridspec_kw=grid)
+    bands = OpenRaster(raster.ref).read(PixelWindow(*first.tolist(), *size.tolist())).bands
+    pixels = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
+    low, high = np.percentile(pixels, (0.5, 99.5))
+    pixels = np.clip((pixels - low) / max(high - low, 1e-9), 0, 1)
+    for axes, start in zip(parts.flat, np.linspace(0, size[axis] - length, count).astype(int).tolist()):
+        seen = pixels[start : start + length] if axis else pixels[:, start : start + length]
+        (left, top), (height, width) = first + (start * (1 - axis), start * axis), seen.shape[:2]
+        extent = left, left + width, top + height, top
+        axes.imshow(seen, cmap="gray", vmin=0, vmax=1, extent=extent, interpolation="nearest")
         axes.set_axis_off()
         _draw_lines(axes, lines, scale)
-        axes.set_xlim(first, last)
-        axes.set_ylim(lower, upper)
-        x, y = (x, y - down - _GAP) if axis == 0 else (x + across + _GAP, y)
+        axes.axis(extent)
     return figure
 
 
@@ -247,32 +221,8 @@ def _draw_lines(axes: Axes, lines: Sequence[Line], scale: float) -> None:
                 break
 
 
-def _margin(lines: Sequence[Line]) -> float:
-    """px around lines in which their numbers have room."""
-    return 0.5 * max(math.dist(*line_ends(line)) for line in lines) + 6
-
-
-def _box(lines: Sequence[Line], raster: Raster, margin: float) -> Box:
-    """The part of the image around lines that is shown, whole pixels."""
-    ends = np.array([end for line in lines for end in line_ends(line)])
-    (left, top), (right, bottom) = ends.min(axis=0), ends.max(axis=0)
-    return (
-        max(0, math.floor(left - margin)), max(0, math.floor(top - margin)),
-        min(raster.columns, math.ceil(right + margin)), min(raster.rows, math.ceil(bottom + margin)),
-    )  # fmt: skip
-
-
 def line_ends(line: Line) -> tuple[tuple[float, float], tuple[float, float]]:
     """Both ends of a line as it was measured, column and row."""
     segment = line[0].measured.segment
     assert segment is not None
     return segment.start, segment.end
-
-
-def _toned(raster: Raster, box: Box) -> np.ndarray:
-    """The pixels of a box, 0 to 1."""
-    left, top, right, bottom = map(int, box)
-    bands = OpenRaster(raster.ref).read(PixelWindow(left, top, right - left, bottom - top)).bands
-    shown = np.moveaxis(bands[:3], 0, -1) if raster.has_luminance else bands[0]
-    low, high = np.percentile(shown, (0.5, 99.5))
-    return np.asarray(np.clip((shown - low) / max(high - low, 1e-9), 0, 1))

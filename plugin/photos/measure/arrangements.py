@@ -189,7 +189,11 @@ def best_arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], rea
                 best = score, fitting
     if best is None:
         return None
-    return _arrangement(frame, candidates, best[1])
+    chosen = {frame.marks[k]: candidates[k][index] for k, index in best[1].items()}
+    places = {mark: (peak.column, peak.row) for mark, peak in chosen.items()}
+    source, target = frame.places[list(best[1])], np.array(list(places.values()))
+    matrix = fit_transformation(PlaneModel.SIMILARITY, source, target, mirrored=False).matrix[:2]
+    return Arrangement(frame, None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)
 
 
 def _single(frame: MarkFrame, candidates: Sequence[Peak]) -> Arrangement | None:
@@ -199,14 +203,6 @@ def _single(frame: MarkFrame, candidates: Sequence[Peak]) -> Arrangement | None:
     shift = np.array([best.column, best.row]) - scale * frame.places[0]
     matrix = np.column_stack([scale * np.eye(2), shift])
     return Arrangement(frame, None, 1, {mark: (best.column, best.row)}, {mark: abs(best.value)}, matrix)
-
-
-def _arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], fitting: Mapping[int, int]) -> Arrangement:
-    chosen = {frame.marks[k]: candidates[k][index] for k, index in fitting.items()}
-    places = {mark: (peak.column, peak.row) for mark, peak in chosen.items()}
-    source, target = frame.places[list(fitting)], np.array(list(places.values()))
-    matrix = fit_transformation(PlaneModel.SIMILARITY, source, target, mirrored=False).matrix[:2]
-    return Arrangement(frame, None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)
 
 
 def _refined(photo: Photo, arrangement: Arrangement, begin: MarkShape, finest: float) -> tuple[MarkShape, float]:

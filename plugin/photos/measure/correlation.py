@@ -128,11 +128,11 @@ def surface_extremum(coefficients: np.ndarray, reach: float, contrast: float = 1
     return float(x), float(y), bool(a3 < 0)
 
 
-def subpixel_maximum(values: np.ndarray, row: int, column: int, reach: int = SURFACE_REACH_PX) -> tuple[float, float]:
+def subpixel_maximum(values: np.ndarray, row: int, column: int) -> tuple[float, float]:
     """Column and row of the maximum near a pixel of a field, sub-pixel; the field's pixel (r, c) lies at (c, r). Raises
     SurfaceError where there is none."""
     rows, columns = values.shape
-    reach = min(reach, row, column, rows - 1 - row, columns - 1 - column)
+    reach = min(SURFACE_REACH_PX, row, column, rows - 1 - row, columns - 1 - column)
     if reach < 1:
         raise SurfaceError(messages.SURFACE_OUTSIDE())
     around = values[row - reach : row + reach + 1, column - reach : column + reach + 1]

@@ -107,15 +107,12 @@ class MarkFinder:
         search = _best(map(self._named, tries), len(made[0].marks))
         if search is not None and search.results:
             return search
-        alone = self._one_by_one(self._single_frame(made[0], scale), scale)
-        return alone if search is None else replace(alone, notices=search.notices)
-
-    def _single_frame(self, frame: MarkFrame, scale: float) -> MarkFrame:
-        """The marks that have a position, around it; the scale is that of marks that fill the photo."""
+        # The marks that have a position, around it; the scale is that of marks that fill the photo.
         names = [name for name in self._near if not self._is_given(name)]
-        places = np.array([frame.places[frame.marks.index(name)] for name in names]).reshape(-1, 2)
+        places = np.array([made[0].places[made[0].marks.index(name)] for name in names]).reshape(-1, 2)
         areas = tuple(_around(self._near[name], scale * self.settings.search_mm) for name in names)
-        return MarkFrame(tuple(names), places, areas, frame.scales, frame.rotation)
+        alone = self._one_by_one(replace(made[0], marks=tuple(names), places=places, areas=areas), scale)
+        return alone if search is None else replace(alone, notices=search.notices)
 
     def _search_views(self, frame: MarkFrame) -> list[PhotoView]:
         """The areas of a frame with room for a mark around them, reduced where they are large, all of one size."""

@@ -25,7 +25,7 @@ from .orientation import (
     PhotoOrientation,
 )
 from .photo import Photo, PhotoView, Place
-from .scan_orientation import SCAN_ORIENTATIONS, OrientationEvidence, ScanOrientation
+from .scan_orientation import SCAN_ORIENTATIONS, OrientationEvidence
 from .transformations import LEAST_MARKS, PlaneModel, fit_transformation, redundancy
 
 CHANCE = 0.001  # that a photo without an outlier has a mark that stands out
@@ -174,7 +174,9 @@ def orient_photo(
         raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
     way, evidence = search.scan_orientation, search.evidence
     if fitted is not None and way is None:
-        way, evidence = _nearest_scan_orientation(fitted), OrientationEvidence.POSITIONS
+        back = fitted.to_pixels.linear(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))[:, :2]
+        way = max(SCAN_ORIENTATIONS, key=lambda orientation: float(np.sum(orientation.matrix * back)))
+        evidence = OrientationEvidence.POSITIONS
     expected: dict[str, Place] = {}
     for mark in marks:
         if fitted is not None and mark.place is None:
@@ -245,8 +247,3 @@ def _surroundings(
     places = {mark.name: mark.place or expected.get(mark.name) for mark in marks}
     inside = {name: place for name, place in places.items() if place is not None and photo.contains(place)}
     return {name: window_around(photo, place, half) for name, place in inside.items()}
-
-
-def _nearest_scan_orientation(fitted: FittedTransformation) -> ScanOrientation:
-    back = fitted.to_pixels.linear(np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]))[:, :2]
-    return max(SCAN_ORIENTATIONS, key=lambda orientation: float(np.sum(orientation.matrix * back)))

@@ -63,10 +63,6 @@ class DifferenceStatistics:
     def lengths(self) -> tuple[float, float, float, float]:
         return self.mean, self.standard_deviation, self.maximum, self.minimum
 
-    def scaled(self, factor: float) -> DifferenceStatistics:
-        """These statistics in a unit of another size: lengths times ``factor``."""
-        return DifferenceStatistics(self.count, *(length * factor for length in self.lengths))
-
 
 def mark_differences(
     first: Sequence[ComparedMark], second: Sequence[ComparedMark]
@@ -105,8 +101,9 @@ def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, Comp
     return made
 
 
-def distance_statistics(differences: Sequence[MarkDifference]) -> DifferenceStatistics:
-    distances = np.array([difference.distance for difference in differences])
+def distance_statistics(differences: Sequence[MarkDifference], unit: float = 1.0) -> DifferenceStatistics:
+    """Statistics of distances in a unit of which a pixel has so many."""
+    distances = unit * np.array([difference.distance for difference in differences])
     spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
     mean, largest, smallest = (float(value) for value in (distances.mean(), distances.max(), distances.min()))
     return DifferenceStatistics(len(distances), mean, spread, largest, smallest)

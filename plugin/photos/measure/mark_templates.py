@@ -91,9 +91,7 @@ def _below(distance: np.ndarray, soft: float) -> np.ndarray:
 
 
 def _line(across: np.ndarray, width: float, soft: float) -> np.ndarray:
-    return _below(np.abs(across) - width / 2, soft) if width > 6 * soft else (
-        _below(across - width / 2, soft) - _below(across + width / 2, soft)
-    )
+    return _below(across - width / 2, soft) - _below(across + width / 2, soft)
 
 
 def _arms(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float, length: float, gap: float) -> list[np.ndarray]:
@@ -140,16 +138,16 @@ def chosen_shapes(kind: str | None, diagonal: bool | None, interrupted: bool | N
     no cross no open middle."""
     made = []
     for shape in all_shapes():
-        armed = shape.kind in (MarkKind.CROSS, MarkKind.RING_WITH_CROSS)
-        if kind is not None and shape.kind.value != kind:
-            continue
-        if diagonal is not None and (armed or shape.kind is MarkKind.WEDGE) and shape.diagonal != diagonal:
-            continue
-        if interrupted is not None and shape.kind is MarkKind.RING_WITH_CROSS:
+        is_cross, is_ringed = shape.kind is MarkKind.CROSS, shape.kind is MarkKind.RING_WITH_CROSS
+        if is_ringed and interrupted is not None:
             shape = replace(shape, interrupted=interrupted)
-        if interrupted is not None and shape.kind is MarkKind.CROSS and shape.interrupted != interrupted:
-            continue
-        made.append(shape)
+        is_chosen = kind in (None, shape.kind.value)
+        if is_cross or is_ringed or shape.kind is MarkKind.WEDGE:
+            is_chosen &= diagonal in (None, shape.diagonal)
+        if is_cross or is_ringed:
+            is_chosen &= interrupted in (None, shape.interrupted)
+        if is_chosen:
+            made.append(shape)
     return tuple(made)
 
 

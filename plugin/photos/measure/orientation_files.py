@@ -4,7 +4,6 @@ MicMac keeps them in ``Ori-InterneScan/MeasuresIm-PHOTO.xml``, a photo's marks i
 """
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -76,10 +75,6 @@ def world_file(made: PhotoOrientation) -> str:
     a, b, c, d, e, f = made.fitted.to_mm.linear(places).ravel()
     lines = (a, d, b, e, a / 2 + b / 2 + c, d / 2 + e / 2 + f)
     return "".join(f"{value:.15g}\n" for value in lines)
-
-
-def parameters_text(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> str:
-    return json.dumps(parameters(photo, calibration, made), indent=2, ensure_ascii=False) + "\n"
 
 
 def measures_text(photo: str, marks: Iterable[MarkResult]) -> str:

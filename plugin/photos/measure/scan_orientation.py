@@ -67,8 +67,17 @@ def possible_frames(calibration: CameraCalibration, columns: int, rows: int) -> 
     made: list[MarkFrame] = []
     for orientation in SCAN_ORIENTATIONS:
         places = centred_marks(calibration) @ orientation.matrix.T
-        if not any(_same_places(places, frame.places) for frame in made):
-            made.append(_frame_in_scan(tuple(calibration.marks), places, columns, rows))
+        if any(_same_places(places, frame.places) for frame in made):
+            continue
+        # The marks lie inside the photo, and their extent fills a large part of it, wherever it is.
+        low, extent = places.min(axis=0), np.maximum(np.ptp(places, axis=0), 1e-9)
+        largest = min(columns / extent[0], rows / extent[1])
+        smallest, areas = MIN_FRAME_SHARE * largest, []
+        for x, y in places - low:
+            right, bottom = columns - (extent[0] - x) * smallest, rows - (extent[1] - y) * smallest
+            areas.append(SearchArea(x * smallest, y * smallest, right, bottom))
+        rotation = math.radians(limits.MAX_ROTATION_DEG)
+        made.append(MarkFrame(tuple(calibration.marks), places, tuple(areas), (smallest, largest), rotation))
     return made
 
 
@@ -80,18 +89,6 @@ def centred_marks(calibration: CameraCalibration) -> np.ndarray:
 
 def _same_places(a: np.ndarray, b: np.ndarray) -> bool:
     return bool(cdist(a, b).min(axis=1).max() < SAME_PLACE * np.ptp(a, axis=0).max())
-
-
-def _frame_in_scan(marks: tuple[str, ...], places: np.ndarray, columns: int, rows: int) -> MarkFrame:
-    """The frame of marks that lie inside the photo and whose extent fills a large part of it, wherever it is."""
-    low, extent = places.min(axis=0), np.maximum(np.ptp(places, axis=0), 1e-9)
-    largest = min(columns / extent[0], rows / extent[1])
-    smallest = MIN_FRAME_SHARE * largest
-    areas = []
-    for x, y in places - low:
-        right, bottom = columns - (extent[0] - x) * smallest, rows - (extent[1] - y) * smallest
-        areas.append(SearchArea(x * smallest, y * smallest, right, bottom))
-    return MarkFrame(marks, places, tuple(areas), (smallest, largest), math.radians(limits.MAX_ROTATION_DEG))
 
 
 @dataclass(frozen=True)

@@ -112,9 +112,6 @@ def _is_mid_tone(means: np.ndarray, available: ValueRange) -> np.ndarray:
     return (means >= least) & (means <= most)
 
 
-_MOST_PIXELS = 1024 * 1024  # read at a time
-
-
 @dataclass(frozen=True)
 class GreyArea:
     """An area of which the user says that it is grey."""
@@ -170,8 +167,7 @@ def grey_tones(source: OpenRaster, window: PixelWindow, areas: Sequence[GreyArea
 
     Raises RasterError when the raster can't be read.
     """
-    tones = (_tone(source, window, area) for area in areas)
-    return tuple(tone for tone in tones if tone is not None)
+    return tuple(filter(None, (_tone(source, window, area) for area in areas)))
 
 
 def _tone(source: OpenRaster, window: PixelWindow, area: GreyArea) -> GreyTone | None:
@@ -189,7 +185,7 @@ def _tone(source: OpenRaster, window: PixelWindow, area: GreyArea) -> GreyTone |
     if width <= 0 or height <= 0:
         return None
     count, sums, places = 0, np.zeros(3), np.zeros(2)
-    for block in source.blocks(PixelWindow(left, top, width, height), _MOST_PIXELS):
+    for block in source.blocks(PixelWindow(left, top, width, height), limits.MAX_BLOCK_PIXELS):
         inside = burnt([(geometry, 1)], grid, block) == 1
         if not inside.any():
             continue

@@ -15,7 +15,7 @@ from .areas import Areas, ColourBalance, MaybeGrey, colour_balance, find_maybe_g
 from .image_statistics import Histogram, ImageRange
 from .measured_image import MIN_STATISTICS_PIXELS, MeasuredImage
 from .rules import ALL_BANDS, LUMINOSITY, Rule, RuleSet
-from .seam_steps import SeamStep, worst_step
+from .seam_steps import SeamStep
 
 
 @dataclass(frozen=True)
@@ -37,9 +37,14 @@ class CheckedFigure:
     is_applicable: bool = True  # False where an image has nothing of the kind, as one band has no colours
 
     @property
+    def is_unknown(self) -> bool:
+        """Whether it has a limit and can't be held against it."""
+        return self.value is None and self.rule.has_limit and self.is_applicable
+
+    @property
     def is_missed(self) -> bool:
         """Whether it would have to be known for an image to be accepted, and is not."""
-        return self.value is None and self.rule.has_limit and self.rule.required and self.is_applicable
+        return self.is_unknown and self.rule.required
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,13 +107,6 @@ def clipped_share(histogram: Histogram, rule: Rule, available: ValueRange) -> fl
     return histogram.share(least=high - width)
 
 
-def peak_deviation(histogram: Histogram, available: ValueRange) -> float:
-    """The distance of the most frequent value from the middle of the range, as a share of the range."""
-    counts, middles = histogram.binned(available)
-    low, high = available
-    return abs(float(middles[int(counts.argmax())]) - (low + high) / 2) / (high - low)
-
-
 def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -> float:
     """Standard deviation beside the seams as a share of the range, root mean square over all stations."""
     squares = math.fsum(step.stations * step.contrasts[band] ** 2 for step in steps)
@@ -157,7 +155,9 @@ class _Judged:
             return (seam_contrast(steps, self._measured.bands.index(band), self._range), None) if steps else _no_seam()
         histogram = self._measured.histograms[band]
         if rule.check == checks.PEAK:
-            return (peak_deviation(histogram, self._range), None)
+            counts, middles = histogram.binned(self._range)
+            low, high = self._range
+            return (abs(float(middles[int(counts.argmax())]) - (low + high) / 2) / (high - low), None)
         if rule.check == checks.CONTRAST:
             return (histogram.deviation / (self._range[1] - self._range[0]), None)
         return (clipped_share(histogram, rule, self._range), None)
@@ -193,7 +193,7 @@ class _Judged:
         if not steps or largest <= 0:
             return _no_seam()
         index = self._measured.bands.index(band)
-        worst = worst_step(steps, index)
+        worst = max(steps, key=lambda step: abs(step.steps[index]))
         what = messages.SEAM(number=worst.seam_id)
         if worst.features:
             features = ", ".join(worst.features)
@@ -236,11 +236,6 @@ class ImageDecision:
     missed: tuple[CheckedFigure, ...]  # figures that are not known and would have to be
     unmeasured: tuple[CheckedFigure, ...]  # figures with a limit that are not known and that the rules can do without
 
-    @property
-    def is_without_limit(self) -> bool:
-        """Whether it is undecided since no rule has a limit that it could be held against."""
-        return self.outcome is RadiometricOutcome.UNDECIDED and not self.missed
-
 
 @dataclass(frozen=True, eq=False)
 class RadiometricDecision:
@@ -257,10 +252,7 @@ def decide_image(result: Assessment) -> ImageDecision:
     leaves it open."""
     failed = tuple(checked for checked in result.checked_figures if checked.passed is False)
     missed = tuple(checked for checked in result.checked_figures if checked.is_missed)
-    unmeasured = tuple(
-        checked for checked in result.checked_figures
-        if checked.value is None and checked.rule.has_limit and checked.is_applicable and not checked.is_missed
-    )  # fmt: skip
+    unmeasured = tuple(checked for checked in result.checked_figures if checked.is_unknown and not checked.is_missed)
     is_judged = any(checked.passed is not None for checked in result.checked_figures)
     outcome = _outcome(bool(failed), bool(missed) or not is_judged)
     return ImageDecision(result, outcome, failed, missed, unmeasured)

@@ -49,7 +49,6 @@ def figure_bands(image: Raster, bands: np.ndarray, names: tuple[str, ...]) -> np
     return np.stack([luminosity(bands) if name == LUMINOSITY else bands[known.index(name)] for name in names])
 
 
-MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
 MAX_AREAS = 8192  # looked at, spread over the raster: memory is flat and the time a small part of the read's
 
 _BINS = 65536  # of 16 bit values one each; of values without steps of their own, over the range that was given
@@ -125,19 +124,20 @@ def stream_statistics(
 
     Raises RasterError when the pixels can't be read.
     """
-    image, done, step = source.raster, 0, area_step(window)
+    image, done, pixels = source.raster, 0, window.width * window.height
+    step = max(limits.AREA_PX, math.ceil(math.sqrt(pixels / MAX_AREAS)))  # px; areas lie side by side in small windows
     counts: dict[str, np.ndarray] = {}
     areas: list[Areas] = []
-    for block, (bands, invalid) in _read_ahead(source, source.blocks(window, MAX_BLOCK_PIXELS)):
+    for block, (bands, invalid) in _read_ahead(source, source.blocks(window, limits.MAX_BLOCK_PIXELS)):
         for name in counted:
             band = luminosity(bands) if name == LUMINOSITY else bands[image.band_names.index(name)]
             occurring = _counts(band, given) - (0 if invalid is None else _counts(band[invalid], given))
             counts[name] = counts.get(name, 0) + occurring
         areas.append(sample_areas(figure_bands(image, bands, looked_at), invalid, step, (block.column, block.row)))
         done += block.width * block.height
-        if not progress(done / (window.width * window.height)):
+        if not progress(done / pixels):
             break
-    if done < window.width * window.height:
+    if done < pixels:
         return None
     values = _values(np.dtype(image.data_type), given)
     return {name: Histogram(values, total) for name, total in counts.items()}, joined(areas)
@@ -155,21 +155,10 @@ def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[t
             yield coming[0], coming[1].result()
 
 
-def area_step(window: PixelWindow) -> int:
-    """Distance between the areas that are looked at, px: side by side where that is no more than 8192."""
-    return max(limits.AREA_PX, math.ceil(math.sqrt(window.width * window.height / MAX_AREAS)))
-
-
 def _counts(band: np.ndarray, given: ValueRange | None) -> np.ndarray:
-    """The number of pixels by value. Two 8 bit values are counted as one of 16 bit, in a third less time."""
+    """The number of pixels by value."""
     if band.dtype.kind in "iu" and band.dtype.itemsize <= 2:
-        unsigned = band.view(f"u{band.dtype.itemsize}").ravel()
-        if band.dtype.itemsize == 1:
-            even = len(unsigned) // 2 * 2
-            pairs = np.bincount(unsigned[:even].view(np.uint16), minlength=_BINS).reshape(256, 256)
-            counts = pairs.sum(axis=0) + pairs.sum(axis=1) + np.bincount(unsigned[even:], minlength=256)
-        else:
-            counts = np.bincount(unsigned, minlength=_BINS)
+        counts = np.bincount(band.view(f"u{band.dtype.itemsize}").ravel(), minlength=256**band.dtype.itemsize)
         return np.roll(counts, len(counts) // 2) if band.dtype.kind == "i" else counts
     assert given is not None
     low, high = given

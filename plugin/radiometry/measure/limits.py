@@ -1,6 +1,7 @@
 """Limits and defaults that several files here share, each with its source."""
 from __future__ import annotations
 
+MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
 AREA_PX = 16  # side of an area that is looked at: 256 pixels give the standard deviation to 4 %
 MIN_AREAS = 8  # 2048 pixels: fewer areas say nothing about an image
 

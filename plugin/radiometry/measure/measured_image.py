@@ -79,11 +79,9 @@ def _wanted(image: Raster, rules: RuleSet, has_seams: bool) -> tuple[tuple[str, 
     the step at seams and for a range that only pixels can tell. Areas of all bands."""
     names = image.band_names
     mixed = (LUMINOSITY,) if image.has_luminance or len(names) == 1 else ()
-    by_histogram, others = (
-        {band for rule in rules.rules if (rule.check in checks.FROM_HISTOGRAM) == is_counted
-         for band in rule.bands_of(names)}
-        for is_counted in (True, False)
-    )  # fmt: skip
+    by_histogram, others = set[str](), set[str]()
+    for rule in rules.rules:
+        (by_histogram if rule.check in checks.FROM_HISTOGRAM else others).update(rule.bands_of(names))
     if has_seams or own_range(image, rules.value_range) is None:
         by_histogram.update(names)
     shown = mixed if LUMINOSITY in by_histogram else ()

@@ -54,10 +54,6 @@ def seam_steps(
     return steps_found
 
 
-def worst_step(steps: Sequence[SeamStep], band: int) -> SeamStep:
-    return max(steps, key=lambda step: abs(step.steps[band]))
-
-
 def _runs(seam: Seam, grid: Grid) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Points one pixel apart along a seam, (n, 2) column and row, and the unit normals to the left, run by run."""
     vertices = grid.to_pixels(seam.vertices)

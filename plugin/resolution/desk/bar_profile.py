@@ -83,9 +83,7 @@ class ProfilesPainter(ChartPainter):
 
     def _paint_threshold(self, painter: QPainter, reading: BarReading) -> None:
         """Gaps that lie on the bars' side of this line, on the whole, are too shallow."""
-        down = -1 if reading.bright else 1
-        bars = sum(bar.value for bar in reading.inner_bars) / len(reading.inner_bars)
-        level = bars + down * self._criterion * reading.full_amplitude
+        level = reading.threshold(self._criterion)
         start, end = (self._at(bar.position, level) for bar in (reading.bars[0], reading.bars[-1]))
         dashes, width = Qt.PenStyle.DashLine, 1.6 * self.style.scale
         self._rule(painter, (start.x(), start.y()), (end.x(), end.y()), self.style.limit, width, dashes)

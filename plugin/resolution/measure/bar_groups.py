@@ -47,6 +47,11 @@ class GroupResult:
         return self.measured.line.direction, self.band
 
     @property
+    def distance(self) -> float:
+        """Its ground resolved distance, cm; 0 without a group."""
+        return self.grd_cm or 0.0
+
+    @property
     def is_judged(self) -> bool:
         """Whether there was something to judge: a finer group depends on it then."""
         reading = self.reading
@@ -58,37 +63,41 @@ class TargetResolution:
     """The verdicts on all groups of a target, and its ground resolved distances."""
 
     results: tuple[GroupResult, ...]  # verdicts by line and band, in the order of the lines
-    grd_cm: dict[tuple[str, str], float | None]  # by direction and band; None where no group is resolved
-    grd_error_cm: dict[tuple[str, str], float | None]  # its standard deviation, from those of the amplitudes
+    finest: dict[tuple[str, str], GroupResult | None]  # resolved group by direction and band; None where there is none
     contrasts: dict[str, float]  # bars to gaps of the coarsest group, DN over DN, by band that has one
     notices: tuple[Message, ...]  # what the user should know of the target as a whole
     scale_notice: Message | None = None  # says that bars do not lie as numbers and pixel size say
 
+    def _finest(self, direction: str) -> list[GroupResult]:
+        """The finest resolved group of each band of a direction; none unless every band resolves one."""
+        groups = [group for (where, _), group in self.finest.items() if where == direction]
+        known = [group for group in groups if group is not None]
+        return known if len(known) == len(groups) else []
+
     def worst(self, direction: str) -> float | None:
         """The largest distance of a direction over its bands; None unless every band resolves a group."""
-        distances = [value for (where, _), value in self.grd_cm.items() if where == direction]
-        return None if not distances or None in distances else max(value for value in distances if value is not None)
+        return max((group.distance for group in self._finest(direction)), default=None)
 
     def interval(self, direction: str) -> tuple[float, float] | None:
         """The finest and the coarsest distance that may be that of a direction, cm; None without a distance.
 
         A group more or less changes the distance by a whole step.
         """
-        worst = self.worst(direction)
-        if worst is None:
+        ends = [self._ends(group) for group in self._finest(direction)]
+        if not ends:
             return None
-        ends = [self._ends(key, grd) for key, grd in self.grd_cm.items() if key[0] == direction and grd is not None]
-        return min(max(low for low, _ in ends), worst), max(worst, *(high for _, high in ends))
+        lows, highs = zip(*ends)
+        worst = max(group.distance for group in self._finest(direction))
+        return min(max(lows), worst), max(worst, *highs)
 
-    def _ends(self, key: tuple[str, str], grd_cm: float) -> tuple[float, float]:
+    def _ends(self, finest: GroupResult) -> tuple[float, float]:
         """Finest and coarsest distance of a direction and band, cm: where no group surely fails, where all surely
         pass."""
-        judged = [group for group in self.results if group.is_judged and group.key == key]
-        judged.sort(key=lambda group: -(group.grd_cm or 0))
-        distances = [group.grd_cm or grd_cm for group in judged]
-        possible = [distances[i] for i, _ in takewhile(lambda pair: pair[1].may_pass, enumerate(judged))]
-        sure = [distances[i] for i, _ in takewhile(lambda pair: not pair[1].may_fail, enumerate(judged))]
-        return min([grd_cm, *possible]), max(grd_cm, sure[-1] if sure else distances[0])
+        judged = [group for group in self.results if group.is_judged and group.key == finest.key]
+        judged.sort(key=lambda group: -group.distance)
+        possible = list(takewhile(lambda group: group.may_pass, judged))
+        sure = list(takewhile(lambda group: not group.may_fail, judged)) or judged[:1]
+        return min(group.distance for group in [finest, *possible]), max(finest.distance, sure[-1].distance)
 
     def seen(self, direction: str, observer: str | None = None) -> float | None:
         """Distance of the finest group that an observer tells apart, or all who judged it, before one that is not, cm.
@@ -96,7 +105,7 @@ class TargetResolution:
         None where nobody judged a group, or the coarsest one is not told apart.
         """
         finest = None
-        lines = {id(result.measured): (result.grd_cm or 0.0, result.measured.line) for result in self.results}
+        lines = {id(result.measured): (result.distance, result.measured.line) for result in self.results}
         for grd, line in sorted(lines.values(), key=lambda pair: -pair[0]):
             words = [seen for name, seen in line.seen.items() if observer in (None, name)]
             if line.direction != direction or not words or line.group is None:
@@ -106,29 +115,16 @@ class TargetResolution:
             finest = grd
         return finest
 
-    @property
-    def observers(self) -> tuple[str, ...]:
-        """The observers who judged any group, in the order of the layer's fields."""
-        return tuple(dict.fromkeys(name for result in self.results for name in result.measured.line.seen))
-
     def worst_error(self, direction: str) -> float | None:
-        worst = self.worst(direction)
-        errors = [
-            self.grd_error_cm.get(key) for key, value in self.grd_cm.items() if key[0] == direction and value == worst
-        ]
-        known = [error for error in errors if error is not None]
-        return max(known) if worst is not None and known else None
+        groups, worst = self._finest(direction), self.worst(direction)
+        errors = [group.grd_error_cm for group in groups if group.distance == worst and group.grd_error_cm is not None]
+        return max(errors, default=None)
 
     @property
     def mean_error(self) -> float | None:
         parts = [(self.worst(direction), self.worst_error(direction)) for direction in DIRECTIONS]
         relative = [error / grd for grd, error in parts if grd and error is not None]
         return self.mean * math.hypot(*relative) / 2 if self.mean is not None and len(relative) == 2 else None
-
-    @property
-    def is_any_measured(self) -> bool:
-        """Whether any line shows anything to judge."""
-        return any(result.is_judged for result in self.results)
 
     @property
     def mean(self) -> float | None:
@@ -154,15 +150,13 @@ def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target
         places = {result.reading.plain for result in results if result.reading is not None}
         if target.full_amplitude == GROUP and place in places:
             notices.append(notice())
-    distances = {key: None if result is None else result.grd_cm for key, result in finest.items()}
-    errors = {key: None if result is None else result.grd_error_cm for key, result in finest.items()}
-    return TargetResolution(tuple(results), distances, errors, contrasts, tuple(notices), off_scale)
+    return TargetResolution(tuple(results), finest, contrasts, tuple(notices), off_scale)
 
 
 def _contrasts(results: Sequence[GroupResult]) -> dict[str, float]:
     """Bars to gaps of the coarsest group by band, DN over DN."""
     contrasts: dict[str, float] = {}
-    for result in sorted(results, key=lambda result: -(result.grd_cm or 0)):
+    for result in sorted(results, key=lambda result: -result.distance):
         reading = result.reading
         if reading is not None and reading.gaps and result.band not in contrasts:
             levels = sorted(mean_value(part) for part in (reading.inner_bars, reading.gaps))
@@ -302,7 +296,7 @@ def _without_spurious(
     """Groups that are finer than one that is not resolved put out of count; the finest that is left."""
     judged = list(results)
     finest: dict[tuple[str, str], GroupResult | None] = {}
-    order = sorted(range(len(judged)), key=lambda place: -(judged[place].grd_cm or 0))
+    order = sorted(range(len(judged)), key=lambda place: -judged[place].distance)
     lost: dict[tuple[str, str], int] = {}  # the first group of a direction and band that is not resolved
     for place in order:
         result = judged[place]

@@ -18,7 +18,6 @@ MIN_BAR_PROMINENCE = 0.25  # of the inner bars' range: half the criterion, so th
 BARS_WITHIN = 0.5  # of a line's length: its middle holds inner bars and gaps, and no ground
 GROUND_BEYOND = 0.15  # of a line's length, beyond its ends: what lies there is ground
 GROUND_WITHIN = 0.03  # the same, before its ends
-MIN_GROUND_OFFSET = 0.15  # of the profile's range: ground nearer to the middle is neither bright nor dark
 MIN_CLEAR_SPACING_PX = 3.2  # further apart than any bars that aliasing feigns, ground taken for a bar included
 
 _VERTEX_SHARE = 1 / 8  # of a cycle, either side of an extreme: the part of a bar that a parabola is fitted to
@@ -83,6 +82,11 @@ class BarReading:
         """The bars between the outer ones, which other ground does not reach; all when there is none."""
         return self.bars[1:-1] or self.bars
 
+    def threshold(self, criterion: float) -> float:
+        """The brightness, DN, that the gaps of a resolved group lie beyond, on the whole."""
+        down = -1 if self.bright else 1
+        return mean_value(self.inner_bars) + down * criterion * self.full_amplitude
+
     @property
     def is_flat(self) -> bool:
         """Whether no bar rises out of the noise."""
@@ -100,7 +104,7 @@ def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarRea
     middle = profile.values[_between(profile, margin, profile.length - margin)]
     low, high = float(middle.min()), float(middle.max())
     if bright is None:
-        bright = _is_bright(profile, (low + high) / 2, high - low, bars)
+        bright = _is_bright(profile, low, high, bars)
     sign = 1.0 if bright else -1.0
     values, x = sign * profile.values, profile.positions
     places = _bar_places(profile, sign, high - low, bars)
@@ -143,19 +147,16 @@ def _between(profile: Profile, low: float, high: float) -> np.ndarray:
     return (profile.positions >= low - 1e-9) & (profile.positions <= high + 1e-9)
 
 
-def _is_bright(profile: Profile, middle: float, extent: float, bars: int) -> bool:
+def _is_bright(profile: Profile, low: float, high: float, bars: int) -> bool:
     """Bars are what there are ``bars`` of; where that says nothing clear, what the ground at both ends is not."""
-    places = [_bar_places(profile, sign, extent, bars) for sign in (1.0, -1.0)]
-    counts = [abs(len(peaks) - bars) for peaks in places]
+    places = [_bar_places(profile, sign, high - low, bars) for sign in (1.0, -1.0)]
     clear = [len(peaks) == bars and np.ptp(peaks) >= MIN_CLEAR_SPACING_PX * (bars - 1) for peaks in places]
     if clear[0] != clear[1]:
         return bool(clear[0])
     length, beyond, within = profile.length, GROUND_BEYOND * profile.length, GROUND_WITHIN * profile.length
     ends = _between(profile, -beyond, within) | _between(profile, length - within, length + beyond)
     ground = float(np.median(profile.values[ends]))
-    if abs(ground - middle) > MIN_GROUND_OFFSET * extent:
-        return ground < middle
-    return counts[0] <= counts[1]
+    return ground < (low + high) / 2
 
 
 def _bar_places(profile: Profile, sign: float, extent: float, bars: int) -> np.ndarray:
@@ -186,18 +187,9 @@ def _vertex(x: np.ndarray, values: np.ndarray, place: float, cycle: float) -> Ex
         half = float(np.abs(dx).max())
         offset = -slope / (2 * square) if square < 0 else 0.0
         if square >= 0 or abs(offset) > half:
-            middle = _plateau(x, values, place, cycle)
-            return Extreme(middle, float(values[near].mean()))
+            return Extreme(place, float(values[near].mean()))
         place += offset
     return Extreme(place, float(level - slope**2 / (4 * square)))
-
-
-def _plateau(x: np.ndarray, values: np.ndarray, place: float, cycle: float) -> float:
-    """The middle of what lies above half of a bar's height."""
-    near = np.abs(x - place) <= cycle / 2
-    part = values[near]
-    above = x[near][part >= (part.min() + part.max()) / 2]
-    return float((above.min() + above.max()) / 2)
 
 
 def _ground(x: np.ndarray, values: np.ndarray, place: float, cycle: float, side: int) -> float | None:

@@ -36,13 +36,6 @@ def kept_contrast(width: np.ndarray | float) -> np.ndarray:
     return np.asarray(1 - 4 * ndtr(-quarter) + 4 * ndtr(-3 * quarter) - 2 * ndtr(-5 * quarter))
 
 
-def kept_slope(kept: float) -> float:
-    """The change of the contrast's kept share with a relative change of the cycle, where so much is kept."""
-    widths = np.geomspace(0.5, 40, 2000)
-    shares = kept_contrast(widths)
-    return float(np.interp(kept, shares, np.gradient(shares, np.log(widths))))
-
-
 def target_levels(groups: Sequence[tuple[float, BarReading]]) -> TargetLevels | None:
     """The plain brightness of a target in one band; None where no group shows bars. ``groups``: cycle, in any unit, and
     reading.
@@ -110,7 +103,11 @@ def with_full_amplitudes(measured: Sequence[MeasuredLine], target: Target) -> li
     lines = _alike(measured, target.bars)
     for direction in DIRECTIONS:
         for band in dict.fromkeys(band for line in lines for band in line.readings):
-            groups = _groups(lines, direction, band, target)
+            groups = [
+                (target.grd_cm(line.line.group), line.readings[band]) for line in lines
+                if line.line.direction == direction and line.line.group is not None and band in line.readings
+                and len(line.readings[band].bars) == target.bars
+            ]
             levels = target_levels([pair for pair in groups if (pair[1].spacing or 0) >= MIN_ALIAS_FREE_PX])
             if levels is None:
                 continue
@@ -136,7 +133,10 @@ def distance_error(reading: BarReading, grd_cm: float, target: Target) -> float 
     """
     criterion = target.criterion
     kept = criterion if target.full_amplitude == COARSEST else criterion / (2 - criterion)
-    slope = kept_slope(kept)
+    widths = np.geomspace(0.5, 40, 2000)
+    shares = kept_contrast(widths)
+    # The change of the contrast's kept share with a relative change of the cycle, where so much is kept.
+    slope = float(np.interp(kept, shares, np.gradient(shares, np.log(widths))))
     if target.full_amplitude != COARSEST:
         slope *= 2 / (1 + kept) ** 2  # share = 2 kept / (1 + kept)
     return None if reading.share_error is None or not slope else grd_cm * reading.share_error / slope
@@ -156,17 +156,6 @@ def _alike(measured: Sequence[MeasuredLine], bars: int) -> list[MeasuredLine]:
         band: reading if reading.bright == bright else read_bars(reading.profile, bars, bright)
         for band, reading in line.readings.items()
     }) for line in measured]
-
-
-def _groups(
-    lines: Sequence[MeasuredLine], direction: str, band: str, target: Target
-) -> list[tuple[float, BarReading]]:
-    """Distance and reading of the groups of a direction that show all their bars."""
-    return [
-        (target.grd_cm(line.line.group), line.readings[band]) for line in lines
-        if line.line.direction == direction and line.line.group is not None and band in line.readings
-        and len(line.readings[band].bars) == target.bars
-    ]
 
 
 def _with_levels(reading: BarReading, levels: TargetLevels) -> BarReading:

@@ -75,22 +75,18 @@ References = Mapping[str, float]
 
 
 def read_references(text: str) -> dict[str, float]:
-    """Reference heights as they are typed: ``2714``, or ``DMC 2714; RC20 2015``. Raises SettingsError."""
+    """Reference heights as they are typed: ``2714``, or ``DMC 2714; RC20 2015``. Raises SettingsError
+    for words that are none, and for heights that no flight has."""
     heights = {}
     for part in filter(None, map(str.strip, text.split(";"))):
         name, _, word = part.rpartition(" ")
         try:
-            heights[name.strip(" =:")] = float(word.replace(",", "."))
+            height = heights[name.strip(" =:")] = float(word.replace(",", "."))
         except ValueError as error:
             raise SettingsError(messages.REFERENCE_HEIGHT_UNREADABLE(word=part)) from error
-    return heights
-
-
-def check_references(references: References) -> None:
-    """Raise SettingsError for heights that no flight has."""
-    for height in references.values():
         if not 0 < height <= MAX_HEIGHT_M:
             raise SettingsError(messages.REFERENCE_HEIGHT_IMPOSSIBLE(height=height, highest=MAX_HEIGHT_M))
+    return heights
 
 
 def doubts(observations: Iterable[Observation]) -> list[Message]:
@@ -112,9 +108,8 @@ def minimum_heights(
 ) -> list[HeightResult]:
     """The minimum height of every group of passes, in the order in which the groups first come.
 
-    Raises SettingsError for a reference that no flight has, or one of a group that is not there.
+    Raises SettingsError for a reference of a group that is not there.
     """
-    check_references(references)
     groups: dict[Key, list[Observation]] = {}
     for observation in observations:
         groups.setdefault(observation.key, []).append(observation)

@@ -187,7 +187,7 @@ def test_comparison_by_hand() -> None:
     assert (made.count, made.mean, made.maximum, made.minimum) == (2, 3, 5, 1)
     assert made.standard_deviation == pytest.approx(np.std([5, 1], ddof=1))
     assert pixel_size(first) == pytest.approx(20)
-    assert made.scaled(20).mean == 60
+    assert distance_statistics(differences, 20).mean == 60
     (of_one_photo,), alone = mark_differences(first[:1], [ComparedMark("", "1", (3, 4))])  # which does not say which
     assert (of_one_photo.distance, alone) == (5, [])
     with pytest.raises(PhotoError, match="no mark in common"):

@@ -42,7 +42,7 @@ def grey(level: float = 128, sigma: float = 8.0, side: int = 256, seed: int = 0)
 def test_histograms_are_numpys(
     make_raster: MakeRaster, dtype: type, nodata: float | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(image_statistics, "MAX_BLOCK_PIXELS", 5000)
+    monkeypatch.setattr(image_statistics.limits, "MAX_BLOCK_PIXELS", 5000)
     bands = orthoimage((211, 187), bands=2, dtype=dtype)
     if dtype is np.int16:
         bands -= 1500

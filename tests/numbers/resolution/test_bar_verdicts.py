@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.open_raster import describe_north_up
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.resolution.measure.bar_groups import TargetResolution, judge_lines
+from seam_inspector.plugin.resolution.measure.bar_groups import GroupResult, TargetResolution, judge_lines
 from seam_inspector.plugin.resolution.measure.bars import BarLine, BarReading, Extreme, MeasuredLine
 from seam_inspector.plugin.resolution.measure.profiles import Profile, Segment
 from seam_inspector.plugin.resolution.measure.target import Target
@@ -65,15 +65,14 @@ def test_bars_too_weak_to_be_resolved_are_seen_and_their_share_is_told(make_rast
 
 
 def test_a_directions_distance_is_its_worst_bands_and_the_targets_the_geometric_mean() -> None:
-    distances: dict[tuple[str, str], float | None] = {
-        ("along", "red"): 30.0, ("along", "green"): 40.0, ("across", "red"): 90.0, ("across", "green"): 85.0
-    }
-    errors: dict[tuple[str, str], float | None] = {key: 0.04 * (value or 0) for key, value in distances.items()}
-    result = TargetResolution((), distances, errors, {}, ())
+    line = MeasuredLine(BarLine(0, "along", None), None)
+    finest = {("along", "red"): 30.0, ("along", "green"): 40.0, ("across", "red"): 90.0, ("across", "green"): 85.0}
+    groups = {key: GroupResult(line, key[1], grd, grd_error_cm=0.04 * grd) for key, grd in finest.items()}
+    result = TargetResolution((), groups, {}, ())
     assert (result.worst("along"), result.worst("across"), result.mean) == (40, 90, 60)
     assert (result.worst_error("along"), result.worst_error("across")) == pytest.approx((1.6, 3.6))
     assert result.mean_error == pytest.approx(60 * 0.04 / np.sqrt(2))
-    lost = TargetResolution((), {**distances, ("along", "red"): None}, errors, {}, ())
+    lost = TargetResolution((), {**groups, ("along", "red"): None}, {}, ())
     assert (lost.worst_error("along"), lost.mean_error) == (None, None)
     assert (lost.worst("along"), lost.worst("across"), lost.mean) == (None, 90, None)
 
@@ -119,7 +118,7 @@ def test_a_band_without_any_bars_leaves_no_worst_of_the_bands(make_raster: MakeR
     path = make_raster("target.tif", np.stack([seen, seen, np.full_like(seen, 3)]), gsd=0.1)
     lines = {group: bars.line() for group, bars in enumerate(groups)}
     result = resolution(path, lines, Target(reference_group=0, reference_grd_cm=140, step=7 / 6))
-    assert result.grd_cm["along", "red"] is not None
+    assert result.finest["along", "red"] is not None
     assert result.worst("along") is None
     (words,) = [str(notice) for notice in result.notices if "is resolved in" in str(notice)]
     assert "blue" in words

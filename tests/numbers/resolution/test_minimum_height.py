@@ -65,7 +65,7 @@ def test_groups_are_kept_apart_and_few_passes_are_told() -> None:
 @pytest.mark.parametrize("reference", [0.0, -1.0, math.inf])
 def test_references_that_are_not_positive_are_refused(reference: float) -> None:
     with pytest.raises(SettingsError, match="positive"):
-        minimum_heights([Observation(3000, (30,))], 30.0, {"": reference})
+        read_references(str(reference))
 
 
 @pytest.mark.parametrize("values", [

@@ -19,7 +19,7 @@ VALUES = st.lists(st.integers(1, 40).map(lambda number: number / 20), min_size=5
 
 
 def alone(visible: int, invisible: int) -> Neighbourhoods:
-    return Neighbourhoods.of_single_windows(visible, invisible)
+    return Neighbourhoods(range(visible), range(visible, visible + invisible))
 
 
 @pytest.mark.slow

@@ -61,7 +61,7 @@ def images(count: int = 2, shape: tuple[int, int] = SIZE) -> list[np.ndarray]:
 def assert_nothing_foretold(result: Forecast, reason: str) -> None:
     assert reason in str(result.reason)
     assert result.pairs == ()
-    assert result.expected == (None, None, None)
+    assert result.expected is None
 
 
 def templates(notices: tuple[Message, ...]) -> list[str]:

@@ -68,7 +68,7 @@ def test_a_neighbourhood_is_drawn_as_a_whole_and_both_kinds_remain() -> None:
 
 
 def test_resamples_of_single_windows_spread_as_samples_do() -> None:
-    seen, unseen = Neighbourhoods.of_single_windows(7, 12).resamples()
+    seen, unseen = Neighbourhoods(range(7), range(7, 19)).resamples()
     assert (seen.shape, unseen.shape) == ((2000, 7), (2000, 12))
     values = np.arange(7)
     means = (seen * values).sum(axis=1) / seen.sum(axis=1)

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
+from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     STANDARD_LIMITS,
     Verdicts,
@@ -96,10 +97,10 @@ def test_the_same_verdicts_give_the_same_numbers() -> None:
 
 def test_the_interval_holds_the_true_area() -> None:
     true = stats.norm.cdf(1.5 / math.sqrt(2))
-    held = 0
+    held, places = 0, Neighbourhoods(range(25), range(25, 65))
     for seed in range(100):
         verdicts = normal_verdicts(25, 40, seed=seed)
-        area = roc_area(np.array(verdicts.visible), np.array(verdicts.invisible), verdicts.neighbourhoods)
+        area = roc_area(np.array(verdicts.visible), np.array(verdicts.invisible), places)
         held += area.low <= true <= area.high
     assert held >= 88  # 95 expected, give or take chance
 
@@ -191,7 +192,7 @@ def test_wanted_verdicts_are_just_enough(area: float, visible: int, invisible: i
 
 def test_verdicts_of_one_place_are_told() -> None:
     lonely = normal_verdicts(10, 10)
-    together = replace(lonely, visible_places=(0,) * 10, invisible_places=(0,) * 10)
+    together = replace(lonely, places=((0,) * 10, (0,) * 10))
     result = calibrate(together)
     assert result.best_range == calibrate(lonely).best_range
     assert result.neighbourhoods is None

@@ -66,11 +66,6 @@ class Neighbourhoods:
         self.fewest = min(effective_count(self._places[: len(visible)]), effective_count(self._places[len(visible) :]))
         """Effective number of those that hold verdicts of a kind, of the kind that has fewer."""
 
-    @classmethod
-    def of_single_windows(cls, visible: int, invisible: int) -> Neighbourhoods:
-        """Neighbourhoods as if no window had anything to do with another."""
-        return cls(range(visible), range(visible, visible + invisible))
-
     def resamples(self) -> tuple[np.ndarray, np.ndarray]:
         """How often each visible and each invisible verdict is drawn, (resamples, verdicts).
 
@@ -78,18 +73,17 @@ class Neighbourhoods:
         so that both kinds remain, and one fewer than there are, so that resamples spread as much as samples do (Rao and
         Wu 1988, Journal of the American Statistical Association 83, 231-241). A draw lacking two of a kind is left out.
         """
+        seen, unseen = (
+            np.bincount(kind, minlength=self.count) > 0 for kind in np.split(self._places, [self._visible])
+        )
+        strata = [np.flatnonzero(kind) for kind in (seen & ~unseen, unseen & ~seen, seen & unseen)]
+        if 1 in map(len, strata):  # it would be alone
+            strata = [np.arange(self.count)]
         random = np.random.default_rng(_SEED)
         drawn = np.empty((RESAMPLES, self.count), np.int64)
-        for stratum in self._strata():
+        for stratum in filter(len, strata):
             shares = np.full(len(stratum), 1 / len(stratum))
             drawn[:, stratum] = random.multinomial(len(stratum) - 1, shares, RESAMPLES)
-        seen, unseen = np.split(drawn[:, self._places], [self._visible], axis=1)
-        usable = (seen.sum(axis=1) >= 2) & (unseen.sum(axis=1) >= 2)
-        return seen[usable], unseen[usable]
-
-    def _strata(self) -> list[np.ndarray]:
-        """Neighbourhoods that are drawn among each other; all together where one would be alone."""
-        seen = np.bincount(self._places[: self._visible], minlength=self.count) > 0
-        unseen = np.bincount(self._places[self._visible :], minlength=self.count) > 0
-        strata = [np.flatnonzero(kind) for kind in (seen & ~unseen, unseen & ~seen, seen & unseen)]
-        return [np.arange(self.count)] if 1 in map(len, strata) else [stratum for stratum in strata if len(stratum)]
+        visible, invisible = np.split(drawn[:, self._places], [self._visible], axis=1)
+        usable = (visible.sum(axis=1) >= 2) & (invisible.sum(axis=1) >= 2)
+        return visible[usable], invisible[usable]

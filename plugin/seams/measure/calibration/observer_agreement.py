@@ -12,25 +12,14 @@ from ....imagery.statistics import DECIDED, NORMAL_95, Interval
 
 @dataclass(frozen=True)
 class Agreement:
-    """What two operators said of the windows that both judged."""
+    """How often two operators said the same."""
 
-    both_visible: int
-    both_invisible: int
-    first_alone: int
-    """Windows where the first one alone saw a loss."""
-    second_alone: int
+    count: int
+    """Windows that both judged."""
+    agreed: int
+    """Windows of which both said the same."""
     kappa: Interval | None
     """1: always agreed, 0: as often as by chance. None where one of them said one word only."""
-
-    @property
-    def count(self) -> int:
-        """Windows that both judged."""
-        return self.both_visible + self.both_invisible + self.first_alone + self.second_alone
-
-    @property
-    def agreed(self) -> int:
-        """Windows of which both said the same."""
-        return self.both_visible + self.both_invisible
 
 
 def agreement(words: Sequence[tuple[str, str]]) -> Agreement:
@@ -39,8 +28,7 @@ def agreement(words: Sequence[tuple[str, str]]) -> Agreement:
     for first, second in words:
         if first in DECIDED and second in DECIDED:
             table[DECIDED.index(first), DECIDED.index(second)] += 1
-    (both, first_alone), (second_alone, neither) = table.tolist()
-    return Agreement(both, neither, first_alone, second_alone, cohen_kappa(table))
+    return Agreement(int(table.sum()), int(table.trace()), cohen_kappa(table))
 
 
 def cohen_kappa(table: np.ndarray) -> Interval | None:

@@ -16,9 +16,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from scipy.special import ndtr
 
 from ....imagery import limits as imagery_limits
@@ -51,35 +52,20 @@ class Verdicts:
     """Windows where a loss was seen."""
     invisible: tuple[float, ...]
     """Windows where none was seen."""
-    visible_places: tuple[int, ...] = ()
-    """The neighbourhood of each visible verdict; without these every window stands for itself."""
-    invisible_places: tuple[int, ...] = ()
-    """The neighbourhood of each invisible verdict."""
+    places: tuple[Sequence[int], Sequence[int]] | None = None
+    """The neighbourhoods of the visible and of the invisible verdicts; None where every window stands for itself."""
     is_loss: bool = False
     """Whether the measure is high where detail was lost."""
-
-    @property
-    def neighbourhoods(self) -> Neighbourhoods:
-        """What is resampled."""
-        if self.visible_places or self.invisible_places:
-            return Neighbourhoods(self.visible_places, self.invisible_places)
-        return Neighbourhoods.of_single_windows(len(self.visible), len(self.invisible))
 
 
 def verdicts_of(
     measure: str, values: Sequence[tuple[Extent | None, bool, float]], is_loss: bool = False
 ) -> Verdicts:
     """Verdicts of judged windows: where each lies, whether a loss was seen there, and the measure's value."""
-    places = find_neighbourhoods([extent for extent, _, _ in values])
-    rows = [(seen, value, place) for (_, seen, value), place in zip(values, places)]
-    return Verdicts(
-        measure,
-        visible=tuple(value for seen, value, _ in rows if seen),
-        invisible=tuple(value for seen, value, _ in rows if not seen),
-        visible_places=tuple(place for seen, _, place in rows if seen),
-        invisible_places=tuple(place for seen, _, place in rows if not seen),
-        is_loss=is_loss,
-    )
+    places = np.array(find_neighbourhoods([extent for extent, _, _ in values]), int)
+    seen, measured = np.array([seen for _, seen, _ in values], bool), np.array([value for *_, value in values], float)
+    visible, invisible = (tuple(measured[kind].tolist()) for kind in (seen, ~seen))
+    return Verdicts(measure, visible, invisible, (places[seen].tolist(), places[~seen].tolist()), is_loss)
 
 
 @dataclass(frozen=True)
@@ -131,32 +117,25 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     ``most``: the threshold has to stay below it, as one that can be set does. With fewer than five visible or five
     invisible verdicts there is a notice and no number.
     """
-    if verdicts.is_loss:
-        negative = calibrate(_negative(verdicts))
-        steps = tuple(replace(step, threshold=-step.threshold) for step in negative.steps)
-        best = negative.best and replace(negative.best, threshold=-negative.best.threshold)
-        ends = negative.best_range and (max(-negative.best_range[1], 0.0), -negative.best_range[0])
-        return replace(negative, verdicts=verdicts, steps=steps, best=best, best_range=ends)
-    visible, invisible = (np.array(kind, np.float64) for kind in (verdicts.visible, verdicts.invisible))
+    sign = -1 if verdicts.is_loss else 1  # below, what is lost is low
+    visible, invisible = (sign * np.array(kind, np.float64) for kind in (verdicts.visible, verdicts.invisible))
     if min(len(visible), len(invisible)) < MIN_VERDICTS:
         too_few = messages.TOO_FEW_VERDICTS(
             measure=verdicts.measure, visible=len(visible), invisible=len(invisible), fewest=MIN_VERDICTS
         )
         return ThresholdCalibration(verdicts, notices=(too_few,))
-    places = verdicts.neighbourhoods
-    is_one_place = places.fewest < MIN_NEIGHBOURHOODS
-    if is_one_place:
-        places = Neighbourhoods.of_single_windows(len(visible), len(invisible))
+    places = Neighbourhoods(*verdicts.places) if verdicts.places else None
+    is_one_place = places is not None and places.fewest < MIN_NEIGHBOURHOODS
+    if places is None or is_one_place:
+        places = Neighbourhoods(range(len(visible)), range(len(visible), len(visible) + len(invisible)))
     area, fitted = (statistic(visible, invisible, places) for statistic in (roc_area, best_threshold))
-    values = np.unique(np.concatenate([visible, invisible]))
-    hits, vain = (np.searchsorted(np.sort(kind), values, side="right").tolist() for kind in (visible, invisible))
-    steps = tuple(_step(*counts, len(visible), len(invisible)) for counts in zip(values.tolist(), hits, vain))
-    name = verdicts.measure
-    reach = (fitted.high - fitted.low) * _ROUNDING
-    step = step_at(verdicts, min(_round_within(fitted.value, reach), most - _FINEST_STEP))
+    values = sign * np.unique(np.concatenate([visible, invisible]))
+    name, reach = verdicts.measure, (fitted.high - fitted.low) * _ROUNDING
+    step = step_at(verdicts, sign * min(_round_within(fitted.value, reach), most - _FINEST_STEP))
     best = step if fitted.value < most and step.youden > 0 else None
     # The range of thresholds that can be set, the given one among them.
-    ends = (min(fitted.low, best.threshold), max(min(fitted.high, most), best.threshold)) if best else None
+    fitting = [best.threshold, *(sign * end for end in (fitted.low, min(fitted.high, most)))] if best else []
+    ends = (max(min(fitting), 0.0) if verdicts.is_loss else min(fitting), max(fitting)) if best else None
     notices = (
         (area.low <= 0.5, messages.NO_BETTER_THAN_CHANCE(measure=name, low=area.low, high=area.high)),
         (area.value == 1, messages.VERDICTS_FULLY_APART(measure=name)),
@@ -165,29 +144,20 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
         (is_one_place, messages.VERDICTS_IN_ONE_PLACE(measure=name)),
     )  # fmt: skip
     return ThresholdCalibration(
-        verdicts, steps, area, best, ends,
+        verdicts, tuple(step_at(verdicts, value) for value in values.tolist()), area, best, ends,
         wanted=wanted_verdicts(area.value, len(visible), len(invisible)),
-        neighbourhoods=places.count if verdicts.visible_places and not is_one_place else None,
+        neighbourhoods=places.count if verdicts.places and not is_one_place else None,
         notices=tuple(notice for is_so, notice in notices if is_so),
     )  # fmt: skip
 
 
 def step_at(verdicts: Verdicts, threshold: float) -> Step:
     """What a threshold does to judged windows, of which there is at least one of either kind."""
-    if verdicts.is_loss:
-        return replace(step_at(_negative(verdicts), -threshold), threshold=threshold)
-    hits = sum(value <= threshold for value in verdicts.visible)
-    vain = sum(value <= threshold for value in verdicts.invisible)
-    return _step(threshold, hits, vain, len(verdicts.visible), len(verdicts.invisible))
-
-
-def _negative(verdicts: Verdicts) -> Verdicts:
-    """Verdicts of a measure of loss with its values negated, low where detail was lost."""
-    visible, invisible = (tuple(-value for value in kind) for kind in (verdicts.visible, verdicts.invisible))
-    return replace(verdicts, visible=visible, invisible=invisible, is_loss=False)
-
-
-def _step(threshold: float, hits: int, vain: int, seen: int, unseen: int) -> Step:
+    hits, vain = (
+        sum(value >= threshold if verdicts.is_loss else value <= threshold for value in kind)
+        for kind in (verdicts.visible, verdicts.invisible)
+    )
+    seen, unseen = len(verdicts.visible), len(verdicts.invisible)
     return Step(threshold, hits, vain, hits / seen, (unseen - vain) / unseen)
 
 
@@ -214,18 +184,13 @@ def area_interval(area: float, visible: int, invisible: int) -> tuple[float, flo
     Hanley and McNeil 1982, averaged over both kinds, puts the observed area at 1.96 of it. It holds its width where
     all pairs are in order and a bootstrap has none.
     """
-
-    def limit(end: float) -> float:
-        inside, outside = area, end  # the observed area lies within 1.96 standard errors of the first, not the second
-        for _ in range(60):
-            middle = (inside + outside) / 2
-            if abs(area - middle) <= NORMAL_95 * _standard_error(middle, visible, invisible):
-                inside = middle
-            else:
-                outside = middle
-        return inside
-
-    return limit(0.0), limit(1.0)
+    value, others = Polynomial([0, 1]), (visible + invisible) / 2 - 1
+    # Hanley and McNeil's equation 1, with the mean number of both kinds in the place of either, times (2 - A)(1 + A).
+    scale = (2 - value) * (1 + value)
+    spread = scale + others * ((1 - value) * (1 + value) + value * (2 - value))
+    apart = (area - value) ** 2 * scale * visible * invisible - NORMAL_95**2 * value * (1 - value) * spread
+    low, high = np.sort(apart.roots().real)[1:3].clip(0, 1)  # of the others one is below 0 and one above 1
+    return min(float(low), area), max(float(high), area)  # roots are exact to some digits
 
 
 def wanted_verdicts(area: float, visible: int, invisible: int) -> tuple[int, int]:
@@ -249,13 +214,6 @@ def wanted_verdicts(area: float, visible: int, invisible: int) -> tuple[int, int
         middle = (few + many) // 2
         few, many = (few, middle) if is_enough(middle) else (middle, many)
     return split(many)
-
-
-def _standard_error(area: float, visible: int, invisible: int) -> float:
-    """Hanley and McNeil 1982, equation 1, with the mean number of both kinds in the place of either (Newcombe)."""
-    others = (visible + invisible) / 2 - 1
-    spread = 1 + others * (1 - area) / (2 - area) + others * area / (1 + area)
-    return math.sqrt(max(area * (1 - area) * spread, 0) / (visible * invisible))
 
 
 DEGREES_OF_FREEDOM = 1.5  # a neighbourhood less one: Welch 1947 has 1 to 2, by how alike both kinds' errors are

@@ -24,7 +24,7 @@ from ..seam_cells import UNKNOWN, is_one_of, present
 from ..tone import whole_squares
 from .cause_evidence import grey_unit, measure_texture, misfit_of, placed_misfit, range_factor
 from .causes import Cause, CauseEvidence, Misfit, SourceTone, Texture, find_causes
-from .feather_prediction import expected_ratios, feathers
+from .feather_prediction import feathers, smallest
 from .hard_cut import HardCut, cut_hard, follows_at
 from .verdicts import Ratios, curve_ratios
 from .visibility import window_visibility
@@ -118,9 +118,9 @@ def explain(
         shift for i in following.followed
         if (shift := shifts[i]) is not None and following.shares[i] >= MIN_PLACED_SHARE
     ]
-    curves, coarse = measure_bands(cut.composite.levelled, image.names, wavelet, levels)
-    is_level = cut.composite.levelled is cut.composite.bands
-    plain = curves if is_level else measure_bands(cut.composite.bands, image.names, wavelet, levels)[0]
+    curves, coarse = measure_bands(cut.levelled, image.names, wavelet, levels)
+    is_level = cut.levelled is cut.plain
+    plain = curves if is_level else measure_bands(cut.plain, image.names, wavelet, levels)[0]
     against_composite = _composite_changes(cut, plain, placed, levels)
     detail = ground.detail(wavelet, levels)
     profile, unit = detail.profile, grey_unit(image.raster, image.coarse[judged])
@@ -158,6 +158,7 @@ def explain(
     grounds = (replace(shift, x=shift.x + other.offset[0], y=shift.y + other.offset[1]) if shift else None
                for shift, other in zip(shifts, images))
     mm, cc, mc = (float(sums[0].sum()) for sums in (detail.judged.mm, detail.judged.cc, detail.judged.mc))
+    pairs = feathers([image.plane for image in images if image.valid is None], wavelet, levels)
     explanation = Explanation(
         causes=causes,
         evidence=evidence,
@@ -172,9 +173,7 @@ def explain(
         similarity={name: correlation(mosaic.coarse[name], means) for name, means in coarse.items()},
         changes=(*(measure_changes(image, *compared) for compared in zip(images, cut.tones, grounds)),
                  against_composite),
-        expected=expected_ratios(
-            feathers([image.plane for image in images if image.valid is None], wavelet, levels), levels
-        ),
+        expected=smallest(feather.ratios for feather in pairs) or (None,) * levels,
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         visibility=window_visibility(profile, detail.judged, image.plane, ground.inside, image.raster),
@@ -259,7 +258,7 @@ def _composite_changes(
 ) -> dict[str, Change]:
     """Against the sources' pixels as they are; tones from where one source is followed, if there is enough of that."""
     image, following = cut.mosaic, cut.ground.following
-    reference = image.with_bands(cut.composite.bands, curves, levels)
+    reference = image.with_bands(cut.plain, curves, levels)
     unmixed = whole_squares(following.clear & (following.labels != UNKNOWN), levels)
     where = unmixed if unmixed.sum() >= MIN_UNMIXED_SQUARES else np.ones_like(unmixed)
     # It lies where its sources lie, if all lie alike.

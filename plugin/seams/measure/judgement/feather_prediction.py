@@ -61,14 +61,10 @@ def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Fe
     return each
 
 
-def expected_ratios(feathers: Sequence[Feather], levels: int) -> tuple[float | None, ...]:
-    """The smallest over the pairs, level by level: where feathering will hurt most."""
-    return _smallest([(None,) * levels, *(feather.ratios for feather in feathers)])
-
-
-def _smallest(values: Iterable[Sequence[float | None]]) -> tuple[float | None, ...]:
-    """Mean of several, level by level."""
-    return tuple(min((value for value in level if value is not None), default=None) for level in zip(*values))
+def smallest(pairs: Iterable[Sequence[float | None]]) -> tuple[float | None, ...] | None:
+    """The smallest over several pairs of sources, level by level: where feathering will hurt most; None of none."""
+    levels = zip(*pairs)
+    return tuple(min((value for value in level if value is not None), default=None) for level in levels) or None
 
 
 SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
@@ -91,7 +87,14 @@ def place_feather(distance: np.ndarray, ramp: str, width_m: float, pixel_m: tupl
     ``pixel_m``: height and width of a pixel.
     """
     if ramp == GAUSSIAN:
-        weight = _smoothed(distance > 0, width_m / SIGMAS_PER_WIDTH / np.array(pixel_m))
+        # A wide one on a coarser grid: off by up to 0.02 at the window's edge and by 0.0005 in the mean.
+        sigma_px = width_m / SIGMAS_PER_WIDTH / np.array(pixel_m)
+        sides = [side for side in (8, 4, 2) if 4 * side <= sigma_px.min() and not any(n % side for n in distance.shape)]
+        side = max(sides, default=1)
+        coarse = in_squares(distance > 0, side).mean(axis=(1, 3))
+        weight = ndimage.gaussian_filter(coarse, sigma_px / side, mode="nearest")
+        if side > 1:
+            weight = ndimage.zoom(weight, side, order=1, grid_mode=True, mode="nearest")
     else:
         across = np.clip(distance / width_m, -0.5, 0.5)
         weight = 0.5 + (across if ramp == LINEAR else np.sin(np.pi * across) / 2)
@@ -132,22 +135,6 @@ def kept_detail(
         tuple(float(a / b) if b > least else None for a, b in zip(*both)) for both in zip(feathered, cut)
     )
     return KeptDetail(window, strip)
-
-
-def least_kept(pairs: Sequence[KeptDetail]) -> KeptDetail:
-    """The smallest over several pairs of sources, level by level: where feathering will hurt most."""
-    return KeptDetail(_smallest(pair.window for pair in pairs), _smallest(pair.strip for pair in pairs))
-
-
-def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:
-    """A mask smoothed by a Gaussian.
-
-    A wide one is smoothed on a coarser grid, off by up to 0.02 at the window's edge and by 0.0005 in the mean.
-    """
-    fits = (side for side in (8, 4, 2) if 4 * side <= sigma_px.min() and not any(size % side for size in mask.shape))
-    side = next(fits, 1)
-    smooth = ndimage.gaussian_filter(in_squares(mask, side).mean(axis=(1, 3)), sigma_px / side, mode="nearest")
-    return np.asarray(ndimage.zoom(smooth, side, order=1, grid_mode=True, mode="nearest")) if side > 1 else smooth
 
 
 _DIRECTIONS = np.pi / 4 * (np.arange(4) + 0.5)

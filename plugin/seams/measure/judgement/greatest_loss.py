@@ -23,22 +23,15 @@ def worst_places(loss: LossPicture, is_hidden: bool = False) -> list[tuple[float
     most, even = float(lost.max(initial=0)), float(np.median(lost))
     is_even = len(loss.seam) > 0 and most - even < _LITTLE_MORE * even
     if is_hidden or most < _EVEN or is_even:
-        return _along(loss.seam * SAMPLE_PX + SAMPLE_PX / 2)
+        points = loss.seam * SAMPLE_PX + SAMPLE_PX / 2
+        order = np.hypot(*(points - points.mean(axis=0)).T) if len(points) else np.empty(0)
+    else:
+        cells = np.argwhere(lost >= _WORTH_A_LOOK * most)
+        points, order = (cells + 0.5) * loss.cell_px, -lost[tuple(cells.T)]
+    points = points[np.argsort(order, kind="stable")]
     places: list[tuple[float, float]] = []
-    least = _WORTH_A_LOOK * most
-    while len(places) < _MOST_PLACES and lost.max() >= least:
-        row, column = (int(place) for place in np.unravel_index(lost.argmax(), lost.shape))
-        places.append(((column + 0.5) * loss.cell_px, (row + 0.5) * loss.cell_px))
-        lost[max(row - side + 1, 0) : row + side, max(column - side + 1, 0) : column + side] = 0
-    return places
-
-
-def _along(seam: np.ndarray) -> list[tuple[float, float]]:
-    """Points (column, row) of a seam of (row, column), so many that no two lie within ``SHOWN_PX`` of each other."""
-    places: list[tuple[float, float]] = []
-    remaining = seam[np.argsort(np.hypot(*(seam - seam.mean(axis=0)).T))] if len(seam) else seam
-    while len(remaining) and len(places) < _MOST_PLACES:
-        row, column = remaining[0]
+    while len(points) and len(places) < _MOST_PLACES:
+        row, column = points[0]
         places.append((float(column), float(row)))
-        remaining = remaining[np.abs(remaining - remaining[0]).max(axis=1) >= SHOWN_PX]
+        points = points[np.abs(points - points[0]).max(axis=1) >= SHOWN_PX]
     return places

@@ -27,26 +27,15 @@ _EASED_PX = 48  # beside a seam
 _FEWEST_FAR = 64  # squares
 
 
-@dataclass(frozen=True, eq=False)
-class Composite:
-    """Two forms of one cut."""
-
-    bands: np.ndarray
-    """(bands, rows, columns): the sources' pixels as they are; contrast is measured against these."""
-    levelled: np.ndarray
-    """(bands, rows, columns): each source brought to the mosaic's grey values where it is followed, so that no tonal
-    step at the seam counts as detail; ratios are measured against these. In float32, or ``bands`` itself where no tone
-    was changed."""
-
-
 def make_composite(
     mosaic: np.ndarray,
     sources: Sequence[np.ndarray],
     names: tuple[str, ...],
     labels: np.ndarray,
     tones: Sequence[Mapping[str, Tone | None]],
-) -> Composite:
-    """The cut through the sources' bands, (bands, rows, columns) each, in the order of ``names``.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Both forms of the cut through the sources' bands, (bands, rows, columns) each, in the order of ``names``, as
+    ``HardCut`` has them.
 
     ``labels``, (rows, columns): the source of every pixel. Where no source explains the mosaic, its own pixels stand,
     so that nothing is gained or lost there.
@@ -60,9 +49,9 @@ def make_composite(
     in_its_tone = (mosaic - biases[main]) / np.where(gains[main] == 0, 1, gains[main])
     plain = cut_of(as_type(in_its_tone, dtype), {i: sources[i].astype(dtype) for i in followed}, labels)
     if all(abs(tone.gain - 1) * 2**16 + abs(tone.bias) < LEAST_CHANGE for of in toned.values() for tone in of):
-        return Composite(plain, plain)
+        return plain, plain
     shown = {i: np.asarray(gains[i] * sources[i] + biases[i], np.float32) for i in followed}
-    return Composite(plain, cut_of(mosaic, shown, labels))
+    return plain, cut_of(mosaic, shown, labels)
 
 
 def as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
@@ -151,7 +140,12 @@ class HardCut:
     sources: tuple[ComparedImage, ...]
     tones: tuple[dict[str, Tone | None], ...]
     """What became of each source's grey values in the mosaic, by band."""
-    composite: Composite
+    plain: np.ndarray
+    """(bands, rows, columns): the sources' pixels as they are; contrast is measured against these."""
+    levelled: np.ndarray
+    """(bands, rows, columns): each source brought to the mosaic's grey values where it is followed, so that no tonal
+    step at the seam counts as detail; ratios are measured against these. In float32, or ``plain`` itself where no tone
+    was changed."""
     ground: JudgedGround
     """The judged band, with the ground that was read around the window."""
 
@@ -169,8 +163,8 @@ def cut_hard(
     image, *images = on_common_bands((mosaic, *sources), planes, levels)
     tones = [image.tones_of(other, follows_at(ground.following, i, levels)) for i, other in enumerate(images)]
     bands = [other.bands for other in images]
-    composite = make_composite(image.bands, bands, image.names, ground.following.labels, tones)
-    return HardCut(image, tuple(images), tuple(tones), composite, ground)
+    plain, levelled = make_composite(image.bands, bands, image.names, ground.following.labels, tones)
+    return HardCut(image, tuple(images), tuple(tones), plain, levelled, ground)
 
 
 def ground_of(mosaic: MeasuredClip, sources: Sequence[MeasuredClip], labels: np.ndarray | None) -> JudgedGround:

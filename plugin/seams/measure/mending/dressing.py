@@ -3,7 +3,6 @@ followed and beyond; and the tones of two of them eased into each other at a cut
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 import numpy as np
 from scipy import ndimage
@@ -119,15 +118,8 @@ def eased(
 
 
 def _smoothed(values: np.ndarray, reach: float) -> np.ndarray:
-    """Gaussian filter along the last two axes, the edges repeated: filters much wider than an image cost as little."""
-    down, across = (_gaussian(length, reach) for length in values.shape[-2:])
-    return np.asarray(down @ values @ across.T)
-
-
-@lru_cache(64)
-def _gaussian(length: int, reach: float) -> np.ndarray:
-    """(length, length) float32 weights."""
-    return np.asarray(ndimage.gaussian_filter1d(np.eye(length), reach, axis=0, mode="nearest"), np.float32)
+    """Gaussian filter along the last two axes, the edges repeated."""
+    return np.asarray(ndimage.gaussian_filter(values, [0] * (values.ndim - 2) + [reach] * 2, mode="nearest"))
 
 
 _NEAR_PX, _FAR_PX = 2, 10  # on either side of a cut, as the French order of 2003 has it

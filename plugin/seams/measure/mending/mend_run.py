@@ -113,14 +113,6 @@ class MendedRun:
     notices: tuple[Message, ...] = ()
 
 
-class _MisfitError(RasterError):
-    """The images lie too far apart, at least in a part of the run."""
-
-    def __init__(self, message: Message, fitting: tuple[tuple[float, float], ...]) -> None:
-        super().__init__(message)
-        self.fitting = fitting
-
-
 @measuring()
 def mend_run(request: RunRequest) -> MendedRun:
     """Cut one run anew. One that can't be tells why; it never raises for that."""
@@ -129,7 +121,7 @@ def mend_run(request: RunRequest) -> MendedRun:
     except NotCoveredError:
         return MendedRun(request.key, messages.NOT_ON_MOSAIC())
     except RasterError as error:
-        return MendedRun(request.key, error.message, fitting=getattr(error, "fitting", ()))
+        return MendedRun(request.key, error.message)
 
 
 def not_mended(request: RunRequest, notices: tuple[Message, ...]) -> MendedRun:
@@ -141,7 +133,10 @@ def _mended(request: RunRequest) -> MendedRun:
     """Raises RasterError where it can't be."""
     grid, names = request.mosaic.grid, request.mosaic.band_names
     line = grid.to_pixels(request.run.piece.vertices)
-    way, misfit = _new_way(request, line)
+    cut = _new_way(request, line)
+    if isinstance(cut, MendedRun):
+        return cut
+    way, misfit = cut
     reach = min(request.run.width_m / grid.ground_sample_distance / 2, _MOST_BESIDE_PX) + _BESIDE_PX
     read = _Pixels(request, _around(np.concatenate([line, way]), GROUND_PX), len(request.sources))
     part = _part(request, read.window, line, way)
@@ -164,7 +159,8 @@ def _mended(request: RunRequest) -> MendedRun:
                 source = read.clips[side].raster.ref.name
                 raise RasterError(messages.DETAIL_NOT_SHOWN(name=source, share=share, band=name))
     middle = (judged_plane(images[0], names) + judged_plane(images[1], names)) / 2
-    made = eased(images, weight, before, part.fade(inside), both)
+    faded = _by_pixel(np.clip(ndimage.distance_transform_edt(inside) / _RIM_CELLS, 0, 1).astype(np.float32))
+    made = eased(images, weight, before, faded, both)  # at the patch's rim in the mosaic's tones
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
     was, is_now = (judged_plane(bands.astype(np.float32), names) for bands in (before, after))
@@ -184,8 +180,9 @@ def _mended(request: RunRequest) -> MendedRun:
     )
 
 
-def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float | None]:
-    """Columns and rows (n, 2) of the new cut, and the images' misfit along it. Raises RasterError without any."""
+def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float | None] | MendedRun:
+    """Columns and rows (n, 2) of the new cut, and the images' misfit along it; the run as it stays where they misfit.
+    Raises RasterError without any."""
     read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
     first_image, second_image = (read.planes.sources[side].plane for side in _SIDES)
     both = read.valid(0) & read.valid(1)
@@ -207,7 +204,7 @@ def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float |
         raise RasterError(messages.NO_WAY())
     misfit, fault, far = fit_along(way, first_image, second_image, both)
     if fault is not None:
-        raise _MisfitError(fault, _fitting(request, nearest.station_m[tuple(way.T)], far))
+        return MendedRun(request.key, fault, fitting=_fitting(request, nearest.station_m[tuple(way.T)], far))
     inner = way[1:-1, ::-1] * CELL_PX + CELL_PX / 2 + corner
     way = np.concatenate([points[: first + 1], inner, points[last:]])
     return as_xy(straightened(way @ (1, 1j), _STRAIGHTENED_PX)), misfit
@@ -323,10 +320,6 @@ class _Part:
         from_cut = CELL_PX * ndimage.distance_transform_edt(~near_border(self.on_left.view(np.uint8), 1))
         near = (self.from_any <= reach) | (from_cut <= EASED_PX) | widened(self.flipped, 2)
         return self.territory & near
-
-    def fade(self, inside: np.ndarray) -> np.ndarray:
-        """Weight of a patch by pixels, (rows, columns) float32: from 0 at its rim to 1."""
-        return _by_pixel(np.clip(ndimage.distance_transform_edt(inside) / _RIM_CELLS, 0, 1).astype(np.float32))
 
 
 def _part(request: RunRequest, window: PixelWindow, line: np.ndarray, way: np.ndarray) -> _Part:

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from operator import attrgetter
 from pathlib import Path
-from typing import Any, Callable
+from typing import Callable
 
 import numpy as np
 
@@ -292,22 +292,17 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     given = [item for piece in request.pieces for item in (piece.piece.vertices, piece.piece.left, piece.piece.right)]
     given.append(np.array([piece.is_wanted for piece in request.pieces]))
     refs = request.mosaic.ref, *(source.ref for source in request.sources)
-    outputs = {"mended": mended, **{os.path.basename(path): path for path in _made_patches(patches)}}
+    with files_written(patches):
+        folder = Path(os.path.dirname(os.path.abspath(patches)) if _is_file(patches) else patches)
+        folder.mkdir(parents=True, exist_ok=True)
+        made = [patches] if _is_file(patches) else [str(path) for path in folder.glob(_PATCHES)]
+    outputs = {"mended": mended, **{os.path.basename(path): path for path in made}}
     place = request.mosaic.geotransform, request.mosaic.wkt
     fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)
     refuse_overwriting(outputs, (path for ref in refs for path in ref.paths))
     with journal_beside(Path(mended), JOURNAL_ENDING, fingerprint) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()
-
-
-def _made_patches(patches: str) -> list[str]:
-    """What their file or folder, which is there then, holds of them already. Raises SettingsError if it can't be."""
-    single = _is_file(patches)
-    with files_written(patches):
-        folder = Path(os.path.dirname(os.path.abspath(patches)) if single else patches)
-        folder.mkdir(parents=True, exist_ok=True)
-        return [patches] if single else [str(path) for path in folder.glob(_PATCHES)]
 
 
 def _is_file(patches: str) -> bool:
@@ -318,8 +313,5 @@ def _patch_name(number: int) -> str:
     return _PATCHES.replace("*", f"{number + 1:04d}")
 
 
-def _run_of(record: bytes) -> Any:
-    return value_of(MendedRun, record, sentences_of(imagery_messages, messages))
-
-
-_LOOK = BlockLook("run", mend_run, not_mended, record_of, _run_of, brief=attrgetter("fitting"))
+_read = partial(value_of, MendedRun, sentences=sentences_of(imagery_messages, messages))
+_LOOK = BlockLook("run", mend_run, not_mended, record_of, _read, brief=attrgetter("fitting"))

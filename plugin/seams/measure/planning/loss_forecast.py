@@ -30,11 +30,10 @@ from ..judgement.feather_prediction import (
     KeptDetail,
     assumed_seams,
     drawn_seam,
-    expected_ratios,
     feathers,
     kept_detail,
-    least_kept,
     place_feather,
+    smallest,
 )
 from ..limits import COSINE, RAMPS
 from ..source_images import Source, covers
@@ -113,14 +112,22 @@ class Forecast:
     band: str | None
     """The band that was looked at; None where nothing was."""
     pairs: tuple[ForecastPair, ...]
-    expected: tuple[float | None, ...]
-    """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs."""
-    kept: KeptDetail | None = None
-    """What a feather of the width asked for would leave, the smallest over the pairs; None where none was."""
     reason: Message | None = None
     """Why nothing can be foretold."""
     notices: tuple[Message, ...] = field(default=(), compare=False)
     """Why a source that could not be read or compared did not take part."""
+
+    @property
+    def expected(self) -> tuple[float | None, ...] | None:
+        """Detail variance that a 50:50 feather would leave, levels 1..R, the smallest over the pairs; None without."""
+        return smallest(pair.feather.ratios for pair in self.pairs)
+
+    @property
+    def kept(self) -> KeptDetail | None:
+        """What a feather of the width asked for would leave, the smallest over the pairs; None where none was."""
+        known = [pair.kept for pair in self.pairs if pair.kept is not None]
+        window, strip = smallest(kept.window for kept in known), smallest(kept.strip for kept in known)
+        return KeptDetail(window, strip) if window and strip else None
 
 
 @measuring()
@@ -152,7 +159,6 @@ def forecast_window(request: ForecastRequest) -> Forecast:
     planes = [judged_plane(clip.bands, clip.raster.band_names) for clip in clips]
     wavelet, levels = request.settings.wavelet, request.settings.levels
     pairs = feathers(planes, wavelet, levels)
-    expected = expected_ratios(pairs, levels)
     kept, assumed = _kept(request, place, planes, pairs)
     spectra = [Spectra(plane) for plane in planes]
     return Forecast(
@@ -161,9 +167,7 @@ def forecast_window(request: ForecastRequest) -> Forecast:
         len(clips),
         band,
         tuple(_pair(clips, spectra, feather, detail) for feather, detail in zip_longest(pairs, kept)),
-        expected,
-        least_kept(kept) if kept else None,
-        _reason(len(clips), expected, notices),
+        _reason(len(clips), pairs, notices),
         (*notices, *assumed),
     )
 
@@ -175,7 +179,7 @@ def _on_map(raster: OpenRaster) -> OpenRaster:
 
 def not_foretold(request: ForecastRequest, reason: Message | None) -> Forecast:
     """The result of a window of which nothing can be foretold."""
-    return Forecast(request.window_id, None, 0, None, (), (None,) * request.settings.levels, reason=reason)
+    return Forecast(request.window_id, None, 0, None, (), reason)
 
 
 def _place(request: ForecastRequest, sources: Sequence[OpenRaster]) -> tuple[WindowRequest | None, list[Message]]:
@@ -214,13 +218,12 @@ def _kept(
     grid = place.mosaic.grid
     metres_x, metres_y = metres_per_unit(place.mosaic.wkt, middle_of(grid.window_extent(place.window)))
     pixel_m = grid.pixel_height * metres_y, grid.pixel_width * metres_x
-    seams = assumed_seams(place.window.height, place.window.width, pixel_m)
-    assumed: list[Message] = []
-    if request.seamlines is not None:
-        drawn = None
+    drawn, lines = None, request.seamlines
+    if lines is not None:
         with suppress(RasterError):
-            drawn = drawn_seam(request.seamlines, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
-        seams, assumed = (seams, [messages.SEAM_ASSUMED()]) if drawn is None else ([drawn], assumed)
+            drawn = drawn_seam(lines, request.wkt or place.mosaic.wkt, place.mosaic, place.window, pixel_m)
+    seams = assumed_seams(place.window.height, place.window.width, pixel_m) if drawn is None else [drawn]
+    assumed = [messages.SEAM_ASSUMED()] if lines is not None and drawn is None else []
     places = [place_feather(distance, settings.ramp, settings.width_m, pixel_m) for distance in seams]
     return [
         kept_detail(planes[pair.first], planes[pair.second], places, settings.wavelet, settings.levels)
@@ -241,10 +244,10 @@ def _pair(
     )
 
 
-def _reason(count: int, expected: Sequence[float | None], notices: Sequence[Message]) -> Message | None:
+def _reason(count: int, pairs: Sequence[Feather], notices: Sequence[Message]) -> Message | None:
     why = tuple(notices[: imagery_limits.MAX_REASONS])
     if count == 0:
         return messages.NO_SOURCE_COMPARABLE(why=why)
     if count == 1:
         return messages.ONE_SOURCE_COMPARABLE(why=why) if why else messages.ONE_SOURCE()
-    return messages.SOURCES_WITHOUT_DETAIL() if expected[0] is None else None
+    return messages.SOURCES_WITHOUT_DETAIL() if all(pair.rho[0] is None for pair in pairs) else None

@@ -7,18 +7,20 @@ pixels, it is moved within that stretch, and dropped when it fits nowhere there.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from operator import itemgetter
 from typing import Callable
 
 import numpy as np
+from scipy import ndimage
 
 from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from ....imagery.lines import Seam, points_at, stretches_inside, vertex_stations
+from ....imagery.lines import Seam, line_pieces, points_at, stretches_inside, vertex_stations
 from ....imagery.records import Column
 from .. import limits, messages
 
@@ -99,7 +101,7 @@ def place_windows(
     outside = tiny = covered = crowded = 0
     for seam in seams:
         track = SeamTrack(seam, grid, side_px)
-        inside = track.stretches(0, 0, grid.columns, grid.rows)
+        inside = track.stretches()
         stretches = inside[np.diff(inside)[:, 0] >= shortest_m]
         if not np.diff(inside).any():
             outside += 1
@@ -128,7 +130,7 @@ def place_windows(
 
 def _along(
     track: SeamTrack, stretches: np.ndarray, spacing_m: float, densest_m: float, is_valid: Callable[[PixelWindow], bool]
-) -> tuple[list[tuple[float, PixelWindow]], list[tuple[float, float]], int]:
+) -> tuple[list[tuple[float, PixelWindow]], list[list[float]], int]:
     """Windows on one seam.
 
     ``stretches``: (k, 2) stations in metres between which the seam lies inside the mosaic.
@@ -139,7 +141,7 @@ def _along(
     """
     spots = np.concatenate([_spots(start, end, max(spacing_m, densest_m)) for start, end in stretches])
     asked = sum(_count(start, end, spacing_m) for start, end in stretches)
-    fitting = track.fitting_stretches()
+    fitting = track.stretches(track.side_px / 2 - 0.499)  # a window is snapped by up to half a pixel
     inside = ((fitting[:, 0] <= spots[:, :1]) & (spots[:, :1] <= fitting[:, 1])).any(axis=1)
     taken = WindowIndex(track.side_px)
     along: list[tuple[float, PixelWindow]] = []
@@ -164,7 +166,8 @@ def _along(
                 break
         else:
             lost[number] = True
-    return sorted(along, key=itemgetter(0)), list(_rows(spots[:, 0], lost)), too_near
+    rows = [spots[row][[0, -1], 0].tolist() for row in ndimage.find_objects(ndimage.label(lost)[0])]
+    return sorted(along, key=itemgetter(0)), rows, too_near
 
 
 def _count(start: float, end: float, spacing_m: float) -> int:
@@ -178,13 +181,6 @@ def _spots(start: float, end: float, spacing_m: float) -> np.ndarray:
     station = (start + end - (count - 1) * spacing_m) / 2 + spacing_m * np.arange(count)
     between = (station[1:] + station[:-1]) / 2
     return np.column_stack([station, np.append(start, between), np.append(between, end)])
-
-
-def _rows(stations: np.ndarray, chosen: np.ndarray) -> Iterator[tuple[float, float]]:
-    """First and last station of every row of chosen ones."""
-    edge = np.diff(np.concatenate([[0], chosen.astype(int), [0]]))
-    for first, after in zip(np.flatnonzero(edge > 0), np.flatnonzero(edge < 0)):
-        yield float(stations[first]), float(stations[after - 1])
 
 
 SIDES_ACROSS = 4  # of a mosaic that is too small for the window that was asked for
@@ -218,16 +214,14 @@ def fitting_side_m(grid: Grid, settings: PlacingSettings) -> float:
     fewest = max(imagery_limits.MIN_SIDE_PX, 2**settings.levels)
     if shorter >= limits.MEASURABLE_SIDE_PX:
         fewest = max(fewest, limits.MEASURABLE_SIDE_PX)
-    try:
-        wanted = window_side_px(grid, settings)
-    except SettingsError:
-        wanted = fewest
-    else:
-        is_enough = wanted >= fewest or side_m != imagery_limits.STANDARD_SIDE_M
-        if is_enough and wanted <= min(shorter, LONGEST_SIDE_PX):
-            return side_m
-        across = 2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1)))
-        wanted = min(max(across, fewest), LONGEST_SIDE_PX) if is_enough else fewest
+    wanted = fewest
+    with suppress(SettingsError):
+        asked = window_side_px(grid, settings)
+        if asked >= fewest or side_m != imagery_limits.STANDARD_SIDE_M:
+            if asked <= min(shorter, LONGEST_SIDE_PX):
+                return side_m
+            across = 2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1)))
+            wanted = min(max(across, fewest), LONGEST_SIDE_PX)
     if wanted > shorter:
         return side_m
     return max(math.floor(100 * wanted * grid.ground_sample_distance + 1e-6) / 100, 0.1)
@@ -291,14 +285,10 @@ class SeamTrack:
         step = self.side_px * self._grid.ground_sample_distance / 8
         return [np.linspace(start, end, math.ceil((end - start) / step) + 1) for start, end in stretches]
 
-    def fitting_stretches(self) -> np.ndarray:
-        """(k, 2): stations between which a window centred on the seam lies inside the mosaic."""
-        margin = self.side_px / 2 - 0.499  # a window is snapped by up to half a pixel
-        return self.stretches(margin, margin, self._grid.columns - margin, self._grid.rows - margin)
-
-    def stretches(self, left: float, top: float, right: float, bottom: float) -> np.ndarray:
-        """(k, 2): stations between which the seam lies inside a rectangle of columns and rows."""
-        return stretches_inside(self._pixels, self._station, np.array([left, top]), np.array([right, bottom]))
+    def stretches(self, margin: float = 0.0) -> np.ndarray:
+        """(k, 2): stations between which the seam lies inside the mosaic, as many pixels from its edges."""
+        far = np.array([self._grid.columns, self._grid.rows]) - margin
+        return stretches_inside(self._pixels, self._station, np.array([margin, margin]), far)
 
 
 class SeamIndex:
@@ -306,8 +296,8 @@ class SeamIndex:
 
     def __init__(self, seams: Sequence[Seam]) -> None:
         lines = [seam.vertices @ (1, 1j) for seam in seams]
-        self._start = np.concatenate([line[:-1] for line in lines]) if lines else np.empty(0, dtype=complex)
-        self._step = np.concatenate([np.diff(line) for line in lines]) if lines else np.empty(0, dtype=complex)
+        self._start, stop = line_pieces(lines)[0].T if lines else np.empty((2, 0), complex)
+        self._step = stop - self._start
 
     def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam in map units, or None when it is farther than ``reach``."""

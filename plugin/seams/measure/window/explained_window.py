@@ -204,7 +204,7 @@ def window_composite(request: WindowRequest) -> WindowComposite | Message:
     cut = cut_hard(measured.mosaic, measured.judged, request.settings.levels, known_labels(request, measured.judged))
     if cut.ground.is_unclear:
         return messages.COMPOSITE_UNCLEAR()
-    levelled = cut.composite.levelled / measured.mosaic.grey_factor
+    levelled = cut.levelled / measured.mosaic.grey_factor
     return WindowComposite(cut.mosaic.names, as_type(levelled, cut.mosaic.bands.dtype))
 
 
