@@ -105,14 +105,6 @@ def name_fields(layer: QgsVectorLayer, name: str) -> None:
     _name_fields(layer, _document(name))
 
 
-def label_settings(name: str) -> QgsPalLayerSettings:
-    """The labels of one of our styles, which has one kind of them."""
-    settings = QgsPalLayerSettings()
-    labels = _document(name).documentElement().firstChildElement("labeling")
-    settings.readXml(labels.firstChildElement("settings"), QgsReadWriteContext())
-    return settings
-
-
 def _name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:
     fields = layer.fields()
     widgets = [layer.editorWidgetSetup(index) for index in range(fields.count())]

@@ -9,10 +9,8 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QEvent, QSize, Qt
-from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtCore import QEvent, Qt
 from qgis.PyQt.QtWidgets import (
-    QBoxLayout,
     QComboBox,
     QHBoxLayout,
     QInputDialog,
@@ -20,12 +18,13 @@ from qgis.PyQt.QtWidgets import (
     QPushButton,
     QSpinBox,
     QToolButton,
+    QVBoxLayout,
     QWhatsThis,
     QWidget,
 )
 
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
-from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
+from ...toolkit.desk.widgets import ClippedLabel, rich_tip
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
 from .judging import Judging, JudgingProgress
@@ -38,10 +37,9 @@ if TYPE_CHECKING:
     from .session import Session
 
 
-_LINES, _HIGH_LINES = (2, 7), (3, 8)  # of the sentence; in a high dock
+_LINES = 2, 8  # of the sentence
 _UNSAID = -1  # the spin box's value where no confidence was given
 _LONGEST = 254  # letters of a remark, as many as a shapefile holds
-_SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 
 
 class JudgeBar(QWidget):
@@ -54,7 +52,6 @@ class JudgeBar(QWidget):
         self._asked = 0
         self._shown: tuple[object, ...] = ()  # what the words were made of
         self._shown_result: WindowResult | None = None
-        self._arranger = single_shot(self, self._arrange)  # when its widgets have their new sizes
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_LINES[0], self)
         self._why = QToolButton(self)
@@ -83,14 +80,14 @@ class JudgeBar(QWidget):
             tr("Next (N)"), "", judging.go_on,
             tr("Goes on without judging: to the next compared window that is not judged yet, or the next one (N)."),
         )  # fmt: skip
+        self.confidence, self.remark, self.operators = self._confidence_box(), self._remark_button(), self._choice()
         self._back = self._arrow(Qt.ArrowType.LeftArrow, partial(judging.step, -1), tr("The window before this (P)."))
         self._position = QLabel(self)
         self._position.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._forth = self._arrow(Qt.ArrowType.RightArrow, partial(judging.step, 1), tr("The window after this."))
         self._progress = ClippedLabel(1, self)
-        self.confidence, self.remark, self.operators = self._confidence_box(), self._remark_button(), self._choice()
         self._lay_out()
-        self.set_high(False)
+        self._sentence.set_lines(*_LINES)
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)
@@ -120,10 +117,6 @@ class JudgeBar(QWidget):
     def _judge_here(self) -> None:
         if self._pieces is not None:
             self._pieces.judge()
-
-    def set_high(self, is_high: bool) -> None:
-        """Whether there is room for most of a long sentence."""
-        self._sentence.set_lines(*(_HIGH_LINES if is_high else _LINES))
 
     def sentence(self) -> str:
         """What is said about the selected windows."""
@@ -176,7 +169,6 @@ class JudgeBar(QWidget):
                 for text in (tr("Window {number}: {percent} % sure"), "{number}: {percent} %")
             ]
         self._progress.setText(words[0], rich_tip(progress.tip()), words[1:])
-        self._arranger.start()
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -313,29 +305,10 @@ class JudgeBar(QWidget):
         box.activated.connect(self._choose_operator)
         return box
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._arrange()
-
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._shown = ()
-            self._arrange()
-
-    def minimumSizeHint(self) -> QSize:
-        """Size as narrow as the buttons that judge, whatever is judged; the others go below them then."""
-        margins = self.contentsMargins()
-        width = max(part.minimumSize().width() for part in (self._judging_row, self._moving))
-        return QSize(width + margins.left() + margins.right(), super().minimumSizeHint().height())
-
-    def _arrange(self) -> None:
-        """The sentence beside the buttons where there is room, else above; the arrows below where there is little."""
-        row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
-        sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        beside, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
-        self._rows.setDirection(beside if self.width() >= row + sentence else below)
-        self._buttons.setDirection(beside if self.width() >= row else below)
 
     def _lay_out(self) -> None:
         words = QHBoxLayout()
@@ -343,25 +316,17 @@ class JudgeBar(QWidget):
         words.addWidget(self._sentence, 1)
         words.addWidget(self._why)
         words.addWidget(self._here)
-        self._judging_row, self._moving = QHBoxLayout(), QHBoxLayout()
+        judging, moving = QHBoxLayout(), QHBoxLayout()
         for button in (self._visible, self._invisible, self._unsure, self._next):
-            self._judging_row.addWidget(button)
-        self._judging_row.addStretch()
-        self._moving.addWidget(self._progress, 1)
+            judging.addWidget(button)
+        judging.addStretch()
+        moving.addWidget(self._progress, 1)
         for widget in (self.confidence, self.remark, self.operators, self._back, self._position, self._forth):
-            self._moving.addWidget(widget)
-        self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
-        self._buttons.addLayout(self._judging_row)
-        self._buttons.addLayout(self._moving, 1)
-        standing = (self._next, self.remark, self.operators, self._back, self._forth)
-        for before, after in zip(standing, standing[1:]):
-            QWidget.setTabOrder(before, after)
-        below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        below.addLayout(self._buttons)
-        self._rows = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
-        self._rows.setContentsMargins(0, 0, 0, 0)
-        self._rows.addLayout(words, 1)
-        self._rows.addLayout(below)
+            moving.addWidget(widget)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        for row in (words, judging, moving):
+            layout.addLayout(row)
 
     def _judging_button(self, text: str, icon: str, word: str, tip: str) -> QPushButton:
         more = tr("Then goes to the next window. Click again to undo it.")

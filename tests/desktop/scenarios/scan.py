@@ -41,7 +41,7 @@ def play(desk: Desk) -> None:
 
 def scan(desk: Desk) -> None:
     """Scan by the dock's own button, stopped once and gone on."""
-    scans, bar, ends = desk.dock.scans, desk.dock.scan_progress, []
+    scans, bar, ends = desk.dock.scans, desk.dock.progress.parentWidget(), []
     scans.scanned.connect(ends.append)
     with Gaps() as gaps:
         desk.dock.scan.trigger()

@@ -3,12 +3,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QEvent, QObject, Qt
-from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QWidget
 
 from ....toolkit.desk.chart_panel import ChartPanel
-from ....toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip, single_shot
+from ....toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip
 from ....toolkit.translation import BAND_ORDER, band_title, filled, sentence, tr
 from ...charts.curves_painter import (
     Chart,
@@ -217,10 +217,6 @@ def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     return tr("The curves are not saved with the project. Inspect again to see them.")
 
 
-_WIDE_CHARACTERS = 75  # a tab wider than that has room for two charts side by side
-_SPARE_LINES = 1  # that the dock's sentence may be longer for another window, without the charts moving to and fro
-
-
 class ProfilePanel(ChartPanel):
     """Chart and a line of words. Looks anew once it comes into sight."""
 
@@ -321,61 +317,26 @@ class ProfilePanel(ChartPanel):
         self._status.setText(words[0], shorter=words[1:])
 
 
-class CurvesAndProfile(QWidget):
-    """Both panels; the border between them can be moved."""
+class CurvesAndProfile(QSplitter):
+    """Both panels, one above the other, or side by side where there is too little height; their border can be moved."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.curves = CurvesPanel(session)
-        self.profile = ProfilePanel(session)
-        self._scroll: QScrollArea | None = None
-        self._arranger = single_shot(self, self._arrange)  # when all around it have their new sizes
-        self._splitter = QSplitter(Qt.Orientation.Vertical)
-        self._splitter.setChildrenCollapsible(False)
+        super().__init__(Qt.Orientation.Vertical, parent)
+        self.curves, self.profile = CurvesPanel(session), ProfilePanel(session)
+        self.setChildrenCollapsible(False)
         for panel in (self.curves, self.profile):
-            self._splitter.addWidget(panel)
-            self._splitter.setStretchFactor(self._splitter.count() - 1, 1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._splitter)
+            self.addWidget(panel)
 
-    @property
-    def is_side_by_side(self) -> bool:
-        """How they stand."""
-        return bool(self._splitter.orientation() == Qt.Orientation.Horizontal)
+    def minimumSizeHint(self) -> QSize:
+        sizes = [panel.minimumSizeHint() for panel in (self.curves, self.profile)]
+        width = self.handleWidth() + sum(size.width() for size in sizes)
+        return QSize(width, max(size.height() for size in sizes))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        stacked = self.handleWidth() + sum(self.widget(place).minimumSizeHint().height() for place in range(2))
+        is_high = event.size().height() >= stacked
+        orientation = Qt.Orientation.Vertical if is_high else Qt.Orientation.Horizontal
+        if orientation != self.orientation():
+            self.setOrientation(orientation)
+            self.setSizes([1000, 1000])
         super().resizeEvent(event)
-        self._arranger.start()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        around = self.parentWidget()
-        while around is not None and not isinstance(around, QScrollArea):
-            around = around.parentWidget()
-        if around is not None and self._scroll is None:
-            self._scroll = around
-            around.viewport().installEventFilter(self)
-        self._arranger.start()
-
-    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._arranger.start()
-        return False
-
-    def _arrange(self) -> None:
-        is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        orientation = Qt.Orientation.Horizontal if is_wide or self._is_low() else Qt.Orientation.Vertical
-        if orientation != self._splitter.orientation():
-            self._splitter.setOrientation(orientation)
-            self._splitter.setSizes([1000, 1000])
-
-    def _is_low(self) -> bool:
-        """Whether the dock has no room for one chart below the other, so that it would have to be scrolled."""
-        scroll = self._scroll
-        if scroll is None or scroll.widget() is None:
-            return False
-        others = scroll.widget().minimumSizeHint().height() - self.minimumSizeHint().height()
-        stacked = sum(panel.minimumSizeHint().height() for panel in (self.curves, self.profile))
-        spare = _SPARE_LINES * self.fontMetrics().height() if self.is_side_by_side else 0
-        return bool(scroll.viewport().height() - others < stacked + self._splitter.handleWidth() + spare)

@@ -108,7 +108,7 @@ class ImagesPanel(QWidget):
         for signal in (session.selectionChanged, session.windowsChanged, session.inputsChanged):
             signal.connect(self._refresh)
         session.resultArrived.connect(self._show_loss)
-        session.loss_view.changed.connect(self._show_loss)
+        session.lost_detail.toggled.connect(self._show_loss)
 
     def close(self) -> bool:
         """Leave nothing open."""
@@ -237,7 +237,7 @@ class ImagesPanel(QWidget):
     def _show_loss(self, *_: object) -> None:
         """Over both maps, where it was measured and is asked for."""
         selected, grid = self._session.selected(), self._session.mosaic_grid()
-        result = self._session.result(selected[0]) if selected and self._session.loss_view.is_shown else None
+        result = self._session.result(selected[0]) if selected and self._session.lost_detail.isChecked() else None
         placed = []
         if result is not None and result.window is not None and result.loss is not None and grid is not None:
             image = rgba_image(loss_rgba(result.loss.kept))

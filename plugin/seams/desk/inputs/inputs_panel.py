@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
 from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
 from qgis.PyQt.QtCore import Qt, pyqtSignal
-from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
+from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import QApplication, QComboBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery import limits as imagery_limits
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from .project_inputs import Inputs
 
 _TOGETHER_MS = 300  # layers that are added within this time are looked at once
-_WIDE_CHARACTERS = 95  # from this width on the sources stand beside the other inputs
 _Filter = QgsMapLayerProxyModel.Filter
 
 
@@ -48,7 +47,6 @@ class InputsPanel(QWidget):
         self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
         self.suggesting = Suggesting(session, self)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
-        self._is_wide: bool | None = None
         self._table_fields()
         self._lay_out()
         self._connections = Connections(
@@ -88,10 +86,6 @@ class InputsPanel(QWidget):
         self._show_side()
         self.box.set_summary(*self._summary())
         self._fold_when_set()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._arrange()
 
     # What the operator changes
 
@@ -273,39 +267,27 @@ class InputsPanel(QWidget):
         self.more.changed.connect(self._take)
 
     def _lay_out(self) -> None:
-        self._grid = QGridLayout(self.box)
-        self._grid.setColumnStretch(1, 2)
-        self._grid.setColumnStretch(2, 1)
-        self._grid.setVerticalSpacing(3)
-        add_field(self._grid, 0, tr("&Mosaic"), self.mosaic)
-        add_field(self._grid, 2, tr("Source &index"), self.index)
-        add_field(self._grid, 3, tr("Seam&lines"), self.seamlines)
-        add_field(self._grid, 4, tr("&Windows"), self.windows)
-        add_field(self._grid, 5, tr("Window si&de"), self.side, self.side_px)
-        self._grid.addWidget(self.more, 6, 0, 1, 3)
-        self._grid.addWidget(self.side_note, 7, 0, 1, 3)  # below all fields, so that none of them jumps
-        self._grid.setRowStretch(8, 1)
+        grid = QGridLayout(self.box)
+        grid.setColumnStretch(1, 2)
+        grid.setColumnStretch(2, 1)
+        grid.setVerticalSpacing(3)
+        add_field(grid, 0, tr("&Mosaic"), self.mosaic)
+        grid.addWidget(self.sources, 1, 0, 1, 3)
+        add_field(grid, 2, tr("Source &index"), self.index)
+        add_field(grid, 3, tr("Seam&lines"), self.seamlines)
+        add_field(grid, 4, tr("&Windows"), self.windows)
+        add_field(grid, 5, tr("Window si&de"), self.side, self.side_px)
+        grid.addWidget(self.more, 6, 0, 1, 3)
+        grid.addWidget(self.side_note, 7, 0, 1, 3)  # below all fields, so that none of them jumps
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.box)
         layout.addWidget(self.doubts)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
-        self._arrange()
         before_more = (self.index, self.seamlines, self.windows, self.side, self.more)
         order = (self.box, self.mosaic, *self.sources.fields(), *before_more, *self.more.boxes.values())
         for before, after in zip(order, order[1:]):
             QWidget.setTabOrder(before, after)
-
-    def _arrange(self) -> None:
-        """The sources below the mosaic, or beside everything where there is room."""
-        is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        if is_wide != self._is_wide:
-            self._is_wide = is_wide
-            self._grid.addWidget(self.sources, *((0, 3, 9, 1) if is_wide else (1, 0, 1, 3)))
-            self._grid.setColumnStretch(3, 4 if is_wide else 0)
-            aside = self.sources.minimumSizeHint().width() + self._grid.horizontalSpacing()
-            self.box.spared_width = aside if is_wide else 0  # so that the panel can get narrow again
-            self.box.updateGeometry()
 
 
 class MoreBox(QgsCollapsibleGroupBoxBasic):

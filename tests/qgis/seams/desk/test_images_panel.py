@@ -88,9 +88,9 @@ def test_what_was_chosen_stays_chosen_in_the_next_window(panel: ImagesPanel, des
 
 def test_lost_detail_lies_over_both_where_it_is_asked_for(panel: ImagesPanel, desk: Desk) -> None:
     assert not panel.mosaic.loss.pictures
-    desk.session.loss_view.show(True)
+    desk.session.lost_detail.setChecked(True)
     assert len(panel.mosaic.loss.pictures) == len(panel.other.loss.pictures) == 1
-    desk.session.loss_view.show(False)
+    desk.session.lost_detail.setChecked(False)
     assert not panel.other.loss.pictures
 
 
