@@ -12,11 +12,9 @@ from xml.sax.saxutils import escape
 from qgis.core import (
     QgsEditorWidgetSetup,
     QgsMapLayer,
-    QgsPalLayerSettings,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
-    QgsReadWriteContext,
     QgsVectorLayer,
 )
 from qgis.PyQt import sip

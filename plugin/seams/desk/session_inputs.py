@@ -1,8 +1,6 @@
 """The inputs of a session: which mosaic and sources are inspected and how, and what lies under the mouse."""
 from __future__ import annotations
 
-from functools import partial
-
 from qgis.core import QgsProject, QgsRasterLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtGui import QIcon
@@ -47,7 +45,6 @@ class SessionInputs(QObject):
             (self._live.changed, self.liveChanged),
             (block.opened, self._follow_block),
             (self._layers.layersChanged, self._files_changed),
-            (self._layers.seamlinesEdited, partial(self._seams.refresh, anew=True)),
             *((notifier, self._tell) for notifier in (self._opening.failed, self._live.failed, block.notified)),
         ):  # fmt: skip
             signal.connect(slot)
@@ -138,6 +135,7 @@ class SessionInputs(QObject):
     def _files_changed(self) -> None:
         self._live.let_go()
         self._block.refresh(anew=True)
+        self._seams.refresh(anew=True)
         self._follow_block()
 
     def _forget_layers(self, ids: list[str]) -> None:

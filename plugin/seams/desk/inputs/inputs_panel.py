@@ -1,4 +1,4 @@
-"""What is inspected: mosaic, sources, seamlines and how; folded to one line once it is set."""
+"""What is inspected: mosaic, sources, seamlines and how; folded to one line once there is a window."""
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -10,7 +10,7 @@ from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
 from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
-from qgis.PyQt.QtWidgets import QApplication, QComboBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QComboBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import WARNING, SettingsError
@@ -42,8 +42,7 @@ class InputsPanel(QWidget):
         super().__init__(parent)
         self._session = session
         self._is_following = False
-        self._may_fold = True  # until it was folded once, or the operator did it
-        self._was_set = self._had_mosaic = False
+        self._was_folded = False
         self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
         self.suggesting = Suggesting(session, self)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
@@ -55,12 +54,12 @@ class InputsPanel(QWidget):
             (QgsProject.instance().layersAdded, self._take_layers),
             (QgsProject.instance().layersRemoved, self._layers_removed),
             (QgsProject.instance().layerTreeRoot().nameChanged, self._layer_renamed),
-            (QApplication.instance().focusChanged, self._focus_moved),
+            (session.windowsChanged, self._fold_once),
         )
         self.refresh()
 
     def close(self) -> bool:
-        """Stop following session, project and focus."""
+        """Stop following session and project."""
         self._connections.close()
         self._suggester.stop()
         return bool(super().close())
@@ -85,7 +84,9 @@ class InputsPanel(QWidget):
         self._fit_side()
         self._show_side()
         self.box.set_summary(*self._summary())
-        self._fold_when_set()
+        if not inputs.mosaic:  # another project
+            self._fitted, self._was_folded = None, False
+            self.box.fold(False)
 
     # What the operator changes
 
@@ -122,23 +123,11 @@ class InputsPanel(QWidget):
         self.doubts.setText(" ".join(map(sentence, chosen)))
         self.doubts.setVisible(bool(self.doubts.text()))
 
-    # Folding
-
-    def _fold_when_set(self) -> None:
-        """Fold once mosaic and sources are there, but not under the operator's hands; unfold when one is gone."""
-        inputs = self._session.inputs
-        is_new = self._had_mosaic and not inputs.mosaic  # another project
-        if is_new:
-            self._fitted = None
-        is_set = not self._missing()
-        if is_new or (self._was_set and not is_set):
-            self.box.fold(False)
-            self._may_fold = True
-        self._had_mosaic, self._was_set = bool(inputs.mosaic), is_set
-        is_open = self._session.mosaic_grid() is not None
-        if is_set and is_open and self._may_fold and not self._holds(QApplication.focusWidget()):
+    def _fold_once(self) -> None:
+        """With the first window there is other work to do."""
+        if not self._was_folded and self._session.windows():
+            self._was_folded = True
             self.box.fold(True)
-            self._may_fold = False
 
     def _missing(self) -> str:
         """What is to be set still, in words; empty when nothing is."""
@@ -148,19 +137,6 @@ class InputsPanel(QWidget):
         if not any(project.mapLayer(name) is not None for name in (*inputs.sources, inputs.source_index)):
             return tr("check the sources")
         return ""
-
-    def _folded_by_hand(self) -> None:
-        self._may_fold = False
-
-    def _focus_moved(self, _before: QWidget | None, now: QWidget | None) -> None:
-        if now is not None:
-            self._fold_when_set()
-
-    def _holds(self, widget: QWidget | None) -> bool:
-        """Whether a widget belongs to this panel; its drop-down lists do, though they are windows."""
-        while widget is not None and widget is not self:
-            widget = widget.parentWidget()
-        return widget is self
 
     # What is shown
 
@@ -255,7 +231,6 @@ class InputsPanel(QWidget):
         self.doubts.setWordWrap(True)
         self.doubts.setVisible(False)
         self.more = MoreBox(self.box)
-        self.box.foldedByHand.connect(self._folded_by_hand)
         self.box.collapsedStateChanged.connect(self._show_side)
         self.mosaic.chosen.connect(self.suggesting.choose_mosaic)
         self.sources.changed.connect(partial(self._take, "sources"))

@@ -13,6 +13,7 @@ from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.seams.tables.window_layer import read_layer
 
 from tests.qgis.scenes import BLURRED, SHARP, windows
+from tests.qgis.seams.desk.session_desk import wait_until
 from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession, columns_of, filter_to, window
 from tests.work import calls_of
 
@@ -121,7 +122,7 @@ def test_ratios_stand_in_the_table_where_a_verdict_is_taken_by_them(
     session.put([replace(row, verdict="") for row in ROWS])  # placed, and nothing measured
     assert "ratio" not in shown()
     session.put([replace(by_seam[0], reference="sources"), *by_seam[1:]])  # of one more, in its place
-    assert shown()[3] == "ratio"
+    wait_until(lambda: shown()[3] == "ratio", "for the column")
 
 
 @pytest.mark.parametrize("width", [420, 600, 2000])
@@ -132,7 +133,7 @@ def test_as_many_columns_are_seen_as_there_is_room_for(
     panel.resize(width, 400)
     QApplication.processEvents()
     names = set(columns_of(panel))
-    assert names >= {"window_id", "verdict", "loss", "observer"}
+    assert names >= {"window_id", "verdict", "loss", "cause", "observer"}
     assert ("reason" in names) == (width == 2000)
     assert panel.table.horizontalScrollBar().maximum() == 0
 
