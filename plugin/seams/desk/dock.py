@@ -38,7 +38,7 @@ from .inputs.inputs_panel import InputsPanel
 from .judging_desk import JudgingDesk
 from .map.hard_cut import Flicker
 from .map.lost_detail import LossOverlay
-from .map.window_tool import ClickedPieces, WindowTool
+from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, scan_message, uncover
 from .report_writer import ReportWriter
@@ -59,7 +59,7 @@ class InspectionDock(ToolDock):
             "draw_window",
             tr(
                 "Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam "
-                "when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another."
+                "when one is near. Drag: a rectangle. Ctrl+click: a window on top of another."
             ),
         )
         self.inputs = InputsPanel(self.session)
@@ -70,13 +70,11 @@ class InspectionDock(ToolDock):
         self._namer = single_shot(self, self._name_window)
         self.session.selectionChanged.connect(self._namer.start)
         self.session.windowsChanged.connect(self._namer.start)
-        self.judging = JudgingDesk(iface, self.session, self.windows, self, self._view.is_seen)
+        self.judging = JudgingDesk(iface, self.session, self.windows, self, self._view)
         self.judge = self.judging.bar
         self.curves = CurvesAndProfile(self.session)
         self.images = ImagesPanel(self.session, is_blind=lambda: self.judging.model.is_blind)
         self.lost = LossOverlay(self._canvas, self.session, self)
-        self.pieces = ClickedPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
-        self.judge.follow_pieces(self.pieces)
         self._selected = SelectedWindows(self._canvas, self.session)
         self.reports = ReportWriter(self.session, self)
         self.reports.notified.connect(self._show_markup)
@@ -128,7 +126,7 @@ class InspectionDock(ToolDock):
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self._keys, self.reports, self.flicker,
-            self.scans, self.pieces, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
+            self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
             self.curves, self.images,
         ):  # fmt: skip
             part.close()
@@ -156,17 +154,15 @@ class InspectionDock(ToolDock):
 
     def _ask_about_mosaic(self, message: Message) -> None:
         """What is to become of windows when the mosaic is another; nothing goes on with them before."""
-        self._ask(message, tr("Leave these windows as they are"), self.session.leave_windows, {
-            tr("New windows at the same places"): self.session.copy_windows,
-            tr("The windows are of this mosaic"): self.session.take_windows,
-        })  # fmt: skip
+        answer = tr("The windows are of this mosaic"), self.session.take_windows
+        self._ask(message, answer, tr("Leave these windows as they are"), self.session.leave_windows)
 
     def _ask_for_copy(self, message: Message) -> None:
         """Whether windows of another format are copied into a windows file."""
-        self._ask(message, tr("Only look at them"), lambda: None, {tr("Copy them"): self.session.copy_to_file})
+        self._ask(message, (tr("Copy them"), self.session.copy_to_file), tr("Only look at them"), lambda: None)
 
     def _ask(
-        self, message: Message, otherwise: str, leave: Callable[[], None], answers: dict[str, Callable[[], None]]
+        self, message: Message, answer: tuple[str, Callable[[], None]], otherwise: str, leave: Callable[[], None]
     ) -> None:
         if self.question is not None and not sip.isdeleted(self.question):
             return
@@ -174,11 +170,9 @@ class InspectionDock(ToolDock):
             QMessageBox.Icon.Warning, tr("Seam Inspector"), sentence(message), parent=self
         )
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for text, answer in answers.items():
-            box.addButton(text, QMessageBox.ButtonRole.AcceptRole).clicked.connect(partial(self._answer, answer))
-        rejecting = box.addButton(otherwise, QMessageBox.ButtonRole.RejectRole)
-        rejecting.clicked.connect(partial(self._answer, leave))
-        box.setEscapeButton(rejecting)
+        roles = QMessageBox.ButtonRole
+        for role, (text, do) in ((roles.AcceptRole, answer), (roles.RejectRole, (otherwise, leave))):
+            box.addButton(text, role).clicked.connect(partial(self._answer, do))
         QgsProject.instance().cleared.connect(box.deleteLater)
         box.open()
 

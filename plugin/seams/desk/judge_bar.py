@@ -6,17 +6,16 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from html import escape
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QEvent, Qt
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QInputDialog,
     QLabel,
     QPushButton,
-    QSpinBox,
     QToolButton,
     QVBoxLayout,
     QWhatsThis,
@@ -31,27 +30,25 @@ from .judging import Judging, JudgingProgress
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 
 if TYPE_CHECKING:
-    from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
-    from .map.window_tool import ClickedPiece, ClickedPieces
+    from .map.window_tool import ClickedPieces
     from .session import Session
 
 
 _LINES = 2, 8  # of the sentence
-_UNSAID = -1  # the spin box's value where no confidence was given
 _LONGEST = 254  # letters of a remark, as many as a shapefile holds
 
 
 class JudgeBar(QWidget):
     """Sentence, judgement, progress."""
 
-    def __init__(self, session: Session, judging: Judging, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, session: Session, judging: Judging, pieces: ClickedPieces, parent: QWidget | None = None
+    ) -> None:
+        """``pieces``: of the last scan's seams, of which a clicked one is told, and a window offered there."""
         super().__init__(parent)
-        self._session = session
-        self._judging = judging
+        self._session, self._judging, self._pieces = session, judging, pieces
         self._asked = 0
-        self._shown: tuple[object, ...] = ()  # what the words were made of
-        self._shown_result: WindowResult | None = None
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_LINES[0], self)
         self._why = QToolButton(self)
@@ -61,9 +58,8 @@ class JudgeBar(QWidget):
         self._why.setToolTip(rich_tip(tr("What the sentence is based on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
-        self._pieces: ClickedPieces | None = None
         self._here = self._push_button(
-            tr("Judge here"), "", self._judge_here, tr("Makes a window on this piece of seam, and inspects it.")
+            tr("Judge here"), "", pieces.judge, tr("Makes a window on this piece of seam, and inspects it.")
         )
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
@@ -80,7 +76,7 @@ class JudgeBar(QWidget):
             tr("Next (N)"), "", judging.go_on,
             tr("Goes on without judging: to the next compared window that is not judged yet, or the next one (N)."),
         )  # fmt: skip
-        self.confidence, self.remark, self.operators = self._confidence_box(), self._remark_button(), self._choice()
+        self.remark, self.operators = self._remark_button(), self._choice()
         self._back = self._arrow(Qt.ArrowType.LeftArrow, partial(judging.step, -1), tr("The window before this (P)."))
         self._position = QLabel(self)
         self._position.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -92,6 +88,7 @@ class JudgeBar(QWidget):
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)
         judging.changed.connect(self.refresh)
+        pieces.changed.connect(self.refresh)
         self.refresh()
 
     def key_actions(self) -> dict[str, Callable[[], bool]]:
@@ -109,15 +106,6 @@ class JudgeBar(QWidget):
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
 
-    def follow_pieces(self, pieces: ClickedPieces) -> None:
-        """Say what a scan found in the piece of seam that was clicked, and offer a window there."""
-        self._pieces = pieces
-        pieces.changed.connect(self.refresh)
-
-    def _judge_here(self) -> None:
-        if self._pieces is not None:
-            self._pieces.judge()
-
     def sentence(self) -> str:
         """What is said about the selected windows."""
         return self._sentence.text()
@@ -133,16 +121,13 @@ class JudgeBar(QWidget):
         judging.follow()
         chosen = [row for row in map(self._session.row, self._session.selected()) if row is not None]
         selected, progress = sorted(chosen, key=attrgetter("window_id")), judging.progress()
-        self._show(selected, progress)
-        sure, remark = self._said(selected, "confidence"), self._said(selected, "remark")
-        self.confidence.blockSignals(True)
-        self.confidence.setValue(_UNSAID if sure is None else sure)
-        self.confidence.blockSignals(False)
+        self._say(selected, progress)
+        self._say_progress(progress)
+        remark = self._remark(selected)
         self.remark.setChecked(bool(remark))
         tip = tr("A remark on the window (R); Enter saves it, Esc discards the change.")
         self.remark.setToolTip(rich_tip(tip, *([escape(remark)] if remark else [])))
-        for widget in (self.confidence, self.remark):
-            widget.setEnabled(bool(selected))
+        self.remark.setEnabled(bool(selected))
         for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
@@ -150,25 +135,11 @@ class JudgeBar(QWidget):
         self._forth.setEnabled(judging.neighbour(1) is not None)
         self._next.setEnabled(judging.can_go_on())
 
-    def _show(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
-        """The words, if they are to be others: a key is told several times, and what it takes is to lay them out."""
-        judging, window, result = self._judging, selected[0] if len(selected) == 1 else None, None
-        is_pending = window is not None and self._session.is_pending(window.fid)
-        if window is not None and not is_pending and not judging.is_blind:
-            result = self._session.result(window.fid)
-        piece = self._pieces.current if self._pieces is not None else None
-        state = selected, piece, progress, judging.place, judging.count, judging.is_blind, judging.just_sure, is_pending
-        if state == self._shown and result is self._shown_result:
-            return
-        self._shown, self._shown_result = state, result
-        self._say(selected, progress, is_pending, result, piece)
+    def _say_progress(self, progress: JudgingProgress) -> None:
         words = progress.words()
         if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
-            words = [
-                filled(text, number=sure[0], percent=sure[1])
-                for text in (tr("Window {number}: {percent} % sure"), "{number}: {percent} %")
-            ]
-        self._progress.setText(words[0], rich_tip(progress.tip()), words[1:])
+            words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
+        self._progress.setText(words, rich_tip(words, progress.tip()))
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -188,19 +159,17 @@ class JudgeBar(QWidget):
             self._judging.take_back()
         self.refresh()  # the buttons show what was written, also when nothing could be
 
-    def _say(
-        self, selected: Sequence[WindowRecord], progress: JudgingProgress, is_pending: bool,
-        result: WindowResult | None, piece: ClickedPiece | None,
-    ) -> None:
-        tip, shows_chip = "", False
+    def _say(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
+        tip, shows_chip, piece = "", False, self._pieces.current
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
             sentence = filled(tr("Window {numbers}. Results are hidden."), numbers=numbers)
         elif len(selected) == 1:
             row, shows_chip = selected[0], True
-            if is_pending:
+            if self._session.is_pending(row.fid):
                 sentence = tr("Measuring ...")
             else:
+                result = self._session.result(row.fid)
                 sentence, tip = window_sentence(row, result), window_tip(row, result)
             side = self.fontMetrics().ascent()
             self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
@@ -235,10 +204,10 @@ class JudgeBar(QWidget):
 
     # What an operator says of a window beside the judgement
 
-    def _said(self, selected: Sequence[WindowRecord], name: str) -> Any:
-        """How sure the operator is or what he remarked, where it is the same of all; else None."""
-        values = {getattr(row, getattr(self._judging.operator, name)) for row in selected}
-        return values.pop() if len(values) == 1 else None
+    def _remark(self, selected: Sequence[WindowRecord]) -> str:
+        """What the operator remarked, where it is the same of all."""
+        remarks = {getattr(row, self._judging.operator.remark) for row in selected}
+        return str(remarks.pop()) if len(remarks) == 1 else ""
 
     def ask_remark(self, *_: object) -> bool:
         """Let the operator write a remark on the selected windows. Whether there are any."""
@@ -249,7 +218,7 @@ class JudgeBar(QWidget):
             self.question.setWindowTitle(tr("Seam Inspector"))
             words = tr("Remark on window {number}:") if len(rows) == 1 else tr("Remark:")
             self.question.setLabelText(filled(words, number=rows[0].window_id))
-            self.question.setTextValue(self._said(rows, "remark") or "")
+            self.question.setTextValue(self._remark(rows))
             self.question.textValueSelected.connect(self._write_remark)
             self.question.open()
         self.refresh()  # a click has checked the button
@@ -258,28 +227,11 @@ class JudgeBar(QWidget):
     def _write_remark(self, text: str) -> None:
         self._judging.note(remark=text.strip()[:_LONGEST] or None)
 
-    def _write_confidence(self, value: int) -> None:
-        self._judging.note(confidence=None if value == _UNSAID else value)
-
     def _choose_operator(self, place: int) -> None:
         operator, is_blind = divmod(place, 2)
         self._judging.change(operator=operator + 1, is_blind=bool(is_blind))
 
     # Widgets
-
-    def _confidence_box(self) -> QSpinBox:
-        box = QSpinBox(self)
-        box.setRange(_UNSAID, 100)
-        box.setSingleStep(10)
-        box.setSuffix(" %")
-        box.setSpecialValueText("- %")
-        box.setKeyboardTracking(False)
-        box.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        tip = tr("How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.")
-        box.setToolTip(rich_tip(tip))
-        box.valueChanged.connect(self._write_confidence)
-        box.editingFinished.connect(box.clearFocus)  # the keys that judge are free again
-        return box
 
     def _remark_button(self) -> QToolButton:
         button = QToolButton(self)
@@ -305,11 +257,6 @@ class JudgeBar(QWidget):
         box.activated.connect(self._choose_operator)
         return box
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._shown = ()
-
     def _lay_out(self) -> None:
         words = QHBoxLayout()
         words.addWidget(self._chip)
@@ -321,7 +268,7 @@ class JudgeBar(QWidget):
             judging.addWidget(button)
         judging.addStretch()
         moving.addWidget(self._progress, 1)
-        for widget in (self.confidence, self.remark, self.operators, self._back, self._position, self._forth):
+        for widget in (self.remark, self.operators, self._back, self._position, self._forth):
             moving.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -23,7 +23,8 @@ from ...toolkit.desk.widgets import is_confirmed
 from ...toolkit.translation import filled, tr
 from .judge_bar import JudgeBar
 from .judging import Judging
-from .map.window_view import WindowOutline
+from .map.window_tool import ClickedPieces
+from .map.window_view import WindowOutline, WindowView
 from .mosaic_scans import worst_layer
 from .windows.windows_panel import WindowsPanel
 
@@ -37,8 +38,7 @@ class JudgingDesk(QObject):
     """
 
     def __init__(
-        self, iface: QgisInterface, session: Session, windows: WindowsPanel, dock: ToolDock,
-        is_in_view: Callable[[int], bool],
+        self, iface: QgisInterface, session: Session, windows: WindowsPanel, dock: ToolDock, view: WindowView
     ) -> None:
         super().__init__(dock)
         self._window, self._canvas = iface.mainWindow(), iface.mapCanvas()
@@ -46,8 +46,9 @@ class JudgingDesk(QObject):
         self._panels: list[tuple[QDockWidget, bool]] = []  # that made room, and whether each was in sight
         self._outline = WindowOutline(self._canvas)
         self._project = QgsProject.instance()
-        self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self, is_in_view)
-        self.bar = JudgeBar(session, self.model)
+        self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self, view.is_seen)
+        self.pieces = ClickedPieces(self._canvas, session, self, lambda: self.model.is_blind)
+        self.bar = JudgeBar(session, self.model, self.pieces)
         self.action = QAction(QgsApplication.getThemeIcon("/mActionShowAllLayers.svg"), tr("Judge"), dock)
         self.action.setToolTip(
             tr("Judge window after window: hides QGIS's panels and what lies over the mosaic (J); again: shows them as "
@@ -80,6 +81,7 @@ class JudgingDesk(QObject):
         _put_back(self._project)
         self._outline.close()
         self.model.close()
+        self.pieces.close()
         self.bar.close()
 
     def key_actions(self) -> dict[str, Callable[[], bool]]:

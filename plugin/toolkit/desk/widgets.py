@@ -104,22 +104,21 @@ class ClippedLabel(QWidget):
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._fewest = self._most = self._lines = lines
-        self._text, self._shorter = "", tuple[str, ...]()
+        self._text = ""
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
         return self._text
 
     def shown_text(self) -> str:
-        """What of it, or which shorter text, there is room for."""
+        """What of it there is room for."""
         return self._fitting(self.fontMetrics())
 
-    def setText(self, text: str, tip: str = "", shorter: Sequence[str] = ()) -> None:
-        """Say something else; ``tip``: more than that, as rich text, for the tooltip; ``shorter``: the same in fewer
-        words, for where there is no room."""
+    def setText(self, text: str, tip: str = "") -> None:
+        """Say something else; ``tip``: more than that, as rich text, for the tooltip."""
         self.setToolTip(tip or (rich_tip(text) if text else ""))
-        if (text, *shorter) != (self._text, *self._shorter):
-            self._text, self._shorter = text, tuple(shorter)
+        if text != self._text:
+            self._text = text
             self.setAccessibleName(text)
             self._fit()
             self.update()
@@ -169,9 +168,9 @@ class ClippedLabel(QWidget):
 
     def _fitting(self, metrics: QFontMetrics) -> str:
         """The text as far as there are lines for it."""
-        for text in (self._text, *self._shorter):
-            if self._fits(metrics, text, self._lines):
-                return text
+        text = self._text
+        if self._fits(metrics, text, self._lines):
+            return text
         shortest, longest = 0, len(text)
         while longest - shortest > 1:
             middle = (shortest + longest) // 2

@@ -86,7 +86,8 @@ class Suggesting(QObject):
         missing = tuple(source for source in inputs.sources if project.mapLayer(source) is None)
         are_suggested = set(inputs.sources).difference(missing) == set(before).difference(missing)
         is_index_enough = not inputs.sources and bool(inputs.source_index)
-        if is_same and are_suggested and not is_index_enough and set(before) != set(self._suggested):
+        is_there = is_same and project.mapLayer(inputs.mosaic) is not None
+        if is_there and are_suggested and not is_index_enough and set(before) != set(self._suggested):
             with unmodified(project):
                 self._session.set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
 

@@ -246,7 +246,7 @@ def test_folds_with_the_first_window_and_then_stays_as_it_is_left(desk: Desk) ->
     desk.set_all()
     assert not box.isCollapsed()
     assert box.title() == "mosaic · 2 sources"
-    desk.session.rows = [WindowRecord(1)]
+    desk.session.rows = [WindowRecord(1, None)]
     desk.session.windowsChanged.emit()
     assert box.isCollapsed()
     box.setCollapsed(False)

@@ -118,9 +118,10 @@ def test_ratios_stand_in_the_table_where_a_verdict_is_taken_by_them(
         return columns_of(panel)
 
     session.put(by_seam)
+    wait_until(lambda: "ratio" not in shown(), "for the columns")
     assert shown() == ["window_id", "verdict", "loss", "paper_verdict", "cause", "sources", "observer", "reason"]
     session.put([replace(row, verdict="") for row in ROWS])  # placed, and nothing measured
-    assert "ratio" not in shown()
+    wait_until(lambda: "ratio" not in shown(), "for the columns")
     session.put([replace(by_seam[0], reference="sources"), *by_seam[1:]])  # of one more, in its place
     wait_until(lambda: shown()[3] == "ratio", "for the column")
 
