@@ -14,7 +14,7 @@ from ...imagery.errors import printable
 from ...toolkit.charts.chart_painter import PT, ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle, source_look
 from ...toolkit.charts.round_ticks import decade_ticks, round_below
-from ...toolkit.translation import BAND_ORDER, filled, formatted, tr
+from ...toolkit.translation import filled, formatted, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 
 if TYPE_CHECKING:
@@ -79,13 +79,6 @@ def share_range(chart: Chart) -> tuple[float, float]:
 def share_ticks(low: float, high: float, room: float) -> list[float]:
     """Round shares within an axis: as many as there is room for, in lines of the font."""
     return decade_ticks(low, high, max(room / _TICK_LINES, 2))
-
-
-def bands_of(result: WindowCurves) -> list[str]:
-    """The bands of the mosaic, luminance and colours first."""
-    names = result.clips[0].curves
-    known = [name for name in BAND_ORDER if name in names]
-    return [*known, *(name for name in names if name not in known)]
 
 
 def window_curves(

@@ -1,7 +1,6 @@
 """Says what was found in the selected window, takes the operator's judgement, and goes on to the next one."""
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
 from html import escape
@@ -27,7 +26,7 @@ from ...toolkit.desk.widgets import ClippedLabel, rich_tip
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
 from .judging import Judging, JudgingProgress
-from .windows.window_columns import verdict_chip, window_tip, windows_sentence
+from .windows.window_columns import verdict_chip, window_tip
 
 if TYPE_CHECKING:
     from ..measure.window_records import WindowRecord
@@ -172,9 +171,9 @@ class JudgeBar(QWidget):
                 result = self._session.result(row.fid)
                 sentence, tip = window_sentence(row, result), window_tip(row, result)
             side = self.fontMetrics().ascent()
-            self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
+            self._chip.setPixmap(verdict_chip(row.verdict).pixmap(side, side))
         elif selected:
-            sentence = windows_sentence(selected)
+            sentence = filled(tr("{count} windows selected."), count=len(selected))
         elif piece is not None:
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
@@ -182,7 +181,7 @@ class JudgeBar(QWidget):
             text = tr("By the scan, this piece of seam: {finding} The charts are of the window around it.")
             sentence = filled(text, finding=finding)
         elif progress.is_done:
-            sentence = self._summary()
+            sentence = tr("All windows are judged.")
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)
@@ -195,12 +194,6 @@ class JudgeBar(QWidget):
         self._position.setText(filled(position, place=place, count=count) if count else "")
         widest = filled(position, place=count, count=count)
         self._position.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))  # the arrows stay where they are
-
-    def _summary(self) -> str:
-        """What all verdicts come to."""
-        said = Counter(map(self._judging.word, self._session.windows()))
-        text = tr("All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.")
-        return filled(text, visible=said[VISIBLE], invisible=said[INVISIBLE], unsure=said[UNSURE])
 
     # What an operator says of a window beside the judgement
 

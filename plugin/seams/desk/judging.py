@@ -317,15 +317,9 @@ class Judging(QObject):
         return following
 
     def _after(self, row: WindowRecord) -> int | None:
-        """The window that a verdict on the selected one leads to; only in a review, of windows judged before, to a
-        judged one."""
-        following, below = self.next_to_judge(), self.neighbour(1)
-        if following is not None or _kind(row, self.operator) == _LEFT:
-            return following
-        there = None if below is None else self._session.row(below)
-        if there is None:
-            return row.fid if self.word(row) else None
-        return below if self.word(row) or not self.word(there) else None
+        """The window that a verdict on the selected one leads to; in a review, of a window judged before, the next."""
+        following = self.next_to_judge()
+        return self.neighbour(1) if following is None and self.word(row) else following
 
     def can_go_on(self) -> bool:
         """Whether there is another window to go on to."""

@@ -119,7 +119,7 @@ class MosaicScans(QObject):
         if self.news is None:
             return ""
         if not self.news.measured:
-            return filled(tr("Scan: putting the blocks together, {percent} %"), percent=int(100 * self.news.share))
+            return tr("Scan: putting the blocks together")
         text = filled(tr("Scan: {percent} %"), percent=int(100 * self.news.share))
         seconds_left = self.news.seconds_left
         return text if seconds_left is None else f"{text}, {time_left(seconds_left)}"

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import Qgis, QgsApplication
-from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent
+from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, pyqtSignal
+from qgis.PyQt.QtGui import QMouseEvent, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QFileDialog, QSizePolicy, QToolButton, QWidget
 
 from ....imagery.atomic_files import replacing
 from ....imagery.errors import SettingsError
-from ....toolkit.charts.chart_painter import ChartPainter, chart_image, chart_svg, paper_font
+from ....toolkit.charts.chart_painter import ChartPainter, chart_image, paper_font
 from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import check_chosen_file
@@ -138,7 +138,7 @@ class PictureButton(QToolButton):
         self._folder = Path.home()  # where the last one was saved
         self._picture: ChartPicture | None = None
         self.setIcon(QgsApplication.getThemeIcon("/mActionSaveMapAsImage.svg"))
-        self.setToolTip(tr("Save the chart as a picture (PNG or SVG)"))
+        self.setToolTip(tr("Save the chart as a picture"))
         self.setAutoRaise(True)
         self.setEnabled(False)
         self.clicked.connect(self.save)
@@ -152,21 +152,18 @@ class PictureButton(QToolButton):
         """Ask where, save, and tell it."""
         picture = self._picture
         assert picture is not None
-        kinds = ";;".join((tr("PNG picture") + " (*.png)", tr("SVG picture") + " (*.svg)"))
-        suggested = str(self._folder / f"{picture.name}.png")
-        chosen, kind = QFileDialog.getSaveFileName(self, tr("Save picture"), suggested, kinds)
+        suggested, kind = str(self._folder / f"{picture.name}.png"), tr("PNG picture") + " (*.png)"
+        chosen, _ = QFileDialog.getSaveFileName(self, tr("Save picture"), suggested, kind)
         if not chosen:
             return
         path = Path(chosen)
-        if path.suffix.lower() not in (".png", ".svg"):
-            path = Path(f"{chosen}.{'svg' if 'svg' in kind else 'png'}")
+        if path.suffix.lower() != ".png":
+            path = Path(f"{chosen}.png")
         self._folder = path.parent
         try:
             check_chosen_file(path)
             with replacing(path) as unfinished:
-                if path.suffix.lower() == ".svg":
-                    unfinished.write_text(chart_svg(picture.paint, *picture.size), encoding="utf-8")
-                elif not chart_image(picture.paint, *picture.size, _DOTS).save(str(unfinished), "PNG"):
+                if not chart_image(picture.paint, *picture.size, _DOTS).save(str(unfinished), "PNG"):
                     raise OSError(tr("it can't be written"))
         except SettingsError as error:
             said, level = sentence(error.message), Qgis.MessageLevel.Warning
@@ -178,18 +175,10 @@ class PictureButton(QToolButton):
         self.notified.emit(said, int(level))
 
 
-def curves_picture(name: str, chart: Chart, title: str) -> ChartPicture:
-    """Curves as they are shown, with their title, on white paper."""
-    room = QRectF(0, 0, *_CURVES_SIZE)
-    curves = LegendedCurves(chart, room.adjusted(0, 1.8 * _LETTERS_PX, 0, 0), PAPER, paper_font(_LETTERS_PX))
-
-    def paint(painter: QPainter) -> None:
-        curves.paint(painter)
-        painter.setPen(QColor(PAPER.text))
-        painter.setFont(curves.font)
-        painter.drawText(QRectF(0, 0, room.width(), 2 * _LETTERS_PX), Qt.AlignmentFlag.AlignCenter, title)
-
-    return ChartPicture(name, paint, _CURVES_SIZE)
+def curves_picture(name: str, chart: Chart) -> ChartPicture:
+    """Curves as they are shown, on white paper."""
+    curves = LegendedCurves(chart, QRectF(0, 0, *_CURVES_SIZE), PAPER, paper_font(_LETTERS_PX))
+    return ChartPicture(name, curves.paint, _CURVES_SIZE)
 
 
 def profile_picture(name: str, shown: ShownProfile) -> ChartPicture:

@@ -5,14 +5,14 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QWidget
+from qgis.PyQt.QtWidgets import QHBoxLayout, QSplitter, QWidget
 
+from ....imagery.limits import judged_band
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
-from ....toolkit.translation import BAND_ORDER, band_title, filled, sentence, tr
+from ....toolkit.translation import filled, sentence, tr
 from ...charts.curves_painter import (
     Chart,
-    bands_of,
     window_curves,
 )
 from ...charts.profile_painter import ShownProfile, bin_words, summary_words
@@ -36,7 +36,6 @@ class CurvesPanel(ChartPanel):
         super().__init__(parent)
         self._session = session
         self._colours: dict[str, int] = {}
-        self._band = ""  # the user's choice, kept while other windows lack it
         self.shown: Sequence[WindowCurves] = ()  # what the chart is asked to draw
         self._build()
         session.selectionChanged.connect(self._refresh_now)
@@ -50,11 +49,6 @@ class CurvesPanel(ChartPanel):
     # widgets
 
     def _build(self) -> None:
-        self._bands = QComboBox()
-        self._bands.setToolTip(tr("Band whose curves are drawn; the verdict is that of luminance, or of the only band"))
-        self._bands.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self._fill_bands([BAND_ORDER[0]])
-        self._bands.activated.connect(self._on_band_chosen)
         self._save = PictureButton()
         self._save.notified.connect(self._session.messageRaised)
         self._chart = CurvesChart()
@@ -66,7 +60,6 @@ class CurvesPanel(ChartPanel):
         self._status = ClippedLabel(1)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         tools = QHBoxLayout()
-        tools.addWidget(self._bands)
         tools.addStretch()
         tools.addWidget(self._save)
         self._lay_out(tools, self._status)
@@ -91,20 +84,18 @@ class CurvesPanel(ChartPanel):
         live = self._session.live
         result, missing = shown_window(self._session)
         if live is not None:
-            self._draw(live.clips, next(iter(live.clips.clips[0].curves)), _live_title(live))
+            self._draw(live.clips, _live_title(live))
             self._save.offer(None)
         elif result is not None:
-            self._fill_bands(bands_of(result))
-            band, title = self._bands.currentData(), _title(self._session, result)
-            chart = self._draw(result, band, title)
-            name = f"window_{result.window_id}_{band}"
-            self._save.offer(curves_picture(name, chart, f"{title} ({band_title(band)})"))
+            chart = self._draw(result, _title(self._session, result))
+            self._save.offer(curves_picture(f"window_{result.window_id}_curves", chart))
         else:
             self._show_no_curves(missing)
 
-    def _draw(self, result: WindowCurves, band: str, title: str) -> Chart:
+    def _draw(self, result: WindowCurves, title: str) -> Chart:
         for clip in result.clips[1:]:
             self._colours.setdefault(clip.raster, len(self._colours))
+        band = judged_band(result.clips[0].curves)
         curves = window_curves(result, band, self._colours, self._session.inputs.reference)
         chart = Chart(tuple(curves), self._session.inputs.max_ratio)
         self._pages.setCurrentWidget(self._chart)
@@ -126,19 +117,6 @@ class CurvesPanel(ChartPanel):
             self._pages.setCurrentWidget(self._text)
             self._status.setText("")
 
-    def _fill_bands(self, names: list[str]) -> None:
-        if names != [self._bands.itemData(row) for row in range(self._bands.count())]:
-            self._bands.clear()
-            for name in names:
-                self._bands.addItem(band_title(name), name)
-        self._bands.setCurrentIndex(max(self._bands.findData(self._band), 0))
-
-    # what the user does
-
-    def _on_band_chosen(self, index: int) -> None:
-        self._band = self._bands.itemData(index)
-        self._refresh_now()
-
 
 def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
     """What there is of the selected window, if it can be compared; else why not."""
@@ -158,9 +136,7 @@ def _title(session: Session, result: WindowCurves) -> str:
 
 def _live_title(live: LiveWindow) -> str:
     """The window that is drawn while it is being moved."""
-    template = tr("Live, {band}: {columns} x {rows} px under the mouse")
-    band = band_title(next(iter(live.clips.clips[0].curves)))
-    return filled(template, band=band, columns=live.window.width, rows=live.window.height)
+    return filled(tr("Live: {columns} x {rows} px under the mouse"), columns=live.window.width, rows=live.window.height)
 
 
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:

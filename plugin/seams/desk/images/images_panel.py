@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsMapLayer, QgsPointXY, QgsRectangle
-from qgis.gui import QgsMapCanvas, QgsMapToolPan, QgsVertexMarker
+from qgis.gui import QgsMapCanvas, QgsMapToolPan
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import (
@@ -17,7 +17,6 @@ from qgis.PyQt.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QStackedWidget,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -38,8 +37,7 @@ _GAP = 4  # px
 
 
 class WindowMap(QgsMapCanvas):
-    """A map of one raster around a window, with the window's outline, its lost detail, and where the mouse is on the
-    map beside it."""
+    """A map of one raster around a window, with the window's outline and its lost detail."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -49,9 +47,6 @@ class WindowMap(QgsMapCanvas):
         self.setMapTool(QgsMapToolPan(self))
         self.outline = WindowOutline(self)
         self.loss = PictureOverlay(self)
-        self.marker = QgsVertexMarker(self)
-        self.marker.setIconType(QgsVertexMarker.IconType.ICON_CROSS)
-        self.marker.hide()
 
     def minimumSizeHint(self) -> QSize:
         side = 7 * self.fontMetrics().height()
@@ -69,11 +64,6 @@ class WindowMap(QgsMapCanvas):
         size = self.width() * units_per_pixel, self.height() * units_per_pixel
         self.setExtent(QgsRectangle.fromCenterAndSize(centre, *size))
         self.refresh()
-
-    def mark(self, point: QgsPointXY) -> None:
-        """The mouse is there, on the map beside this one."""
-        self.marker.setCenter(point)
-        self.marker.show()
 
     def close_map(self) -> None:
         """Nothing is drawn any more."""
@@ -104,7 +94,6 @@ class ImagesPanel(QWidget):
         self._build()
         for canvas, beside in ((self.mosaic, self.other), (self.other, self.mosaic)):
             canvas.extentsChanged.connect(partial(self._link, canvas, beside))
-            canvas.xyCoordinates.connect(beside.mark)
         for signal in (session.selectionChanged, session.windowsChanged, session.inputsChanged):
             signal.connect(self._refresh)
         session.resultArrived.connect(self._show_loss)
@@ -124,17 +113,9 @@ class ImagesPanel(QWidget):
         self.choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.choice.setMinimumContentsLength(14)
         self.choice.activated.connect(self._refresh)
-        self.zoom_to_best = QToolButton()
-        self.zoom_to_best.setText("2x")
-        self.zoom_to_best.setToolTip(
-            tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen")
-        )
-        self.zoom_to_best.setAutoRaise(True)
-        self.zoom_to_best.clicked.connect(self._look)
         row = QHBoxLayout()
         row.addWidget(self.status, 1)
         row.addWidget(self.choice)
-        row.addWidget(self.zoom_to_best)
         self._hint = QLabel()
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)

@@ -148,13 +148,10 @@ class InputsPanel(QWidget):
         count = sum(project.mapLayer(source) is not None for source in inputs.sources)
         problem = self._session.problem() if self._session.mosaic_layer() is not None else None
         parts = [""]
-        if problem is not None and problem.level is WARNING:
-            parts.append(tr("opening ..."))
-        is_unusable = len(parts) == 1 and problem is not None and problem != messages.NO_SOURCES_GIVEN()
-        if is_unusable:  # it is not the sources that are missing
-            parts.append(tr("can't be used"))
+        if problem is not None and problem != messages.NO_SOURCES_GIVEN():  # it is not the sources that are missing
+            parts.append(tr("opening ...") if problem.level is WARNING else tr("can't be used"))
         counted = tr("1 source") if count == 1 else filled(tr("{count} sources"), count=count)
-        if count or not is_unusable:
+        if count or len(parts) == 1:
             parts.append(self._missing() or counted)
         if count < len(inputs.sources):
             parts.append(filled(tr("{count} missing"), count=len(inputs.sources) - count))
@@ -194,11 +191,9 @@ class InputsPanel(QWidget):
         if 0 < pixels < limits.MEASURABLE_SIDE_PX:
             note = filled(tr("few windows below {pixels} px can be measured"), pixels=limits.MEASURABLE_SIDE_PX)
         if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
-            asked, fits = self._fitted
-            note = tr("{asked} m is too small for this mosaic: {side} m, every {spacing} m") if asked < fits else tr(
-                "{asked} m is too large for this mosaic: {side} m, every {spacing} m")
-            spacing = shown_metres(inputs.spacing_m)
-            note = filled(note, asked=shown_metres(asked), side=shown_metres(fits), spacing=spacing)
+            asked, side, spacing = map(shown_metres, (*self._fitted, inputs.spacing_m))
+            note = filled(tr("{asked} m does not fit this mosaic: {side} m, every {spacing} m"),
+                          asked=asked, side=side, spacing=spacing)  # fmt: skip
         self.side_note.setText(note)
         self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Optional
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple, Optional
 
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
 from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
@@ -249,14 +249,13 @@ _FEWEST_ROWS = 4  # seen without scrolling
 Standings = Callable[[str], Optional["Suitability"]]
 
 
-@dataclass(frozen=True)
-class _Entry:
+class _Entry(NamedTuple):
     """One line of the list."""
 
     layer_id: str
     text: str
     tip: str
-    reason: str = ""  # why it is not suggested
+    is_out: bool = False  # whether it is not suggested
 
 
 class SourceList(QWidget):
@@ -313,7 +312,13 @@ class SourceList(QWidget):
         try:
             if entries != self._entries:  # else the list keeps where it was scrolled to
                 self._entries = entries
-                self._fill()
+                self.list.clear()
+                for entry in entries:
+                    item = QListWidgetItem(entry.text, self.list)
+                    item.setData(_ID, entry.layer_id)
+                    item.setData(_IS_OUT, entry.is_out)
+                    item.setToolTip(plain_tip(entry.tip))
+                    item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             for row in range(self.list.count()):
                 item = self.list.item(row)
                 is_source = item.data(_ID) in chosen
@@ -323,25 +328,14 @@ class SourceList(QWidget):
                 item.setFont(font)
         finally:
             self._is_following = False
-        standings = [standing(entry.layer_id) for entry in entries]
-        self.suggested.setEnabled(any(standing is not None and standing.is_suggested for standing in standings))
+        standings = filter(None, (standing(entry.layer_id) for entry in entries))
+        self.suggested.setEnabled(any(known.is_suggested for known in standings))
         self.none.setEnabled(bool(sources))
 
     def checked(self) -> Sources:
         """Layer ids of the checked rasters, missing ones included."""
         items = [self.list.item(row) for row in range(self.list.count())]
         return tuple(item.data(_ID) for item in items if item.checkState() == Qt.CheckState.Checked)
-
-    def _fill(self) -> None:
-        scrolled = self.list.verticalScrollBar().value()
-        self.list.clear()
-        for entry in self._entries:
-            item = QListWidgetItem(entry.text, self.list)
-            item.setData(_ID, entry.layer_id)
-            item.setToolTip(plain_tip(entry.tip))
-            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
-            item.setData(_IS_OUT, bool(entry.reason))
-        self.list.verticalScrollBar().setValue(scrolled)
 
     def _button(self, text: str, tip: str) -> QToolButton:
         button = QToolButton(self)
@@ -374,5 +368,5 @@ def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Ent
         reason = sentence(suitability.reason) if suitability is not None and suitability.reason is not None else ""
         text = f"{layer.name()} \u2013 {reason}" if reason else layer.name()
         tip = "\n".join(filter(None, (reason, layer.source())))
-        (unfit if reason else fit).append(_Entry(layer.id(), text, tip, reason=reason))
+        (unfit if reason else fit).append(_Entry(layer.id(), text, tip, bool(reason)))
     return [*entries, *fit, *unfit]

@@ -1,13 +1,12 @@
 """The columns of the windows' table; all other fields of a window are in QGIS's attribute table."""
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Sequence
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TR_NOOP, QRectF, Qt
-from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
+from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
@@ -24,20 +23,9 @@ if TYPE_CHECKING:
 _CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one and scales it down
 
 
-def verdict_chip(verdict: str, stale: bool = False) -> QIcon:
-    """A square in the verdict's colour; only half of it is filled when the verdict is out of date."""
-    return plain_icon(*(_chip(verdict, stale, side) for side in _CHIP_SIDES))
-
-
-def windows_sentence(rows: Sequence[WindowRecord]) -> str:
-    """What was found in several windows, in plain words."""
-    counts = Counter(row.verdict for row in rows)
-    words = dict.fromkeys([*VERDICTS, *counts])  # the unknown ones last
-    parts = [f"{counts[verdict]} {verdict_word(verdict)}" for verdict in words if counts[verdict]]
-    changed = sum(row.stale for row in rows)
-    if changed:
-        parts.append(filled(tr("{count} changed since"), count=changed))
-    return filled(tr("{count} windows selected: {verdicts}."), count=len(rows), verdicts=", ".join(parts))
+def verdict_chip(verdict: str) -> QIcon:
+    """A square in the verdict's colour."""
+    return plain_icon(*(_chip(verdict, side) for side in _CHIP_SIDES))
 
 
 def window_tip(row: WindowRecord, result: WindowResult | None = None) -> str:
@@ -45,7 +33,7 @@ def window_tip(row: WindowRecord, result: WindowResult | None = None) -> str:
     return rich_tip(window_sentence(row, result), *window_why(row, result))
 
 
-def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
+def _chip(verdict: str, side: int) -> QPixmap:
     colour = QColor(verdict_colour(verdict))
     pixmap = QPixmap(side, side)
     pixmap.fill(Qt.GlobalColor.transparent)
@@ -54,12 +42,9 @@ def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
         width = max(side / 10, 1.0)
         square = QRectF(width, width, side - 2 * width, side - 2 * width)
         painter.setPen(QPen(colour.darker(130), width, Qt.PenStyle.SolidLine if verdict else Qt.PenStyle.DotLine))
-        if verdict and not stale:
+        if verdict:
             painter.setBrush(colour)
         painter.drawRoundedRect(square, side / 6, side / 6)
-        if stale:
-            painter.setBrush(colour)
-            painter.drawPolygon(QPolygonF([square.topLeft(), square.topRight(), square.bottomLeft()]))
     return pixmap
 
 

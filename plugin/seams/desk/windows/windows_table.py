@@ -47,7 +47,7 @@ class WindowsModel(QAbstractTableModel):
         self._rows: list[WindowRecord] = []
         self._fids: list[int] = []
         self._places: dict[int, int] = {}
-        self._chips: dict[tuple[str, bool], QIcon] = {}
+        self._chips: dict[str, QIcon] = {}
         self._italic = QFont()
         self._italic.setItalic(True)
 
@@ -123,7 +123,7 @@ class WindowsModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return column.alignment
         if role == Qt.ItemDataRole.DecorationRole and column.name == "verdict":
-            return self._chip(row.verdict, row.stale)
+            return self._chip(row.verdict)
         if role == Qt.ItemDataRole.FontRole and row.stale:
             return self._italic
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -144,10 +144,10 @@ class WindowsModel(QAbstractTableModel):
             return ALIGNED_LEFT if column == self.sorted_by else column.alignment
         return None
 
-    def _chip(self, verdict: str, stale: bool) -> QIcon:
-        if (verdict, stale) not in self._chips:
-            self._chips[verdict, stale] = verdict_chip(verdict, stale)
-        return self._chips[verdict, stale]
+    def _chip(self, verdict: str) -> QIcon:
+        if verdict not in self._chips:
+            self._chips[verdict] = verdict_chip(verdict)
+        return self._chips[verdict]
 
 
 _GIVING_WAY = (
