@@ -126,7 +126,6 @@ class ScanDone:
     files: ScanFiles
     seam_metres: float
     failed_metres: float
-    worst_kept: float | None  # kept_1 of the piece that kept least; None where nothing could be measured
     worst_count: int  # windows of the worst places
     notices: tuple[Message, ...] = ()
 
@@ -150,8 +149,7 @@ def scan_job(order: ScanOrder, files: ScanFiles) -> Job:
             write_scan_file(files.layers, result, request)
             scan.finish()
         yield 1.0, ScanDone(
-            files, float(result.seam_metres), float(result.failed_metres), result.worst_kept, len(result.worst),
-            result.notices,
+            files, float(result.seam_metres), float(result.failed_metres), len(result.worst), result.notices,
         )
 
     return job

@@ -281,9 +281,7 @@ class LegendedCurves(CurvesPainter):
         widest = max((metrics.horizontalAdvance(entry.name) for entry in self.entries), default=0.0)
         least = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth()) + (_PIECE_LINES + 1) * metrics.height()
         most_rows = max(1, int(_MOST_OF_ROOM * room.height() / metrics.height()))
-        across = 1
-        while len(self.entries) > across * most_rows and (across + 1) * least <= room.width() and across < _MOST_ACROSS:
-            across += 1
+        across = min(max(-(-len(self.entries) // most_rows), 1), max(int(room.width() / least), 1), _MOST_ACROSS)
         rows = max(1, min(-(-len(self.entries) // across), most_rows))
         if (beyond := len(self.entries) - across * rows) > 0:
             more = filled(tr("and {count} more"), count=beyond + 1)

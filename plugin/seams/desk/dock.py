@@ -92,8 +92,8 @@ class InspectionDock(ToolDock):
         self.steps = UndoActions(self.session.steps, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
-            {**self.judging.key_actions(), "layout": _triggered(self.judging.action),
-             "lost detail": _triggered(self.session.lost_detail), "flicker": self.flicker.press,
+            {**self.judging.key_actions(), "layout": self.judging.action.trigger,
+             "lost detail": self.session.lost_detail.trigger, "flicker": self.flicker.press,
              "next place": self._view.show_next_place},
             {"flicker": self.flicker.release},
             lambda: self.judging.is_on,
@@ -360,15 +360,15 @@ class InspectionDock(ToolDock):
         self._offer_stop()
 
     def _follow_scan(self) -> None:
-        if self.scans.is_busy != self._was_scanning:
-            self._was_scanning = self.scans.is_busy
+        if self.scans.is_at_work != self._was_scanning:
+            self._was_scanning = self.scans.is_at_work
             self._enable_actions()
         self._offer_stop()
 
     def _offer_stop(self) -> None:
         done, asked = self._asked
         is_busy = self.session.is_busy or asked > 0
-        self.stop.setEnabled(is_busy or self.scans.is_busy)
+        self.stop.setEnabled(is_busy or self.scans.is_at_work)
         self._row.setVisible(self.stop.isEnabled())
         if is_busy or self.scans.news is None:
             self.progress.setRange(0, max(asked, 1))
@@ -378,13 +378,3 @@ class InspectionDock(ToolDock):
             self.progress.setRange(0, 1000)
             self.progress.setValue(int(1000 * self.scans.news.share))
             self.progress.setFormat(self.scans.progress())
-
-
-def _triggered(action: QAction) -> Callable[[], bool]:
-    """What the key of an action calls."""
-
-    def trigger() -> bool:
-        action.trigger()
-        return True
-
-    return trigger

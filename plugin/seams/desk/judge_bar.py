@@ -76,10 +76,6 @@ class JudgeBar(QWidget):
             tr("Goes on without judging: to the next compared window that is not judged yet, or the next one (N)."),
         )  # fmt: skip
         self.remark, self.operators = self._remark_button(), self._choice()
-        self._back = self._arrow(Qt.ArrowType.LeftArrow, partial(judging.step, -1), tr("The window before this (P)."))
-        self._position = QLabel(self)
-        self._position.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._forth = self._arrow(Qt.ArrowType.RightArrow, partial(judging.step, 1), tr("The window after this."))
         self._progress = ClippedLabel(1, self)
         self._lay_out()
         self._sentence.set_lines(*_LINES)
@@ -130,8 +126,6 @@ class JudgeBar(QWidget):
         for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
-        self._back.setEnabled(judging.neighbour(-1) is not None)
-        self._forth.setEnabled(judging.neighbour(1) is not None)
         self._next.setEnabled(judging.can_go_on())
 
     def _say_progress(self, progress: JudgingProgress) -> None:
@@ -188,12 +182,6 @@ class JudgeBar(QWidget):
         self._why.setVisible(bool(tip))
         self._here.setVisible(piece is not None and not selected)
         self._sentence.setText(sentence, tip)
-        judging, position = self._judging, tr("{place} of {count}")
-        place = str(judging.place + 1) if len(selected) == 1 and judging.place >= 0 else "-"
-        count = judging.count
-        self._position.setText(filled(position, place=place, count=count) if count else "")
-        widest = filled(position, place=count, count=count)
-        self._position.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))  # the arrows stay where they are
 
     # What an operator says of a window beside the judgement
 
@@ -261,7 +249,7 @@ class JudgeBar(QWidget):
             judging.addWidget(button)
         judging.addStretch()
         moving.addWidget(self._progress, 1)
-        for widget in (self.remark, self.operators, self._back, self._position, self._forth):
+        for widget in (self.remark, self.operators):
             moving.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -283,15 +271,4 @@ class JudgeBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the focus, and Space, where they are
         button.setAutoDefault(False)
         button.clicked.connect(slot if isinstance(slot, partial) else lambda *_: slot())
-        return button
-
-    def _arrow(self, direction: Qt.ArrowType, slot: Callable[[], object], tip: str) -> QToolButton:
-        button = QToolButton(self)
-        button.setArrowType(direction)
-        button.setAutoRaise(True)
-        button.setAutoRepeat(True)
-        button.setToolTip(rich_tip(tip))
-        button.setAccessibleName(tip)
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        button.clicked.connect(lambda *_: slot())
         return button

@@ -62,8 +62,10 @@ class JudgingProgress:
         count = self.judged + self.unsure + self.to_judge  # so that it adds up
         if not count:
             return tr("nothing to judge yet") if self.count else ""
-        text = tr("{left} to go: {judged} of {count} judged")
-        return filled(text, judged=self.judged, count=count, left=self.to_judge)
+        text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure") if self.unsure else tr(
+            "{left} to go: {judged} of {count} judged"
+        )
+        return filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge)
 
     def tip(self) -> str:
         """What the other windows are."""
@@ -278,16 +280,6 @@ class Judging(QObject):
         """What the operator has done."""
         counts = Counter(self._kinds.values())
         return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
-
-    @property
-    def place(self) -> int:
-        """Place of the selected window among those shown, 0 for the first; -1 for none."""
-        return self._place
-
-    @property
-    def count(self) -> int:
-        """How many windows are shown."""
-        return len(self._fids)
 
     def neighbour(self, by: int) -> int | None:
         """The window before or after. One that the filter took away once it was judged still has its place."""

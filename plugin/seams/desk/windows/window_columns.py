@@ -72,8 +72,6 @@ class TableColumn(NamedTuple):
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
             return rich_tip(cause_sentence(row.cause))
-        if self.name == "ratio" and row.ratio is not None and not row.stale:
-            return rich_tip(filled(tr("Ratio at level {level}: {ratio}"), level=1, ratio=shown_number(row.ratio, 4)))
         return window_tip(row, result)
 
 

@@ -202,7 +202,6 @@ class WindowsPanel(QWidget):
                 self._windows.index(rows.index(anchor), 0), QAbstractItemView.ScrollHint.PositionAtTop
             )
         self._show_selection(selected)
-        self._describe()
         self.orderChanged.emit()
 
     def _take_selection(self) -> None:
@@ -245,15 +244,6 @@ class WindowsPanel(QWidget):
         if not self._is_following:
             self._show_selection(set())
             self.orderChanged.emit()
-
-    def _describe(self) -> None:
-        """What an empty table says."""
-        hint = tr("Draw a window on the map, or place windows along the seamlines.")
-        if self._windows.all_windows():
-            hint = tr("No window matches the filter.")
-        if hint != self.table.hint:
-            self.table.hint = hint
-            self.table.viewport().update()
 
     # What the operator asks for
 

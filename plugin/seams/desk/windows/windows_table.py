@@ -15,12 +15,11 @@ from qgis.PyQt.QtCore import (
     Qt,
     pyqtSignal,
 )
-from qgis.PyQt.QtGui import QFont, QIcon, QKeyEvent, QKeySequence, QPaintEvent, QPalette, QResizeEvent
+from qgis.PyQt.QtGui import QFont, QIcon, QKeyEvent, QKeySequence, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
 
-from ....toolkit.desk.theme import ReadableItems, readable_palette
+from ....toolkit.desk.theme import ReadableItems
 from ....toolkit.desk.widgets import rich_tip, single_shot
-from ....toolkit.painting import painting
 from ....toolkit.translation import tr
 from .window_columns import ALIGNED_LEFT, COLUMNS, WINDOW_ID, TableColumn, used_columns, verdict_chip
 
@@ -169,7 +168,6 @@ class WindowsTable(QTableView):
 
     def __init__(self, windows: WindowsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.hint = ""  # what is said in the middle of an empty table
         self._windows = windows
         self._allowed: frozenset[str] | None = None  # those that tell nothing; None: all may be seen
         self._fit_soon = single_shot(self, self.fit, _FIT_MS)
@@ -303,15 +301,6 @@ class WindowsTable(QTableView):
         super().changeEvent(event)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
             self.fit()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self.hint and self._windows.rowCount() == 0:
-            with painting(self.viewport()) as painter:
-                painter.setPen(readable_palette(self).color(QPalette.ColorRole.PlaceholderText))
-                margin = self.fontMetrics().height()
-                room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
-                painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
 
     # Keys
 

@@ -206,25 +206,6 @@ def test_a_source_keeps_its_colour_from_window_to_window(session: CurvesSession,
     assert seen(panel, (1, 1)) == colour
 
 
-def test_the_band_is_kept_while_there_is_one_of_that_name(session: CurvesSession, panel: CurvesPanel) -> None:
-    select_one(session)
-    assert [panel._bands.itemText(i) for i in range(panel._bands.count())] == ["luminance", "red", "green", "blue"]
-    panel._bands.activated.emit(2)
-    settle()
-    assert panel._bands.currentData() == "green"
-    assert panel._chart.chart.curves[0].detail[0] == pytest.approx(0.016 * (1 + 2 / 9))
-
-    session.add(2, make_result(13, bands=("band_1",)))
-    session.select([2])
-    settle()
-    assert panel._bands.currentText() == "band 1"
-    session.add(3, make_result(14, bands=(*BANDS, "nir")))
-    session.select([3])
-    settle()
-    assert panel._bands.currentData() == "green"
-    assert panel._bands.itemText(4) == "near infrared"
-
-
 # when it draws
 
 

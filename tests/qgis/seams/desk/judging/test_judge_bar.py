@@ -7,9 +7,8 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QLineEdit
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
-from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
-from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to
+from tests.qgis.seams.desk.windows_session import WindowsSession
 
 DESCENDING = Qt.SortOrder.DescendingOrder
 
@@ -75,22 +74,6 @@ def test_how_much_is_judged_is_always_said(bar: JudgeBar, session: WindowsSessio
     assert bar._progress.text() == "0 to go: 3 of 4 judged, 1 not sure"
     judging.change(operator=2)
     assert bar._progress.text() == "4 to go: 0 of 4 judged"
-
-
-def test_steps_and_position(bar: JudgeBar, panel: WindowsPanel, session: WindowsSession) -> None:
-    session.select([2])
-    assert bar._position.text() == "2 of 6"
-    bar._forth.click()
-    assert session.selected() == [3]
-    bar._back.click()
-    bar._back.click()
-    assert session.selected() == [1]
-    assert not bar._back.isEnabled()
-    panel.table.sortByColumn(0, DESCENDING)
-    assert bar._position.text() == "6 of 6"
-    assert not bar._forth.isEnabled()
-    filter_to(panel, choice="preserved")
-    assert bar._position.text() == "- of 1"
 
 
 def test_confidence_and_remark_are_written_where_the_operator_is(
