@@ -11548,11 +11548,6 @@
         <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; jeśli ich jednostką jest {unit}, ustaw ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="90"/>
-        <source>Seam: {kept} % kept ({low} to {high} %)</source>
-        <translation>Linia: zachowane {kept} % (od {low} do {high} %)</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="69"/>
         <source>beyond {near} m: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m: zachowane {kept} % (od {low} do {high} %)</translation>
@@ -11566,11 +11561,6 @@
         <location filename="../plugin/seams/charts/profile_painter.py" line="73"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
-        <source>Seam: {kept} % kept ({low} to {high} %) in {width} m</source>
-        <translation>Linia: zachowane {kept} % (od {low} do {high} %) na szerokości {width} m</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="141"/>
@@ -11610,6 +11600,16 @@
     <message>
         <source>The windows by their verdicts; the numbers are theirs.</source>
         <translation>Okna według werdyktów, z ich numerami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="90"/>
+        <source>{kept} % kept ({low} to {high} %)</source>
+        <translation>zachowane {kept} % (od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
+        <source>{kept} % kept ({low} to {high} %) in {width} m</source>
+        <translation>zachowane {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
 </context>
 </TS>

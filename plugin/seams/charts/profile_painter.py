@@ -87,11 +87,11 @@ def summary_words(shown: ShownProfile) -> str:
     width = seam_width_words(
         profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m
     )
-    text = tr("Seam: {kept} % kept ({low} to {high} %)")
+    text = tr("{kept} % kept ({low} to {high} %)")
     if shown.ground_left < 1 and profile.is_of_the_ground:
         text = tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages")
     elif profile.high < 1 and width:
-        text = tr("Seam: {kept} % kept ({low} to {high} %) in {width} m")
+        text = tr("{kept} % kept ({low} to {high} %) in {width} m")
     return filled(
         text, kept=percent(profile.kept[0]), low=percent(profile.low), high=percent(profile.high), width=width,
         left=percent(shown.ground_left),

@@ -101,7 +101,7 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(30 * PIXEL)), 60))  # nothing was measured there
     settle()
     assert messages[-1] is None
-    assert panel._status.text().startswith("Seam: 56 % kept (51 to 62 %)")
+    assert panel._status.text().startswith("56 % kept (51 to 62 %)")
 
 
 @pytest.mark.parametrize(
