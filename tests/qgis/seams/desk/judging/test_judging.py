@@ -58,7 +58,7 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert session.selected() == []
     assert not judging.judge("unsure")
     assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
-    assert bar.sentence() == "All windows are judged: 1 visible, 4 invisible, 0 not sure."
+    assert bar.sentence() == "All windows are judged."
     judging.take_back()
     assert session.selected() == [3]
 
