@@ -34,10 +34,10 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(5102, 0, 0),
-    "plugin/seams/measure": Measures(18050, 1, 0),
-    "plugin/seams": Measures(13998, 0, 1),
+    "plugin/seams/measure": Measures(18045, 1, 0),
+    "plugin/seams": Measures(13000, 0, 0),
     "plugin/acceptance": Measures(5735, 1, 0),
-    "plugin/toolkit": Measures(4743, 0, 0),
+    "plugin/toolkit": Measures(4711, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(2048, 0, 0),
     "plugin/resolution": Measures(3185, 0, 0),

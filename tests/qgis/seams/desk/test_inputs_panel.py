@@ -256,7 +256,7 @@ def test_folds_with_the_first_window_and_then_stays_as_it_is_left(desk: Desk) ->
 
 def test_close_lets_go_of_everything(desk: Desk) -> None:
     project = QgsProject.instance()
-    owners = [(desk.session, "inputsChanged"), (desk.session, "windowsChanged")]
+    owners: list[tuple[Any, str]] = [(desk.session, "inputsChanged"), (desk.session, "windowsChanged")]
     owners += [(project, "layersAdded"), (project, "layersRemoved")]
     before = [owner.receivers(getattr(owner, name)) for owner, name in owners]
     desk.panel.close()
