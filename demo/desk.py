@@ -202,7 +202,7 @@ class Desk:
     @contextmanager
     def judging(self) -> Iterator[None]:
         """J, and at the end all of the desk again."""
-        layout = self.dock.layout_of_judging
+        layout = self.dock.judging
         self.press_on_map(Qt.Key.Key_J)
         self.wait(lambda: layout.is_on, 5, "judging")
         yield

@@ -35,9 +35,9 @@ class Measures:
 BOUNDS = {
     "plugin/imagery": Measures(4905, 0, 0),
     "plugin/seams/measure": Measures(18050, 1, 0),
-    "plugin/seams": Measures(13998, 0, 1),
+    "plugin/seams": Measures(13000, 0, 0),
     "plugin/acceptance": Measures(5396, 1, 0),
-    "plugin/toolkit": Measures(4743, 0, 0),
+    "plugin/toolkit": Measures(4711, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(1998, 0, 0),
     "plugin/resolution": Measures(3077, 0, 0),

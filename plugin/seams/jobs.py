@@ -4,7 +4,6 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Iterable, Iterator
-from concurrent.futures import wait
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
@@ -19,7 +18,6 @@ from ..toolkit.translation import filled, tr
 from .measure.blocks.scan_settings import ScanSettings
 from .measure.inputs.mosaic_copies import leave_out_copies
 from .measure.planning.window_placing import PlacingSettings, SeamIndex, place_windows
-from .measure.scan.gathering import ScanResult
 from .measure.scan.scan_request import ScanRequest, scan_request
 from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
 from .measure.seamlines.given_seams import GivenSeams, given_seams
@@ -128,7 +126,6 @@ class ScanDone:
     files: ScanFiles
     seam_metres: float
     failed_metres: float
-    worst_kept: float | None  # kept_1 of the piece that kept least; None where nothing could be measured
     worst_count: int  # windows of the worst places
     notices: tuple[Message, ...] = ()
 
@@ -144,17 +141,15 @@ def scan_job(order: ScanOrder, files: ScanFiles) -> Job:
                 yield news.share, news
             if cancelled():
                 return
-            result: ScanResult | None = None
-            for share, gathered in _gathered(scan, files, cancelled):
-                yield share, ScanNews(share, None, measured=False)
-                result = gathered
+            workers = _workers()
+            with reading_threads(1 + workers) as executor:  # one puts it together
+                result = scan.result(str(files.picture), lambda _share: not cancelled(), executor, _AHEAD * workers)
             if result is None or cancelled():
                 return
             write_scan_file(files.layers, result, request)
             scan.finish()
         yield 1.0, ScanDone(
-            files, float(result.seam_metres), float(result.failed_metres), result.worst_kept, len(result.worst),
-            result.notices,
+            files, float(result.seam_metres), float(result.failed_metres), len(result.worst), result.notices,
         )
 
     return job
@@ -190,21 +185,3 @@ def _measured(scan: WholeScan, cancelled: Cancelled) -> Iterator[ScanNews]:
                 told_at = time.monotonic()
                 yield ScanNews(share, step.seconds_left, notices=fresh)
         yield ScanNews(share, None, measured=False)
-
-
-def _gathered(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterator[tuple[float, ScanResult | None]]:
-    """The share that is done, again and again, and the result with the last one."""
-    done = MEASURED
-
-    def goes_on(share: float) -> bool:
-        nonlocal done
-        done = MEASURED + (1 - MEASURED) * share
-        return not cancelled()
-
-    workers = _workers()
-    with reading_threads(1 + workers) as executor:  # one puts it together
-        future = executor.submit(scan.result, str(files.picture), goes_on, executor, _AHEAD * workers)
-        while not future.done():
-            wait([future], timeout=_NEWS_S)
-            yield done, None
-        yield done, future.result()

@@ -12,11 +12,9 @@ from xml.sax.saxutils import escape
 from qgis.core import (
     QgsEditorWidgetSetup,
     QgsMapLayer,
-    QgsPalLayerSettings,
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProcessingLayerPostProcessorInterface,
-    QgsReadWriteContext,
     QgsVectorLayer,
 )
 from qgis.PyQt import sip
@@ -103,14 +101,6 @@ def load_style(layer: QgsMapLayer, name: str) -> None:
 def name_fields(layer: QgsVectorLayer, name: str) -> None:
     """Call the fields of a layer, and the words in them, as one of our styles does, where its user does not."""
     _name_fields(layer, _document(name))
-
-
-def label_settings(name: str) -> QgsPalLayerSettings:
-    """The labels of one of our styles, which has one kind of them."""
-    settings = QgsPalLayerSettings()
-    labels = _document(name).documentElement().firstChildElement("labeling")
-    settings.readXml(labels.firstChildElement("settings"), QgsReadWriteContext())
-    return settings
 
 
 def _name_fields(layer: QgsVectorLayer, document: QDomDocument) -> None:

@@ -126,9 +126,6 @@ class Translation:
         QCoreApplication.removeTranslator(self._translator)
 
 
-BAND_ORDER = ("luminance", "red", "green", "blue", "nir")
-
-
 def band_title(name: str) -> str:
     titles = {
         "luminance": tr("luminance"),

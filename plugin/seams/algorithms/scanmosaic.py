@@ -35,7 +35,7 @@ SEAM_METRES, FAILED_METRES, WORST_KEPT = "SEAM_METRES", "FAILED_METRES", "WORST_
 
 
 class ScanMosaic(SeamInspectorAlgorithm):
-    """Where a whole mosaic lost detail, and what each piece of its seams kept."""
+    """Finds where a whole mosaic lost detail, and what each piece of its seams kept."""
 
     ID = "scanmosaic"
     NAME = QT_TR_NOOP("Scan a whole mosaic")

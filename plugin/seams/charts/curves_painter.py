@@ -14,15 +14,13 @@ from ...imagery.errors import printable
 from ...toolkit.charts.chart_painter import PT, ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle, source_look
 from ...toolkit.charts.round_ticks import decade_ticks, round_below
-from ...toolkit.translation import BAND_ORDER, filled, formatted, tr
+from ...toolkit.translation import filled, formatted, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 
 if TYPE_CHECKING:
     from ..measure.window.window_result import WindowCurves
 
 
-Point = tuple[int, int]
-"""A curve's index and a component's."""
 _LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
 _TICK_LINES = 1.4  # of the font, that ticks of a logarithmic axis are apart
 
@@ -60,27 +58,13 @@ def numbered(curves: Sequence[ChartCurve]) -> list[tuple[int, ChartCurve]]:
     return [(sum(are_sources[:place]), curve) for place, curve in enumerate(curves)]
 
 
-def least_of_sources(curves: Sequence[ChartCurve], component: int) -> float | None:
-    """The lowest share of a component among the sources: of the least sharp one, where it is a detail.
-
-    That of the composite, where the verdict is taken against it.
-    """
+def significance_limit(curves: Sequence[ChartCurve], max_ratio: float) -> float | None:
+    """The share at level 1 at or below which a mosaic has lost significantly: by the least sharp source, or the
+    composite, where the verdict is taken against it; None without either."""
     rivals = [curve for curve in curves if curve.is_reference]
     rivals = rivals or [curve for curve in curves if not (curve.is_mosaic or curve.is_composite)]
-    return min((share for curve in rivals if (share := curve.values[component]) > 0), default=None)
-
-
-def significance_limit(curves: Sequence[ChartCurve], max_ratio: float) -> float | None:
-    """The share at level 1 at or below which a mosaic has lost significantly; None without sources."""
-    least = least_of_sources(curves, 0)
+    least = min((share for curve in rivals if (share := curve.values[0]) > 0), default=None)
     return None if least is None else max_ratio * least
-
-
-def share_text(share: float) -> str:
-    """A share with three digits that count: 0.412, 0.0160, 0.00052."""
-    if not share > 0:
-        return formatted(share, "g")
-    return formatted(share, f".{min(max(2 - math.floor(math.log10(share)), 2), 7)}f")
 
 
 def share_range(chart: Chart) -> tuple[float, float]:
@@ -95,13 +79,6 @@ def share_range(chart: Chart) -> tuple[float, float]:
 def share_ticks(low: float, high: float, room: float) -> list[float]:
     """Round shares within an axis: as many as there is room for, in lines of the font."""
     return decade_ticks(low, high, max(room / _TICK_LINES, 2))
-
-
-def bands_of(result: WindowCurves) -> list[str]:
-    """The bands of the mosaic, luminance and colours first."""
-    names = result.clips[0].curves
-    known = [name for name in BAND_ORDER if name in names]
-    return [*known, *(name for name in names if name not in known)]
 
 
 def window_curves(
@@ -127,28 +104,6 @@ def window_curves(
         colour = None if is_mosaic else colours.get(clip.raster)
         curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
     return curves
-
-
-def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tuple[str, str]:
-    """A curve's name, and the text about one of its points."""
-    curve = curves[index]
-    value = curve.values[component]
-    is_background = component == len(curve.detail)
-    place = tr("background") if is_background else filled(tr("level {number}"), number=component + 1)
-    words = f", {place}: {share_text(value)}"
-    mosaic = next((other.values[component] for other in curves if other.is_mosaic), math.nan)
-    least = least_of_sources(curves, component)
-    if curve.is_mosaic and least is not None and value == value:
-        if any(other.is_reference for other in curves):
-            template = tr(" ({percent:.0f} % of the composite)")
-        elif is_background:
-            template = tr(" ({percent:.0f} % of the lowest source)")
-        else:
-            template = tr(" ({percent:.0f} % of the least sharp source)")
-        return curve.label, words + filled(template, percent=100 * value / least)
-    if not curve.is_mosaic and value > 0 and mosaic == mosaic:
-        return curve.label, words + filled(tr(" (mosaic: {percent:.0f} % of it)"), percent=100 * mosaic / value)
-    return curve.label, words
 
 
 PenStyle = Union[Qt.PenStyle, tuple[float, ...]]
@@ -189,12 +144,9 @@ def _pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
 class CurvesPainter(ChartPainter):
     """A ``Chart`` in a rectangle, and where its points are."""
 
-    def __init__(
-        self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont, point: Point | None = None
-    ) -> None:
-        """``point``: one that has a ring, and its curve stands out."""
+    def __init__(self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont) -> None:
         super().__init__(room, style, font)
-        self.chart, self._point = chart, point
+        self.chart = chart
         self._levels = len(chart.curves[0].detail) if chart.curves else 0
         self.low, self.high = share_range(chart)
         self.limit = significance_limit(chart.curves, chart.max_ratio)
@@ -241,12 +193,6 @@ class CurvesPainter(ChartPainter):
         self._paint_limit(painter)
         for index, colour, dashes in curves:
             self._paint_curve(painter, index, QColor(colour), dashes)
-        for index, colour, dashes in curves:
-            if self._point is not None and index == self._point[0]:
-                self._paint_curve(painter, index, QColor(colour), dashes, 1.6)
-        if self._point in self.places:
-            painter.setPen(QPen(QColor(self.style.text), 1.4 * PT))
-            painter.drawEllipse(self.places[self._point], 5 * PT * self.style.scale, 5 * PT * self.style.scale)
 
     def _paint_frame(self, painter: QPainter) -> None:
         axes, style = self.axes, self.style
@@ -283,12 +229,10 @@ class CurvesPainter(ChartPainter):
         painter.fillRect(QRectF(left, y, right - left, self.axes.bottom() - y), colour)
         self._rule(painter, (left, y), (right, y), self.style.limit, 2 * PT * self.style.scale)
 
-    def _paint_curve(
-        self, painter: QPainter, index: int, colour: QColor, dashes: PenStyle, wider: float = 0.0
-    ) -> None:
+    def _paint_curve(self, painter: QPainter, index: int, colour: QColor, dashes: PenStyle) -> None:
         is_mosaic = self.chart.curves[index].is_mosaic
         width, radius = ((2.6, 3.0) if is_mosaic else (1.2, 2.0))
-        painter.setPen(_pen(colour, dashes, (width + wider) * PT * self.style.scale))
+        painter.setPen(_pen(colour, dashes, width * PT * self.style.scale))
         for piece in self._pieces(index):
             painter.drawPolyline(QPolygonF(piece))
         painter.setPen(Qt.PenStyle.NoPen)
@@ -332,16 +276,12 @@ class LegendEntry(NamedTuple):
 class LegendedCurves(CurvesPainter):
     """A ``Chart`` above the legend of its curves."""
 
-    def __init__(
-        self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont, point: Point | None = None
-    ) -> None:
+    def __init__(self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont) -> None:
         metrics, self.entries = QFontMetricsF(font), _entries(chart, style)
         widest = max((metrics.horizontalAdvance(entry.name) for entry in self.entries), default=0.0)
         least = min(widest, _SHOWN_CHARACTERS * metrics.averageCharWidth()) + (_PIECE_LINES + 1) * metrics.height()
         most_rows = max(1, int(_MOST_OF_ROOM * room.height() / metrics.height()))
-        across = 1
-        while len(self.entries) > across * most_rows and (across + 1) * least <= room.width() and across < _MOST_ACROSS:
-            across += 1
+        across = min(max(-(-len(self.entries) // most_rows), 1), max(int(room.width() / least), 1), _MOST_ACROSS)
         rows = max(1, min(-(-len(self.entries) // across), most_rows))
         if (beyond := len(self.entries) - across * rows) > 0:
             more = filled(tr("and {count} more"), count=beyond + 1)
@@ -349,7 +289,7 @@ class LegendedCurves(CurvesPainter):
         self._across = across
         self._legend = QRectF(room)
         self._legend.setTop(room.bottom() - (rows + 0.3) * metrics.height())
-        super().__init__(chart, room.adjusted(0, 0, 0, -self._legend.height()), style, font, point)
+        super().__init__(chart, room.adjusted(0, 0, 0, -self._legend.height()), style, font)
 
     def _paint(self, painter: QPainter) -> None:
         super()._paint(painter)

@@ -64,53 +64,38 @@ def level_colour(level: int, style: ChartStyle) -> str:
     return style.sources[(level - 1) % len(style.sources)]
 
 
-def bin_words(shown: ShownProfile, bin_: ProfileBin) -> list[str]:
-    """What was measured in a bin, in full and in short."""
-    values = {
-        "near": shown_number(bin_.near_px * shown.pixel_m), "far": shown_number(bin_.far_px * shown.pixel_m),
-        "kept": percent(bin_.kept), "low": percent(bin_.low), "high": percent(bin_.high),
-        "other": percent(bin_.mixture or 0),
-    }  # fmt: skip
-    if isinf(bin_.far_px):
-        long, short = tr("beyond {near} m from the seam: {kept} % kept ({low} to {high} %)"), tr("> {near} m: {kept} %")
-    else:
-        long = tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)")
-        short = tr("{near} to {far} m: {kept} %")
-    words = [long, short]
+def bin_words(shown: ShownProfile, bin_: ProfileBin) -> str:
+    """What was measured in a bin."""
+    text = tr("beyond {near} m: {kept} % kept ({low} to {high} %)") if isinf(bin_.far_px) else tr(
+        "{near} to {far} m: {kept} % kept ({low} to {high} %)"
+    )
     if bin_ in shown.mixed:
-        words.insert(0, tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image"))
-    return [filled(text, **values) for text in words]
+        text = tr("{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image")
+    return filled(
+        text, near=shown_number(bin_.near_px * shown.pixel_m), far=shown_number(bin_.far_px * shown.pixel_m),
+        kept=percent(bin_.kept), low=percent(bin_.low), high=percent(bin_.high), other=percent(bin_.mixture or 0),
+    )  # fmt: skip
 
 
-def summary_words(shown: ShownProfile) -> list[str]:
-    """What is kept beside the seam, in full and in short."""
+def summary_words(shown: ShownProfile) -> str:
+    """What is kept beside the seam."""
     from ..words import seam_width_words  # needs numpy, which a chart does without
 
     profile = shown.profile
     if profile.kept[0] is None:
-        return [""]
-    values = {
-        "kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high),
-        "width": seam_width_words(
-            profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m
-        ),
-    }  # fmt: skip
-    words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
+        return ""
+    width = seam_width_words(
+        profile.band_width_px * shown.pixel_m, (profile.feather_width_px or 0) * shown.pixel_m, shown.pixel_m
+    )
+    text = tr("{kept} % kept ({low} to {high} %)")
     if shown.ground_left < 1 and profile.is_of_the_ground:
-        values["left"] = percent(shown.ground_left)
-        words = [
-            tr("Beside the seam {kept} % ({low} to {high} %) of the ground's detail; the ground has {left} % of the "
-               "orthoimages'"),
-            tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages"),
-            tr("Seam {kept} %, ground {left} %"),
-        ]
-    elif profile.high < 1 and values["width"]:
-        words = [
-            tr("Beside the seam {kept} % kept ({low} to {high} %), in {width} m"),
-            tr("{kept} % kept ({low} to {high} %) in {width} m"), tr("{kept} % kept in {width} m"),
-            tr("{kept} % kept"),
-        ]
-    return [filled(text, **values) for text in words]
+        text = tr("Seam: {kept} % of the ground; ground: {left} % of the orthoimages")
+    elif profile.high < 1 and width:
+        text = tr("{kept} % kept ({low} to {high} %) in {width} m")
+    return filled(
+        text, kept=percent(profile.kept[0]), low=percent(profile.low), high=percent(profile.high), width=width,
+        left=percent(shown.ground_left),
+    )
 
 
 class ProfilePainter(ChartPainter):

@@ -9,7 +9,7 @@ import shutil
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import count
+from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
@@ -91,25 +91,18 @@ def decision_values(inputs: Inputs, scans: Sequence[DeliveredScan]) -> dict[str,
     }
 
 
-def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, str]:
+def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, Path]:
     """Files for what a decision makes, beside the project.
 
-    All have one number, by which none of them takes the place of an earlier one.
+    All have the first number by which none of them is there, nor its pictures: ``report_2.html``.
     """
     mosaic, folder = project.mapLayer(inputs.mosaic), Path(project.homePath() or Path.home())
     stem = file_stem(project.baseName() or "delivery" if mosaic is None else mosaic.source())
-    return _unused({name: folder / f"{stem}_{file}" for name, file in _FILES.items()})
-
-
-def _unused(files: Mapping[str, Path]) -> dict[str, str]:
-    """The files, all with the first number by which none of them is there, nor its pictures: ``report_2.html``."""
-    for number in count(1):
-        ending = f"_{number}" if number > 1 else ""
-        counted = {output: file.with_name(f"{file.stem}{ending}{file.suffix}") for output, file in files.items()}
-        there = (os.path.lexists(path) for file in counted.values() for path in (file, pictures_beside(file)))
-        if not any(there):
+    for ending in chain([""], (f"_{number}" for number in count(2))):
+        files = {name: folder / f"{stem}_{Path(file).stem}{ending}{Path(file).suffix}" for name, file in _FILES.items()}
+        if not any(os.path.lexists(path) for file in files.values() for path in (file, pictures_beside(file))):
             break
-    return {output: str(file) for output, file in counted.items()}
+    return files
 
 
 def pictures_beside(failures: Path) -> Path:
@@ -153,8 +146,8 @@ class AcceptPage(QDialog):
         """In the background, into a folder of its own."""
         folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
         beside = suggested_files(self._project, self._inputs)
-        self._made = {name: folder / Path(file).name for name, file in beside.items()}
-        self._home = Path(next(iter(beside.values()))).parent
+        self._made = {name: folder / file.name for name, file in beside.items()}
+        self._home = next(iter(beside.values())).parent
         values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
         context, self._feedback = QgsProcessingContext(), _FailureHeard()
         context.setProject(self._project)
@@ -261,13 +254,6 @@ class AcceptPage(QDialog):
             except SettingsError as error:
                 self._saved.setText(sentence(error.message))
 
-    def _open_form(self, *_: object) -> None:
-        """QGIS's own."""
-        import processing
-
-        values = {**self.values(), **suggested_files(self._project, self._inputs)}
-        processing.execAlgorithmDialog(DECISION, values)
-
     # Widgets
 
     def _lay_out(self) -> None:
@@ -310,11 +296,7 @@ class AcceptPage(QDialog):
         self.decider = self._button(tr("Decide"), tr("Decides in the background, by these limits."), self.decide)
         self.decider.setDefault(True)
         self._progress = QProgressBar(self)
-        more = self._button(
-            tr("All settings ..."), tr("Sampling plans, rules from a file, who judges, and all outputs."),
-            self._open_form,
-        )
-        layout.addLayout(_row(self.decider, self._progress, more))
+        layout.addLayout(_row(self.decider, self._progress))
         self.verdict, self.reason, self._saved = QLabel(self), QLabel(self), QLabel(self)
         large = QFont(self.font())
         large.setPointSizeF(_LARGE * large.pointSizeF())

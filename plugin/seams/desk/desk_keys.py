@@ -16,13 +16,13 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QAction, QApplication, QDockW
 
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.desk.keyboard import FocusFilter, HeldKeys, is_keyboard_free
-from ...toolkit.translation import filled, tr
+from ...toolkit.translation import tr
 from .windows.windows_table import WindowsTable
 
 _SURE = {f"sure {10 * digit or 100}": (str(digit),) for digit in range(10)}
 MAP, MAP_AND_TABLE, DESK = "map", "map, table", "map, desk"
 JUDGING = "while judging: map, desk"
-"""The place of the focus for keys to work, and what is on: the words of the guide, by which ``DeskKeys`` goes."""
+"""The place of the focus for keys to work: the words of the guide, by which ``DeskKeys`` goes."""
 
 
 class KeyLine(NamedTuple):
@@ -53,17 +53,11 @@ KEYS = (
     KeyLine("Tab", MAP, "the next of the window's places that lost most", {"next place": ("Tab",)}, True),
     KeyLine("Ctrl+Z; Ctrl+Shift+Z, Ctrl+Y", "everywhere", "undo; redo",
             {"undo": ("Ctrl+Z",), "redo": ("Ctrl+Shift+Z", "Ctrl+Y")}, True),
-    KeyLine("Shift, Ctrl", "map, while drawing",
-            "a square, or one more window selected; a new window here, whatever is there"),
+    KeyLine("Shift, Ctrl", "map, while drawing", "one more window selected; a new window here, whatever is there"),
     KeyLine("Esc, right click", "map, while drawing", "drops the rectangle; ends drawing"),
     KeyLine("Enter, double click", "table", "the window at 2x"),
     KeyLine("Del", "table", "removes the selected windows"),
 )  # fmt: skip
-
-
-def keys_for(name: str) -> tuple[str, ...]:
-    """The keys that do something, as QKeySequence reads them."""
-    return next(line.keys[name] for line in KEYS if name in line.keys)
 
 
 _EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
@@ -71,25 +65,17 @@ _PLACES = {MAP: ("map",), MAP_AND_TABLE: ("map", "table")}  # of the focus; othe
 _MODIFIERS = {"Ctrl": Qt.KeyboardModifier.ControlModifier, "Shift": Qt.KeyboardModifier.ShiftModifier}
 
 
-class UndoActions(QObject):
+class UndoActions:
     """Undo and redo of the windows, for buttons and keys."""
 
     def __init__(self, stack: Any, window: QMainWindow, parent: QObject) -> None:
-        """``stack``: a QUndoStack."""
-        super().__init__(parent)
-        self._stack = stack
-        self.undo = QAction(QgsApplication.getThemeIcon("/mActionUndo.svg"), tr("Undo"), self)
-        self.redo = QAction(QgsApplication.getThemeIcon("/mActionRedo.svg"), tr("Redo"), self)
-        self.undo.triggered.connect(stack.undo)
-        self.redo.triggered.connect(stack.redo)
+        """``stack``: a QUndoStack, whose actions say what they undo."""
+        self.undo = stack.createUndoAction(parent, tr("Undo"))
+        self.redo = stack.createRedoAction(parent, tr("Redo"))
         self.actions = {"undo": self.undo, "redo": self.redo}  # actions by the names of their keys
         self._of_qgis = {name: window.findChild(QAction, f"mAction{name.title()}") for name in self.actions}
-        stack.indexChanged.connect(self.refresh)
-        self.refresh()
-
-    def close(self) -> None:
-        """Follow no steps any more."""
-        self._stack.indexChanged.disconnect(self.refresh)
+        for name, action in self.actions.items():
+            action.setIcon(QgsApplication.getThemeIcon(f"/mAction{name.title()}.svg"))
 
     def meant(self, name: str, key: str, is_ours: bool) -> QAction | None:
         """The action that a key is for; None where QGIS takes it itself, or there is nothing to do.
@@ -102,18 +88,6 @@ class UndoActions(QObject):
         if of_qgis is not None and of_qgis.isEnabled():
             return None if QKeySequence(key) in of_qgis.shortcuts() else of_qgis
         return action if action.isEnabled() else None
-
-    def refresh(self, *_: object) -> None:
-        """What can be undone and done again, and by which name."""
-        stack = self._stack
-        for name, action, step, word, words in (
-            ("undo", self.undo, stack.undoText(), tr("Undo"), tr("Undo {step}")),
-            ("redo", self.redo, stack.redoText(), tr("Redo"), tr("Redo {step}")),
-        ):
-            action.setEnabled(bool(step))
-            action.setText(filled(words, step=step) if step else word)
-            shown = (QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText) for key in keys_for(name))
-            action.setToolTip(f"{action.text()} ({', '.join(shown)})")
 
 
 class DeskKeys(QObject):
@@ -138,7 +112,7 @@ class DeskKeys(QObject):
         self._where = {name: line.where for line in KEYS for name in line.keys}
         self._actions: Mapping[str, Callable[[], object]] = {}
         self._released: Mapping[str, Callable[[float], None]] = {}
-        self._modes: Mapping[str, Callable[[], bool]] = {}
+        self._is_judging: Callable[[], bool] = bool
         self._keyboard = FocusFilter(self)
         self._held = HeldKeys(self)
         self._held.released.connect(self._let_go)
@@ -146,13 +120,13 @@ class DeskKeys(QObject):
 
     def set_actions(
         self, actions: Mapping[str, Callable[[], object]], released: Mapping[str, Callable[[float], None]],
-        modes: Mapping[str, Callable[[], bool]],
+        is_judging: Callable[[], bool],
     ) -> None:
         """What single keys do, by their names; one that has nothing to do says so by False, and the key is somebody
         else's then, unless windows are judged. ``released``: what letting go of one does, with the seconds that it was
-        held; ``modes``: whether that is on which keys are for, by where these work.
+        held; ``is_judging``: whether windows are judged.
         """
-        self._actions, self._released, self._modes = actions, released, modes
+        self._actions, self._released, self._is_judging = actions, released, is_judging
 
     def listen(self, listening: bool) -> None:
         """While the desk is open."""
@@ -186,7 +160,7 @@ class DeskKeys(QObject):
             return True
         if not self._held.press(event) and name not in self._repeating:
             return True
-        is_taken = act() is not False or self._modes[JUDGING]()
+        is_taken = act() is not False or self._is_judging()
         if not is_taken:
             self._held.forget(event.key())
         return is_taken
@@ -208,9 +182,8 @@ class DeskKeys(QObject):
             action = self._steps.meant(name, key, is_ours)
             return action.trigger if action is not None else None
         where = self._where[name]
-        is_on = self._modes.get(where, lambda: True)
         is_here = self._place(focus, window) in _PLACES.get(where, ("map", "table", "desk"))
-        if not is_here or self._is_editing() or not is_on():
+        if not is_here or self._is_editing() or (where == JUDGING and not self._is_judging()):
             return None
         return self._actions.get(name)
 

@@ -1,4 +1,4 @@
-"""The inspection desk: a dock beside or below the map that puts the panels together."""
+"""The inspection desk: a dock beside the map that puts the panels together."""
 from __future__ import annotations
 
 from functools import partial
@@ -8,16 +8,15 @@ from qgis.core import QgsApplication, QgsProject
 from qgis.gui import QgisInterface, QgsMessageBarItem
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QIcon, QResizeEvent
+from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import (
     QAction,
-    QBoxLayout,
     QComboBox,
-    QGridLayout,
     QHBoxLayout,
     QMessageBox,
     QProgressBar,
     QSplitter,
+    QTabWidget,
     QToolBar,
     QToolButton,
     QVBoxLayout,
@@ -33,19 +32,20 @@ from ..jobs import ScanDone
 from ..measure import messages
 from .accept_page import AcceptPage
 from .charts.curves_tab import CurvesAndProfile
-from .desk_keys import JUDGING, DeskKeys, UndoActions
+from .desk_keys import DeskKeys, UndoActions
 from .images.images_panel import ImagesPanel
 from .inputs.inputs_panel import InputsPanel
-from .judge_bar import JudgeBar
-from .judging_desk import JudgingDesk, JudgingLayout
+from .judging_desk import JudgingDesk
 from .map.hard_cut import Flicker
-from .map.lost_detail import LostDetail
-from .map.window_tool import ClickedPieces, WindowTool
+from .map.lost_detail import LossOverlay
+from .map.window_tool import WindowTool
 from .map.window_view import SelectedWindows, WindowView
 from .mosaic_scans import MosaicScans, scan_message, uncover
 from .report_writer import ReportWriter
 from .session import Session
 from .windows.windows_panel import WindowsPanel
+
+_FEWEST_ROWS = 6  # of windows: fewer show no neighbours of the one that is judged
 
 
 class InspectionDock(ToolDock):
@@ -59,7 +59,7 @@ class InspectionDock(ToolDock):
             "draw_window",
             tr(
                 "Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam "
-                "when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another."
+                "when one is near. Drag: a rectangle. Ctrl+click: a window on top of another."
             ),
         )
         self.inputs = InputsPanel(self.session)
@@ -70,35 +70,33 @@ class InspectionDock(ToolDock):
         self._namer = single_shot(self, self._name_window)
         self.session.selectionChanged.connect(self._namer.start)
         self.session.windowsChanged.connect(self._namer.start)
-        self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)
+        self.judging = JudgingDesk(iface, self.session, self.windows, self, self._view)
         self.judge = self.judging.bar
         self.curves = CurvesAndProfile(self.session)
         self.images = ImagesPanel(self.session, is_blind=lambda: self.judging.model.is_blind)
-        self.lost = LostDetail(iface, self.session, self)
-        self.pieces = ClickedPieces(self._canvas, self.session, self, lambda: self.judging.model.is_blind)
-        self.judge.follow_pieces(self.pieces)
+        self.lost = LossOverlay(self._canvas, self.session, self)
         self._selected = SelectedWindows(self._canvas, self.session)
         self.reports = ReportWriter(self.session, self)
         self.reports.notified.connect(self._show_markup)
+        self._asked, self._was_scanning = (0, 0), False  # windows done and asked for
         self.scans = MosaicScans(self.session, self)
         self.scans.notified.connect(self._show_message)
         self.scans.changed.connect(self._follow_scan)
         self.flicker = Flicker(self._canvas, self.session, self)
         self.flicker.notified.connect(self._show_message)
-        self.flicker.shown.connect(self.lost.overlay.give_way)
-        self.layout_of_judging = JudgingLayout(iface, self, self.session)
-        self.layout_of_judging.action.toggled.connect(self._begin_judging)
-        self.layout_of_judging.action.toggled.connect(self.flicker.hide)
+        self.flicker.shown.connect(self.lost.give_way)
+        self.judging.action.toggled.connect(self._begin_judging)
+        self.judging.action.toggled.connect(self.flicker.hide)
         self._findings: QgsMessageBarItem | None = None
         self.scans.scanned.connect(self._tell_findings)
         self.steps = UndoActions(self.session.steps, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
         self._keys.set_actions(
-            {**self.judging.key_actions(), "layout": _triggered(self.layout_of_judging.action),
-             "lost detail": _triggered(self.lost.action), "flicker": self.flicker.press,
+            {**self.judging.key_actions(), "layout": self.judging.action.trigger,
+             "lost detail": self.session.lost_detail.trigger, "flicker": self.flicker.press,
              "next place": self._view.show_next_place},
             {"flicker": self.flicker.release},
-            {JUDGING: lambda: self.layout_of_judging.is_on},
+            lambda: self.judging.is_on,
         )
         self._make_actions()
         self._lay_out()
@@ -127,8 +125,8 @@ class InspectionDock(ToolDock):
         self._forget_findings()
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
-            self.layout_of_judging, self._keys, self.steps, self.reports, self.flicker,
-            self.scans, self.pieces, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
+            self._keys, self.reports, self.flicker,
+            self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
             self.curves, self.images,
         ):  # fmt: skip
             part.close()
@@ -156,17 +154,15 @@ class InspectionDock(ToolDock):
 
     def _ask_about_mosaic(self, message: Message) -> None:
         """What is to become of windows when the mosaic is another; nothing goes on with them before."""
-        self._ask(message, tr("Leave these windows as they are"), self.session.leave_windows, {
-            tr("New windows at the same places"): self.session.copy_windows,
-            tr("The windows are of this mosaic"): self.session.take_windows,
-        })  # fmt: skip
+        answer = tr("The windows are of this mosaic"), self.session.take_windows
+        self._ask(message, answer, tr("Leave these windows as they are"), self.session.leave_windows)
 
     def _ask_for_copy(self, message: Message) -> None:
         """Whether windows of another format are copied into a windows file."""
-        self._ask(message, tr("Only look at them"), lambda: None, {tr("Copy them"): self.session.copy_to_file})
+        self._ask(message, (tr("Copy them"), self.session.copy_to_file), tr("Only look at them"), lambda: None)
 
     def _ask(
-        self, message: Message, otherwise: str, leave: Callable[[], None], answers: dict[str, Callable[[], None]]
+        self, message: Message, answer: tuple[str, Callable[[], None]], otherwise: str, leave: Callable[[], None]
     ) -> None:
         if self.question is not None and not sip.isdeleted(self.question):
             return
@@ -174,21 +170,15 @@ class InspectionDock(ToolDock):
             QMessageBox.Icon.Warning, tr("Seam Inspector"), sentence(message), parent=self
         )
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for text, answer in answers.items():
-            box.addButton(text, QMessageBox.ButtonRole.AcceptRole).clicked.connect(partial(self._answer, answer))
-        rejecting = box.addButton(otherwise, QMessageBox.ButtonRole.RejectRole)
-        rejecting.clicked.connect(partial(self._answer, leave))
-        box.setEscapeButton(rejecting)
+        roles = QMessageBox.ButtonRole
+        for role, (text, do) in ((roles.AcceptRole, answer), (roles.RejectRole, (otherwise, leave))):
+            box.addButton(text, role).clicked.connect(partial(self._answer, do))
         QgsProject.instance().cleared.connect(box.deleteLater)
         box.open()
 
     def _answer(self, answer: Callable[[], None], *_: object) -> None:
         self.question = None
         answer()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._body.arrange(self.is_wide)
 
     def _make_actions(self) -> None:
         self.place = self._action(
@@ -233,7 +223,7 @@ class InspectionDock(ToolDock):
 
     def _lay_out(self) -> None:
         steps = (self.steps.undo, self.steps.redo)
-        judge = self.layout_of_judging.action
+        judge = self.judging.action
         actions = [self.draw, self.inspect, self.scan, judge, self.place, *steps, self.report]
         toolbar = FittingToolBar(actions, worded=[judge, self.inspect, self.scan, self.draw, self.place])
         for action in (self.inspect, self.scan):
@@ -256,15 +246,38 @@ class InspectionDock(ToolDock):
         row.setSpacing(0)
         tabs.setCornerWidget(corner)  # before the order of tabs, which is one within a window
         before: QWidget = tabs.tabBar()
-        for action in (self.lost.action, self.help):
+        for action in (self.session.lost_detail, self.help):
             button = QToolButton()
             button.setDefaultAction(action)
             button.setAutoRaise(True)
             row.addWidget(button)
             QWidget.setTabOrder(before, button)
             before = button
-        self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
-        self.setWidget(self._body)
+        self.setWidget(self._body(toolbar, tabs))
+        self.setAllowedAreas(Qt.DockWidgetArea.LeftDockWidgetArea | Qt.DockWidgetArea.RightDockWidgetArea)
+
+    def _body(self, toolbar: QToolBar, tabs: QTabWidget) -> QWidget:
+        """Inputs, toolbar, windows and tabs, which scroll on a low screen; judgement and progress, always in sight."""
+        splitter = QSplitter(Qt.Orientation.Vertical)
+        for widget, share in ((self.windows, 2), (tabs, 3)):
+            splitter.addWidget(widget)
+            splitter.setStretchFactor(splitter.count() - 1, share)
+        splitter.setChildrenCollapsible(False)
+        self.windows.table.set_fewest_rows(_FEWEST_ROWS)
+        upper, body = QWidget(), QWidget()
+        layout = QVBoxLayout(upper)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(3)
+        layout.addWidget(self.inputs)
+        layout.addWidget(toolbar)
+        layout.addWidget(splitter, 1)
+        whole = QVBoxLayout(body)
+        whole.setContentsMargins(4, 2, 4, 4)
+        whole.setSpacing(3)
+        whole.addWidget(ScrollBody(upper), 1)
+        whole.addWidget(self.judge)
+        whole.addWidget(self._progress_row())
+        return body
 
     def _begin_judging(self, is_on: bool) -> None:
         """With the window that is selected, or the first to judge."""
@@ -278,14 +291,14 @@ class InspectionDock(ToolDock):
         super()._clear_map()
         if self.isHidden():
             self.flicker.hide()
-            self.session.loss_view.show(False)
+            self.session.lost_detail.setChecked(False)
 
     def _hide_findings(self) -> None:
         """While the tool's verdict is hidden, so are the curves that tell it, lost detail, QGIS's words on the selected
         window, and what others did before, which is not undone."""
         is_blind = self.judging.model.is_blind
         self._tab_widget.setTabVisible(0, not is_blind)
-        allow(self.lost.action, tr("Results are hidden while you judge blind.") if is_blind else "")
+        allow(self.session.lost_detail, tr("Results are hidden while you judge blind.") if is_blind else "")
         if is_blind and not self._is_blind:
             self.session.steps.clear()
         self._is_blind = is_blind
@@ -300,23 +313,19 @@ class InspectionDock(ToolDock):
             self._iface.statusBarIface().clearMessage()
 
     def _progress_row(self) -> QWidget:
-        """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""
-        self.progress, self.scan_progress = QProgressBar(), QProgressBar()
-        self.scan_progress.setRange(0, 1000)
+        """How far windows or a scan are, and the button that stops them; in sight while there is something to stop."""
+        self.progress = QProgressBar()
         button = QToolButton()
         button.setDefaultAction(self.stop)
         button.setAutoRaise(True)
-        row = QWidget()
-        layout = QGridLayout(row)
+        self._row = QWidget()
+        layout = QHBoxLayout(self._row)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(3)
-        for place, bar in enumerate((self.progress, self.scan_progress)):
-            bar.setVisible(False)
-            layout.addWidget(bar, place, 0)
-        layout.addWidget(button, 0, 1, 2, 1)
-        row.setVisible(False)
-        self._row = row
-        return row
+        layout.addWidget(self.progress)
+        layout.addWidget(button)
+        self._row.setVisible(False)
+        return self._row
 
     def _stop(self) -> None:
         self.scans.stop()
@@ -334,11 +343,11 @@ class InspectionDock(ToolDock):
         allow(self.inspect_selected, unset or no_windows)
         allow(self.scan, self.scans.why_not())
         uninspected = no_windows or tr("No window has been inspected yet.")
-        judge = self.layout_of_judging.action
+        judge = self.judging.action
         allow(judge, "" if judge.isChecked() or any(row.is_compared for row in windows) else unset or uninspected)
         unscanned = "" if self.scans.worst_layer() else tr("No scan has found such places yet: scan the mosaic first.")
         allow(self.worst, unset or unscanned)
-        self._offer_stop(self.session.is_busy)
+        self._offer_stop()
         allow(self.report, "" if any(row.verdict for row in windows) else uninspected)
 
     def _repaint_windows(self) -> None:
@@ -347,91 +356,25 @@ class InspectionDock(ToolDock):
             layer.triggerRepaint()
 
     def _show_progress(self, done: int, asked: int) -> None:
-        self.progress.setVisible(asked > 0)
-        self.progress.setRange(0, max(asked, 1))
-        self.progress.setValue(done)
-        self.progress.setFormat(filled(tr("{done} of {asked} windows"), done=done, asked=asked))
-        self._offer_stop(asked > 0)
-
-    def _offer_stop(self, is_session_busy: bool) -> None:
-        self.stop.setEnabled(is_session_busy or self.scans.is_busy)
-        self._row.setVisible(self.stop.isEnabled())
+        self._asked = done, asked
+        self._offer_stop()
 
     def _follow_scan(self) -> None:
-        news = self.scans.news
-        if self.scan_progress.isHidden() != (news is None):
-            self.scan_progress.setVisible(news is not None)
+        if self.scans.is_at_work != self._was_scanning:
+            self._was_scanning = self.scans.is_at_work
             self._enable_actions()
-        if news is not None:
-            self.scan_progress.setValue(int(1000 * news.share))
-            self.scan_progress.setFormat(self.scans.progress())
+        self._offer_stop()
 
-
-def _triggered(action: QAction) -> Callable[[], bool]:
-    """What the key of an action calls."""
-
-    def trigger() -> bool:
-        action.trigger()
-        return True
-
-    return trigger
-
-
-_HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence
-_FEWEST_ROWS = 6  # of windows: fewer show no neighbours of the one that is judged
-_SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
-
-
-class DockBody(QWidget):
-    """Inputs, toolbar, windows and tabs, which scroll on a low screen; judgement and progress, always in sight."""
-
-    def __init__(
-        self, inputs: QWidget, toolbar: QToolBar, windows: WindowsPanel, tabs: QWidget, judge: JudgeBar,
-        progress: QWidget,
-    ) -> None:
-        super().__init__()
-        self._head = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        self._head.setSpacing(3)
-        self._head.addWidget(inputs, 1)
-        self._head.addWidget(toolbar)
-        self._head.setAlignment(toolbar, Qt.AlignmentFlag.AlignTop)
-        self._splitter = QSplitter(Qt.Orientation.Vertical)
-        side = QWidget()
-        self._side = QVBoxLayout(side)
-        self._side.setContentsMargins(0, 0, 0, 0)
-        self._side.setSpacing(3)
-        self._side.addWidget(windows, 1)
-        for widget, share in ((side, 2), (tabs, 3)):
-            self._splitter.addWidget(widget)
-            self._splitter.setStretchFactor(self._splitter.count() - 1, share)
-        self._splitter.setChildrenCollapsible(False)
-        upper = QWidget()
-        layout = QVBoxLayout(upper)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(3)
-        layout.addLayout(self._head)
-        layout.addWidget(self._splitter, 1)
-        self.scrolled = ScrollBody(upper)
-        self._windows, self._judge, self._whole = windows, judge, QVBoxLayout(self)
-        self._whole.setContentsMargins(4, 2, 4, 4)
-        self._whole.setSpacing(3)
-        self._whole.addWidget(self.scrolled, 1)
-        self._whole.addWidget(progress)
-        self._place_judge(is_wide=False)
-
-    def _place_judge(self, is_wide: bool) -> None:
-        (self._side if is_wide else self._whole).insertWidget(1, self._judge)
-
-    def arrange(self, is_wide: bool) -> None:
-        """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
-        is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
-        self._windows.table.set_fewest_rows(0 if is_wide else _FEWEST_ROWS)
-        self._judge.set_high(is_high)
-        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
-        if orientation == self._splitter.orientation():
-            return
-        self._splitter.setOrientation(orientation)
-        self._splitter.setSizes(_SHARES)
-        direction = QBoxLayout.Direction
-        self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
-        self._place_judge(is_wide)
+    def _offer_stop(self) -> None:
+        done, asked = self._asked
+        is_busy = self.session.is_busy or asked > 0
+        self.stop.setEnabled(is_busy or self.scans.is_at_work)
+        self._row.setVisible(self.stop.isEnabled())
+        if is_busy or self.scans.news is None:
+            self.progress.setRange(0, max(asked, 1))
+            self.progress.setValue(done)
+            self.progress.setFormat(filled(tr("{done} of {asked} windows"), done=done, asked=asked))
+        else:
+            self.progress.setRange(0, 1000)
+            self.progress.setValue(int(1000 * self.scans.news.share))
+            self.progress.setFormat(self.scans.progress())

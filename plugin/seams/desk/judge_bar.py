@@ -1,60 +1,53 @@
 """Says what was found in the selected window, takes the operator's judgement, and goes on to the next one."""
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
 from html import escape
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QEvent, QSize, Qt
-from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import (
-    QBoxLayout,
     QComboBox,
     QHBoxLayout,
     QInputDialog,
     QLabel,
     QPushButton,
-    QSpinBox,
     QToolButton,
+    QVBoxLayout,
     QWhatsThis,
     QWidget,
 )
 
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
-from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
+from ...toolkit.desk.widgets import ClippedLabel, rich_tip
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
 from .judging import Judging, JudgingProgress
-from .windows.window_columns import verdict_chip, window_tip, windows_sentence
+from .windows.window_columns import verdict_chip, window_tip
 
 if TYPE_CHECKING:
-    from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
-    from .map.window_tool import ClickedPiece, ClickedPieces
+    from .map.window_tool import ClickedPieces
     from .session import Session
 
 
-_LINES, _HIGH_LINES = (2, 7), (3, 8)  # of the sentence; in a high dock
-_UNSAID = -1  # the spin box's value where no confidence was given
+_LINES = 2, 8  # of the sentence
 _LONGEST = 254  # letters of a remark, as many as a shapefile holds
-_SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 
 
 class JudgeBar(QWidget):
     """Sentence, judgement, progress."""
 
-    def __init__(self, session: Session, judging: Judging, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, session: Session, judging: Judging, pieces: ClickedPieces, parent: QWidget | None = None
+    ) -> None:
+        """``pieces``: of the last scan's seams, of which a clicked one is told, and a window offered there."""
         super().__init__(parent)
-        self._session = session
-        self._judging = judging
+        self._session, self._judging, self._pieces = session, judging, pieces
         self._asked = 0
-        self._shown: tuple[object, ...] = ()  # what the words were made of
-        self._shown_result: WindowResult | None = None
-        self._arranger = single_shot(self, self._arrange)  # when its widgets have their new sizes
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_LINES[0], self)
         self._why = QToolButton(self)
@@ -64,9 +57,8 @@ class JudgeBar(QWidget):
         self._why.setToolTip(rich_tip(tr("What the sentence is based on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
-        self._pieces: ClickedPieces | None = None
         self._here = self._push_button(
-            tr("Judge here"), "", self._judge_here, tr("Makes a window on this piece of seam, and inspects it.")
+            tr("Judge here"), "", pieces.judge, tr("Makes a window on this piece of seam, and inspects it.")
         )
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
@@ -83,18 +75,15 @@ class JudgeBar(QWidget):
             tr("Next (N)"), "", judging.go_on,
             tr("Goes on without judging: to the next compared window that is not judged yet, or the next one (N)."),
         )  # fmt: skip
-        self._back = self._arrow(Qt.ArrowType.LeftArrow, partial(judging.step, -1), tr("The window before this (P)."))
-        self._position = QLabel(self)
-        self._position.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._forth = self._arrow(Qt.ArrowType.RightArrow, partial(judging.step, 1), tr("The window after this."))
+        self.remark, self.operators = self._remark_button(), self._choice()
         self._progress = ClippedLabel(1, self)
-        self.confidence, self.remark, self.operators = self._confidence_box(), self._remark_button(), self._choice()
         self._lay_out()
-        self.set_high(False)
+        self._sentence.set_lines(*_LINES)
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)
         judging.changed.connect(self.refresh)
+        pieces.changed.connect(self.refresh)
         self.refresh()
 
     def key_actions(self) -> dict[str, Callable[[], bool]]:
@@ -112,19 +101,6 @@ class JudgeBar(QWidget):
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
 
-    def follow_pieces(self, pieces: ClickedPieces) -> None:
-        """Say what a scan found in the piece of seam that was clicked, and offer a window there."""
-        self._pieces = pieces
-        pieces.changed.connect(self.refresh)
-
-    def _judge_here(self) -> None:
-        if self._pieces is not None:
-            self._pieces.judge()
-
-    def set_high(self, is_high: bool) -> None:
-        """Whether there is room for most of a long sentence."""
-        self._sentence.set_lines(*(_HIGH_LINES if is_high else _LINES))
-
     def sentence(self) -> str:
         """What is said about the selected windows."""
         return self._sentence.text()
@@ -140,43 +116,23 @@ class JudgeBar(QWidget):
         judging.follow()
         chosen = [row for row in map(self._session.row, self._session.selected()) if row is not None]
         selected, progress = sorted(chosen, key=attrgetter("window_id")), judging.progress()
-        self._show(selected, progress)
-        sure, remark = self._said(selected, "confidence"), self._said(selected, "remark")
-        self.confidence.blockSignals(True)
-        self.confidence.setValue(_UNSAID if sure is None else sure)
-        self.confidence.blockSignals(False)
+        self._say(selected, progress)
+        self._say_progress(progress)
+        remark = self._remark(selected)
         self.remark.setChecked(bool(remark))
         tip = tr("A remark on the window (R); Enter saves it, Esc discards the change.")
         self.remark.setToolTip(rich_tip(tip, *([escape(remark)] if remark else [])))
-        for widget in (self.confidence, self.remark):
-            widget.setEnabled(bool(selected))
+        self.remark.setEnabled(bool(selected))
         for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
-        self._back.setEnabled(judging.neighbour(-1) is not None)
-        self._forth.setEnabled(judging.neighbour(1) is not None)
         self._next.setEnabled(judging.can_go_on())
 
-    def _show(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
-        """The words, if they are to be others: a key is told several times, and what it takes is to lay them out."""
-        judging, window, result = self._judging, selected[0] if len(selected) == 1 else None, None
-        is_pending = window is not None and self._session.is_pending(window.fid)
-        if window is not None and not is_pending and not judging.is_blind:
-            result = self._session.result(window.fid)
-        piece = self._pieces.current if self._pieces is not None else None
-        state = selected, piece, progress, judging.place, judging.count, judging.is_blind, judging.just_sure, is_pending
-        if state == self._shown and result is self._shown_result:
-            return
-        self._shown, self._shown_result = state, result
-        self._say(selected, progress, is_pending, result, piece)
+    def _say_progress(self, progress: JudgingProgress) -> None:
         words = progress.words()
         if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
-            words = [
-                filled(text, number=sure[0], percent=sure[1])
-                for text in (tr("Window {number}: {percent} % sure"), "{number}: {percent} %")
-            ]
-        self._progress.setText(words[0], rich_tip(progress.tip()), words[1:])
-        self._arranger.start()
+            words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
+        self._progress.setText(words, rich_tip(words, progress.tip()))
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -196,24 +152,22 @@ class JudgeBar(QWidget):
             self._judging.take_back()
         self.refresh()  # the buttons show what was written, also when nothing could be
 
-    def _say(
-        self, selected: Sequence[WindowRecord], progress: JudgingProgress, is_pending: bool,
-        result: WindowResult | None, piece: ClickedPiece | None,
-    ) -> None:
-        tip, shows_chip = "", False
+    def _say(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
+        tip, shows_chip, piece = "", False, self._pieces.current
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
             sentence = filled(tr("Window {numbers}. Results are hidden."), numbers=numbers)
         elif len(selected) == 1:
             row, shows_chip = selected[0], True
-            if is_pending:
+            if self._session.is_pending(row.fid):
                 sentence = tr("Measuring ...")
             else:
+                result = self._session.result(row.fid)
                 sentence, tip = window_sentence(row, result), window_tip(row, result)
             side = self.fontMetrics().ascent()
-            self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
+            self._chip.setPixmap(verdict_chip(row.verdict).pixmap(side, side))
         elif selected:
-            sentence = windows_sentence(selected)
+            sentence = filled(tr("{count} windows selected."), count=len(selected))
         elif piece is not None:
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
@@ -221,32 +175,20 @@ class JudgeBar(QWidget):
             text = tr("By the scan, this piece of seam: {finding} The charts are of the window around it.")
             sentence = filled(text, finding=finding)
         elif progress.is_done:
-            sentence = self._summary()
+            sentence = tr("All windows are judged.")
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)
         self._why.setVisible(bool(tip))
         self._here.setVisible(piece is not None and not selected)
         self._sentence.setText(sentence, tip)
-        judging, position = self._judging, tr("{place} of {count}")
-        place = str(judging.place + 1) if len(selected) == 1 and judging.place >= 0 else "-"
-        count = judging.count
-        self._position.setText(filled(position, place=place, count=count) if count else "")
-        widest = filled(position, place=count, count=count)
-        self._position.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))  # the arrows stay where they are
-
-    def _summary(self) -> str:
-        """What all verdicts come to."""
-        said = Counter(map(self._judging.word, self._session.windows()))
-        text = tr("All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.")
-        return filled(text, visible=said[VISIBLE], invisible=said[INVISIBLE], unsure=said[UNSURE])
 
     # What an operator says of a window beside the judgement
 
-    def _said(self, selected: Sequence[WindowRecord], name: str) -> Any:
-        """How sure the operator is or what he remarked, where it is the same of all; else None."""
-        values = {getattr(row, getattr(self._judging.operator, name)) for row in selected}
-        return values.pop() if len(values) == 1 else None
+    def _remark(self, selected: Sequence[WindowRecord]) -> str:
+        """What the operator remarked, where it is the same of all."""
+        remarks = {getattr(row, self._judging.operator.remark) for row in selected}
+        return str(remarks.pop()) if len(remarks) == 1 else ""
 
     def ask_remark(self, *_: object) -> bool:
         """Let the operator write a remark on the selected windows. Whether there are any."""
@@ -257,7 +199,7 @@ class JudgeBar(QWidget):
             self.question.setWindowTitle(tr("Seam Inspector"))
             words = tr("Remark on window {number}:") if len(rows) == 1 else tr("Remark:")
             self.question.setLabelText(filled(words, number=rows[0].window_id))
-            self.question.setTextValue(self._said(rows, "remark") or "")
+            self.question.setTextValue(self._remark(rows))
             self.question.textValueSelected.connect(self._write_remark)
             self.question.open()
         self.refresh()  # a click has checked the button
@@ -266,28 +208,11 @@ class JudgeBar(QWidget):
     def _write_remark(self, text: str) -> None:
         self._judging.note(remark=text.strip()[:_LONGEST] or None)
 
-    def _write_confidence(self, value: int) -> None:
-        self._judging.note(confidence=None if value == _UNSAID else value)
-
     def _choose_operator(self, place: int) -> None:
         operator, is_blind = divmod(place, 2)
         self._judging.change(operator=operator + 1, is_blind=bool(is_blind))
 
     # Widgets
-
-    def _confidence_box(self) -> QSpinBox:
-        box = QSpinBox(self)
-        box.setRange(_UNSAID, 100)
-        box.setSingleStep(10)
-        box.setSuffix(" %")
-        box.setSpecialValueText("- %")
-        box.setKeyboardTracking(False)
-        box.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        tip = tr("How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.")
-        box.setToolTip(rich_tip(tip))
-        box.valueChanged.connect(self._write_confidence)
-        box.editingFinished.connect(box.clearFocus)  # the keys that judge are free again
-        return box
 
     def _remark_button(self) -> QToolButton:
         button = QToolButton(self)
@@ -313,55 +238,23 @@ class JudgeBar(QWidget):
         box.activated.connect(self._choose_operator)
         return box
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._arrange()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._shown = ()
-            self._arrange()
-
-    def minimumSizeHint(self) -> QSize:
-        """Size as narrow as the buttons that judge, whatever is judged; the others go below them then."""
-        margins = self.contentsMargins()
-        width = max(part.minimumSize().width() for part in (self._judging_row, self._moving))
-        return QSize(width + margins.left() + margins.right(), super().minimumSizeHint().height())
-
-    def _arrange(self) -> None:
-        """The sentence beside the buttons where there is room, else above; the arrows below where there is little."""
-        row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
-        sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        beside, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
-        self._rows.setDirection(beside if self.width() >= row + sentence else below)
-        self._buttons.setDirection(beside if self.width() >= row else below)
-
     def _lay_out(self) -> None:
         words = QHBoxLayout()
         words.addWidget(self._chip)
         words.addWidget(self._sentence, 1)
         words.addWidget(self._why)
         words.addWidget(self._here)
-        self._judging_row, self._moving = QHBoxLayout(), QHBoxLayout()
+        judging, moving = QHBoxLayout(), QHBoxLayout()
         for button in (self._visible, self._invisible, self._unsure, self._next):
-            self._judging_row.addWidget(button)
-        self._judging_row.addStretch()
-        self._moving.addWidget(self._progress, 1)
-        for widget in (self.confidence, self.remark, self.operators, self._back, self._position, self._forth):
-            self._moving.addWidget(widget)
-        self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
-        self._buttons.addLayout(self._judging_row)
-        self._buttons.addLayout(self._moving, 1)
-        standing = (self._next, self.remark, self.operators, self._back, self._forth)
-        for before, after in zip(standing, standing[1:]):
-            QWidget.setTabOrder(before, after)
-        below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        below.addLayout(self._buttons)
-        self._rows = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
-        self._rows.setContentsMargins(0, 0, 0, 0)
-        self._rows.addLayout(words, 1)
-        self._rows.addLayout(below)
+            judging.addWidget(button)
+        judging.addStretch()
+        moving.addWidget(self._progress, 1)
+        for widget in (self.remark, self.operators):
+            moving.addWidget(widget)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        for row in (words, judging, moving):
+            layout.addLayout(row)
 
     def _judging_button(self, text: str, icon: str, word: str, tip: str) -> QPushButton:
         more = tr("Then goes to the next window. Click again to undo it.")
@@ -378,15 +271,4 @@ class JudgeBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the focus, and Space, where they are
         button.setAutoDefault(False)
         button.clicked.connect(slot if isinstance(slot, partial) else lambda *_: slot())
-        return button
-
-    def _arrow(self, direction: Qt.ArrowType, slot: Callable[[], object], tip: str) -> QToolButton:
-        button = QToolButton(self)
-        button.setArrowType(direction)
-        button.setAutoRaise(True)
-        button.setAutoRepeat(True)
-        button.setToolTip(rich_tip(tip))
-        button.setAccessibleName(tip)
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        button.clicked.connect(lambda *_: slot())
         return button

@@ -30,7 +30,6 @@ class JudgingSettings:
 
     operator: int = 1  # 1 or 2: who judges
     is_blind: bool = False  # whether the tool's verdict, and the other operator's, is hidden
-    window: int = 0  # number of the window that was looked at last; 0: none
 
 
 def load_judging(project: QgsProject) -> JudgingSettings:
@@ -58,17 +57,15 @@ class JudgingProgress:
         """Whether all were looked at that can be."""
         return self.to_judge == 0 < self.judged + self.unsure
 
-    def words(self) -> list[str]:
-        """``21 to go: 38 of 59 judged``, then shorter; where nothing is judged or to judge, as before an inspection,
-        just that."""
+    def words(self) -> str:
+        """``21 to go: 38 of 59 judged``; where nothing is judged or to judge, as before an inspection, just that."""
         count = self.judged + self.unsure + self.to_judge  # so that it adds up
         if not count:
-            return [tr("nothing to judge yet") if self.count else ""]
+            return tr("nothing to judge yet") if self.count else ""
         text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure") if self.unsure else tr(
             "{left} to go: {judged} of {count} judged"
         )
-        words = [text, tr("{judged} of {count} judged"), tr("{left} to go"), "{judged}/{count}"]
-        return [filled(word, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge) for word in words]
+        return filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge)
 
     def tip(self) -> str:
         """What the other windows are."""
@@ -127,7 +124,6 @@ class Judging(QObject):
         self._connections = Connections(
             (self._project.readProject, self._load),
             (self._project.cleared, self._load),
-            (self._project.writeProject, self._save),
             (session.selectionChanged, self._leave_judged),
         )
 
@@ -166,17 +162,6 @@ class Judging(QObject):
         self._judged = []
         self._went_to = self.just_sure = None
         self.changed.emit()
-        row = self._session.numbered(self._settings.window)
-        if row is not None and not self._session.selected():
-            self._session.select([row.fid])
-
-    def _save(self, *_: object) -> None:
-        """Keep the place where the operator is, with the project; alone it would be no reason to ask whether to save
-        it."""
-        row = self._selected_row()
-        if row is not None:
-            self._settings = replace(self._settings, window=row.window_id)
-            save_judging(self._project, self._settings)
 
     # Judging
 
@@ -296,16 +281,6 @@ class Judging(QObject):
         counts = Counter(self._kinds.values())
         return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
 
-    @property
-    def place(self) -> int:
-        """Place of the selected window among those shown, 0 for the first; -1 for none."""
-        return self._place
-
-    @property
-    def count(self) -> int:
-        """How many windows are shown."""
-        return len(self._fids)
-
     def neighbour(self, by: int) -> int | None:
         """The window before or after. One that the filter took away once it was judged still has its place."""
         if self._place >= 0:
@@ -334,15 +309,9 @@ class Judging(QObject):
         return following
 
     def _after(self, row: WindowRecord) -> int | None:
-        """The window that a verdict on the selected one leads to; only in a review, of windows judged before, to a
-        judged one."""
-        following, below = self.next_to_judge(), self.neighbour(1)
-        if following is not None or _kind(row, self.operator) == _LEFT:
-            return following
-        there = None if below is None else self._session.row(below)
-        if there is None:
-            return row.fid if self.word(row) else None
-        return below if self.word(row) or not self.word(there) else None
+        """The window that a verdict on the selected one leads to; in a review, of a window judged before, the next."""
+        following = self.next_to_judge()
+        return self.neighbour(1) if following is None and self.word(row) else following
 
     def can_go_on(self) -> bool:
         """Whether there is another window to go on to."""
@@ -379,7 +348,3 @@ class Judging(QObject):
 
     def _selected_numbers(self) -> list[int]:
         return [row.window_id for row in map(self._session.row, self._session.selected()) if row is not None]
-
-    def _selected_row(self) -> WindowRecord | None:
-        fids = self._session.selected()
-        return self._session.row(fids[0]) if len(fids) == 1 else None

@@ -60,11 +60,6 @@ class MosaicScans(QObject):
         self.news: ScanNews | None = None  # how far the scan is; None while there is none
         self._project.cleared.connect(self._forget)
 
-    @property
-    def is_busy(self) -> bool:
-        """Whether a scan is under way, and not being stopped."""
-        return self.news is not None
-
     def why_not(self) -> str:
         """Why no scan can be started now; empty when one can."""
         if self.is_at_work:
@@ -78,7 +73,7 @@ class MosaicScans(QObject):
     @property
     def is_at_work(self) -> bool:
         """Whether a scan is under way or being stopped."""
-        return self.is_busy or self._background.is_under_way(_KEY)
+        return self.news is not None or self._background.is_under_way(_KEY)
 
     def start(self) -> None:
         """Scan the mosaic; a scan of the same inputs that was stopped goes on."""
@@ -119,7 +114,7 @@ class MosaicScans(QObject):
         if self.news is None:
             return ""
         if not self.news.measured:
-            return filled(tr("Scan: putting the blocks together, {percent} %"), percent=int(100 * self.news.share))
+            return tr("Scan: putting the blocks together")
         text = filled(tr("Scan: {percent} %"), percent=int(100 * self.news.share))
         seconds_left = self.news.seconds_left
         return text if seconds_left is None else f"{text}, {time_left(seconds_left)}"

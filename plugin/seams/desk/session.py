@@ -81,8 +81,6 @@ class Session(SessionInputs):
             (self._results.progressChanged, self.progressChanged),
             (self._new.layerMade, self._take_layer),
             (self._mosaics.doubted, self.mosaicDoubted),
-            (self._new.drawn, self._take_drawn),
-            (self._new.scanned, self._take_scanned),
             (self._steps.stepped, self._follow_step),
             *((notifier, self._tell) for notifier in (
                 self._background.failed, self._results.failed, self._mosaics.notified, self._new.notified,
@@ -147,12 +145,16 @@ class Session(SessionInputs):
     def add_window(self, window: PixelWindow) -> None:
         """Add one window, or take the one that is there already."""
         with self._raised():
-            self._new.draw(window)
+            fids = self._new.draw(window)
+            self.select(fids)
+            self.inspect(fids, is_step=False)
 
     def take_places(self, worst: QgsVectorLayer) -> None:
         """Add the worst places of a scan, inspect them, and tell ``placesTaken``."""
         with self._raised():
-            self._new.add_scanned(worst)
+            fids = self._new.add_scanned(worst)
+            self.inspect([fid for fid in fids if (row := self.row(fid)) and not row.verdict], is_step=False)
+            self.placesTaken.emit(fids)
 
     def open_windows(self, path: Path) -> None:
         """Take the windows of a windows file."""
@@ -204,18 +206,6 @@ class Session(SessionInputs):
         """They stay as they are, and others are looked at."""
         self.set_inputs(replace(self.inputs, windows=""))
 
-    def copy_windows(self) -> None:
-        """New windows at the same places are looked at, with nothing in them yet."""
-        layer, mosaic = self._watch.layer, self.mosaic_layer()
-        if layer is None or mosaic is None:
-            return
-        with self._raised():
-            outlines = self._block.shapes(layer, [row.fid for row in self.windows()], mosaic.crs())
-            self.leave_windows()
-            if (node := self._project.layerTreeRoot().findLayer(layer.id())) is not None:
-                node.setItemVisibilityChecked(False)  # its labels would be read as of the new ones
-            self._new.copy(outlines)
-
     def copy_to_file(self) -> None:
         """The windows of another format are copied into a windows file, and looked at there."""
         with self._raised():
@@ -224,14 +214,6 @@ class Session(SessionInputs):
     def _take_layer(self, layer_id: str) -> None:
         """Windows are those of this layer from now on."""
         self.set_inputs(replace(self.inputs, windows=layer_id))
-
-    def _take_drawn(self, fids: list[int]) -> None:
-        self.select(fids)
-        self.inspect(fids, is_step=False)
-
-    def _take_scanned(self, fids: list[int]) -> None:
-        self.inspect([fid for fid in fids if (row := self.row(fid)) and not row.verdict], is_step=False)
-        self.placesTaken.emit(fids)
 
     # Results, and work in the background
 

@@ -1,38 +1,23 @@
 """The inputs of a session: which mosaic and sources are inspected and how, and what lies under the mouse."""
 from __future__ import annotations
 
-from functools import partial
-
 from qgis.core import QgsProject, QgsRasterLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtGui import QIcon
+from qgis.PyQt.QtWidgets import QAction
 
 from ...imagery.errors import Message
 from ...imagery.grids import Grid, PixelWindow
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.desk.message_bar import bar_level
-from ...toolkit.translation import sentence
+from ...toolkit.resources import icon_path
+from ...toolkit.translation import sentence, tr
 from ..jobs import ScanOrder
 from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
 from .map.under_mouse import LiveWindows, SeamFinder
-
-
-class LossView(QObject):
-    """Whether the pictures of lost detail are shown, over the map and the images alike. Off at first."""
-
-    changed = pyqtSignal(bool)  # shown or not from now on
-
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self.is_shown = False
-
-    def show(self, is_shown: bool) -> None:
-        """Show it, or hide it."""
-        if is_shown != self.is_shown:
-            self.is_shown = is_shown
-            self.changed.emit(is_shown)
 
 
 class SessionInputs(QObject):
@@ -45,7 +30,12 @@ class SessionInputs(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._project = project = QgsProject.instance()
-        self.loss_view = LossView(self)  # whether lost detail is painted over the map and the images
+        self.lost_detail = QAction(QIcon(icon_path("loss")), tr("Lost detail"), self)
+        """Checked while lost detail is painted over the map and the images."""
+        self.lost_detail.setToolTip(
+            tr("Show where detail was lost, over the map and the images (L while judging). One scale for all windows")
+        )
+        self.lost_detail.setCheckable(True)
         self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
         self._block = block = BlockCache(project, self._opening, self)
         self._seams = SeamFinder(block, self._opening)
@@ -55,7 +45,6 @@ class SessionInputs(QObject):
             (self._live.changed, self.liveChanged),
             (block.opened, self._follow_block),
             (self._layers.layersChanged, self._files_changed),
-            (self._layers.seamlinesEdited, partial(self._seams.refresh, anew=True)),
             *((notifier, self._tell) for notifier in (self._opening.failed, self._live.failed, block.notified)),
         ):  # fmt: skip
             signal.connect(slot)
@@ -124,7 +113,7 @@ class SessionInputs(QObject):
     # What the project tells
 
     def _load(self, *_: object) -> None:
-        self.loss_view.show(False)
+        self.lost_detail.setChecked(False)
         self._live.leave()
         self._live.let_go()
         self._opening.abandon()
@@ -146,6 +135,7 @@ class SessionInputs(QObject):
     def _files_changed(self) -> None:
         self._live.let_go()
         self._block.refresh(anew=True)
+        self._seams.refresh(anew=True)
         self._follow_block()
 
     def _forget_layers(self, ids: list[str]) -> None:

@@ -139,11 +139,6 @@ WINDOWS_WITHOUT_FIELD = Message(
 TABLE_WITHOUT_FIELD = Message(
     "The table {table} has no field '{field}'; choose the one that 'Inspect windows' left with these windows."
 )
-FILTER_NOT_UNDERSTOOD = Message(
-    "The filter is not understood: {error}. Example: kept_1 < 0.7 and cause = 'feathering'."
-)
-FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
-FILTER_HIDDEN = Message("'{word}' is hidden while judging blind, so it filters nothing; filter by {known}.")
 FIELD_NOT_HELD = Message(
     "The layer {name} has no field '{field}', which can't be added now: save its edits, then try again."
 )

@@ -10,7 +10,7 @@ from typing import Any
 from qgis.core import QgsCoordinateReferenceSystem
 from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsMapCanvas
 from qgis.PyQt import QtGui, QtWidgets
-from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPaintEvent, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractSpinBox,
@@ -104,22 +104,21 @@ class ClippedLabel(QWidget):
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._fewest = self._most = self._lines = lines
-        self._text, self._shorter = "", tuple[str, ...]()
+        self._text = ""
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
         return self._text
 
     def shown_text(self) -> str:
-        """What of it, or which shorter text, there is room for."""
+        """What of it there is room for."""
         return self._fitting(self.fontMetrics())
 
-    def setText(self, text: str, tip: str = "", shorter: Sequence[str] = ()) -> None:
-        """Say something else; ``tip``: more than that, as rich text, for the tooltip; ``shorter``: the same in fewer
-        words, for where there is no room."""
+    def setText(self, text: str, tip: str = "") -> None:
+        """Say something else; ``tip``: more than that, as rich text, for the tooltip."""
         self.setToolTip(tip or (rich_tip(text) if text else ""))
-        if (text, *shorter) != (self._text, *self._shorter):
-            self._text, self._shorter = text, tuple(shorter)
+        if text != self._text:
+            self._text = text
             self.setAccessibleName(text)
             self._fit()
             self.update()
@@ -169,9 +168,9 @@ class ClippedLabel(QWidget):
 
     def _fitting(self, metrics: QFontMetrics) -> str:
         """The text as far as there are lines for it."""
-        for text in (self._text, *self._shorter):
-            if self._fits(metrics, text, self._lines):
-                return text
+        text = self._text
+        if self._fits(metrics, text, self._lines):
+            return text
         shortest, longest = 0, len(text)
         while longest - shortest > 1:
             middle = (shortest + longest) // 2
@@ -298,15 +297,10 @@ class ScrollBody(QScrollArea):
 class SummaryBox(QgsCollapsibleGroupBoxBasic):
     """A collapsible box whose title is cut to its width instead of widening it."""
 
-    foldedByHand = pyqtSignal()  # the operator folded or unfolded it
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.spared_width = 0  # pixels of the content's least width that another arrangement of it can do without
         self._name = self._rest = ""
-        self._is_folding = False
         self._is_unapplied = False
-        self.collapsedStateChanged.connect(self._tell)
 
     def set_summary(self, name: str, rest: str = "", problem: str = "") -> None:
         """The title, of which the name is cut first, and what is wrong, for the tooltip."""
@@ -318,17 +312,15 @@ class SummaryBox(QgsCollapsibleGroupBoxBasic):
         """Fold or unfold it, now or, where it is hidden, when it is shown next."""
         if folded != self.isCollapsed():
             self._is_unapplied = not self.isVisible()
-            self._set_folded(folded)
+            self.setCollapsed(folded)
 
     def showEvent(self, event: QShowEvent) -> None:
-        self._is_folding = True  # the base class tells its state when it is first shown
         super().showEvent(event)
-        self._is_folding = False
         if self._is_unapplied:  # the base class only notes the state of a hidden box, and never comes back to it
             self._is_unapplied = False
             folded = self.isCollapsed()
-            self._set_folded(not folded)
-            self._set_folded(folded)
+            self.setCollapsed(not folded)
+            self.setCollapsed(folded)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -342,18 +334,7 @@ class SummaryBox(QgsCollapsibleGroupBoxBasic):
 
     def _content_width(self) -> int:
         layout = self.layout()
-        if layout is None or self.isCollapsed():
-            return 0
-        return layout.totalMinimumSize().width() - self.spared_width
-
-    def _set_folded(self, folded: bool) -> None:
-        self._is_folding = True
-        self.setCollapsed(folded)
-        self._is_folding = False
-
-    def _tell(self, _folded: bool) -> None:
-        if not self._is_folding:
-            self.foldedByHand.emit()
+        return 0 if layout is None or self.isCollapsed() else int(layout.totalMinimumSize().width())
 
     def _cut(self) -> None:
         font = self.font()

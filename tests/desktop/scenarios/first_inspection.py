@@ -87,7 +87,7 @@ def read(desk: Desk) -> None:
     desk.wait(lambda: desk.curves_of(fid), 30, "chart drawn")
     iface.actionZoomToSelected().trigger()
     desk.wait_for_map()
-    click_button(desk, desk.dock.lost.action)
+    click_button(desk, desk.session.lost_detail)
     desk.report["sentence"] = desk.dock.judge.sentence()
     desk.rest_mouse()
     desk.wait_for_map()
@@ -96,7 +96,7 @@ def read(desk: Desk) -> None:
 def judge(desk: Desk, picture: Path) -> None:
     """Enter: the window at 2x; J: judging; V: visible, and on to the next."""
     first = desk.session.selected()[0]
-    click_button(desk, desk.dock.lost.action)
+    click_button(desk, desk.session.lost_detail)
     desk.press(Qt.Key.Key_Return)
     desk.wait_for_map()
     desk.screenshot(picture)

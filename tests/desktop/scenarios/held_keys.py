@@ -24,7 +24,7 @@ def play(desk: Desk) -> None:
     type_elsewhere(desk)
     take_focus(desk, desk.canvas)
     xdotool("key", "j")
-    desk.wait(lambda: dock.layout_of_judging.is_on, 5, "judging")
+    desk.wait(lambda: dock.judging.is_on, 5, "judging")
     desk.report["holds"] = [hold_space(desk) for _ in range(HOLDS)]
     xdotool("keydown", "v")
     desk.pause(1.2)
@@ -32,7 +32,7 @@ def play(desk: Desk) -> None:
     desk.pause(0.2)
     desk.report["judged_by_v"] = sum(row.observer == "visible" for row in session.windows())
     xdotool("key", "j")
-    desk.wait(lambda: not dock.layout_of_judging.is_on, 5, "all of the desk again")
+    desk.wait(lambda: not dock.judging.is_on, 5, "all of the desk again")
 
 
 def type_elsewhere(desk: Desk) -> None:
@@ -49,7 +49,7 @@ def type_elsewhere(desk: Desk) -> None:
     xdotool("key", "j")
     desk.pause(0.3)
     desk.report["judged_elsewhere"] = [row.window_id for row in session.windows() if row.observer or row.confidence]
-    desk.report["on_elsewhere"] = session.loss_view.is_shown or desk.dock.layout_of_judging.is_on
+    desk.report["on_elsewhere"] = session.lost_detail.isChecked() or desk.dock.judging.is_on
     session.select(before)
 
 

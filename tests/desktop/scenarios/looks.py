@@ -1,4 +1,4 @@
-"""The desk as it looks: right of the map and below it, in whatever theme and scale QGIS was started with.
+"""The desk as it looks, right of the map, in whatever theme and scale QGIS was started with.
 
 Parameters: ``block`` (folder), ``side_m``, ``screenshots`` (folder), ``name`` (of the pictures).
 """
@@ -9,6 +9,7 @@ from pathlib import Path
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QAbstractButton, QComboBox, QLabel, QLineEdit, QWidget
 from qgis.utils import iface
+from seam_inspector.plugin.toolkit.desk.widgets import ScrollBody
 
 from demo.desk import Desk
 from tests.desktop import eyes
@@ -32,23 +33,19 @@ def play(desk: Desk) -> None:
     desk.session.select([next(row.fid for row in desk.session.windows() if row.is_compared)])
     desk.rest_mouse()
     desk.pause(1)
-    for side, area in (
-        ("right", Qt.DockWidgetArea.RightDockWidgetArea), ("below", Qt.DockWidgetArea.BottomDockWidgetArea)
-    ):  # fmt: skip
-        iface.addDockWidget(area, desk.dock)
-        if side == "right":
-            desk.window.resizeDocks([desk.dock], [420], Qt.Orientation.Horizontal)
-        desk.pause(0.5)
-        desk.show_tab(0)
-        desk.wait_for_map()
-        desk.report[f"{side}_size"] = [desk.dock.width(), desk.dock.height()]
-        look(desk, side)
-        desk.screenshot(folder / f"{name}_{side}.png")
-        desk.show_tab(1)
-        desk.wait(lambda: desk.dock.images.compared.layer is not None, 30, "hard cut")
-        desk.wait_for_map()
-        desk.screenshot(folder / f"{name}_{side}_images.png")
-        look(desk, f"{side}_images")
+    iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, desk.dock)
+    desk.window.resizeDocks([desk.dock], [420], Qt.Orientation.Horizontal)
+    desk.pause(0.5)
+    desk.show_tab(0)
+    desk.wait_for_map()
+    desk.report["right_size"] = [desk.dock.width(), desk.dock.height()]
+    look(desk, "right")
+    desk.screenshot(folder / f"{name}_right.png")
+    desk.show_tab(1)
+    desk.wait(lambda: desk.dock.images.compared.layer is not None, 30, "hard cut")
+    desk.wait_for_map()
+    desk.screenshot(folder / f"{name}_right_images.png")
+    look(desk, "right_images")
     desk.show_tab(0)
     if desk.window.devicePixelRatioF() == 1:
         low(desk, folder / f"{name}_low.png")
@@ -67,7 +64,7 @@ def low(desk: Desk, path: Path) -> None:
     desk.report["low_window"] = [desk.window.width(), desk.window.height()]
     desk.report["low_dock"] = [desk.dock.width(), desk.dock.height()]
     body, judge = desk.dock.widget(), desk.dock.judge
-    desk.report["low_scrolls"] = body.scrolled.verticalScrollBar().maximum() > 0
+    desk.report["low_scrolls"] = body.findChild(ScrollBody).verticalScrollBar().maximum() > 0
     bottom = judge.mapTo(body, judge.rect().bottomLeft()).y()
     desk.report["low_reached"] = 0 < bottom <= body.height()
     desk.screenshot(path)

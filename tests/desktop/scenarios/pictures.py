@@ -113,7 +113,7 @@ def curves(desk: Desk, shots: Path) -> None:
     fid = worst(desk)
     show_loss(desk, fid)
     desk.screenshot(shots / "desk.png")
-    desk.session.loss_view.show(False)
+    desk.session.lost_detail.setChecked(False)
     desk.rest_mouse()
 
 
@@ -127,10 +127,10 @@ def images(desk: Desk, shots: Path) -> None:
     desk.wait_for_map()
     desk.rest_mouse()
     desk.screenshot(shots / "desk_images.png")
-    desk.session.loss_view.show(True)
+    desk.session.lost_detail.setChecked(True)
     desk.wait_for_map()
     desk.screenshot(shots / "desk_loss.png")
-    desk.session.loss_view.show(False)
+    desk.session.lost_detail.setChecked(False)
     desk.show_tab(0)
 
 
@@ -209,7 +209,7 @@ def show_loss(desk: Desk, fid: int) -> None:
     extent = QgsRectangle(*desk.session.row(fid).extent)
     desk.canvas.setExtent(extent.buffered(0.03 * extent.width()))
     desk.canvas.refresh()
-    desk.session.loss_view.show(True)
+    desk.session.lost_detail.setChecked(True)
     iface.messageBar().clearWidgets()
     desk.wait(lambda: desk.curves_of(fid), 30, "chart drawn")
     desk.rest_mouse()

@@ -41,12 +41,12 @@ def play(desk: Desk) -> None:
 
 def scan(desk: Desk) -> None:
     """Scan by the dock's own button, stopped once and gone on."""
-    scans, bar, ends = desk.dock.scans, desk.dock.scan_progress, []
+    scans, bar, ends = desk.dock.scans, desk.dock.progress.parentWidget(), []
     scans.scanned.connect(ends.append)
     with Gaps() as gaps:
         desk.dock.scan.trigger()
-        desk.wait(lambda: ends or (scans.is_busy and scans.news.share > 0), 60, "a block")
-        if scans.is_busy:
+        desk.wait(lambda: ends or (scans.news is not None and scans.news.share > 0), 60, "a block")
+        if scans.is_at_work:
             desk.report["stop_enabled"] = desk.dock.stop.isEnabled()
             desk.dock.stop.trigger()
         desk.wait(lambda: not scans.is_at_work, 60, "the scan stopped")

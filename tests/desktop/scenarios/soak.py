@@ -143,7 +143,7 @@ def look_around(desk: Desk, figures: dict[str, Any]) -> None:
                 desk.show_tab(tab)
             desk.wait(lambda fid=fid: desk.curves_of(fid), 30, "curves")
         for _ in range(2):
-            dock.lost.action.trigger()
+            session.lost_detail.trigger()
             desk.pause(0.05)
     session.select([])
     desk.show_all(session.mosaic_layer().extent())

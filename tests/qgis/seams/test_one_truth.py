@@ -175,8 +175,7 @@ def test_a_loss_in_the_whole_window_is_in_its_picture_and_beside_its_profile(
         assert 1 - np.minimum(kept, 1).mean() == pytest.approx(whole, abs=0.05), name  # by area and by energy
         if result.profile is not None and result.profile.measure is Measure.ENERGY:
             shown = ShownProfile(result.profile, 0.1, 0.7, ground_left=result.ground_left)
-            for words in summary_words(shown):
-                assert f"{percent(result.ground_left)} %" in words
+            assert f"{percent(result.ground_left)} %" in summary_words(shown)
     assert compared
 
 

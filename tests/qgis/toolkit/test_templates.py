@@ -10,7 +10,6 @@ from jinja2 import UndefinedError
 from qgis.core import QgsCoordinateReferenceSystem
 from seam_inspector.plugin.imagery.errors import printable
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.report.inspection_report import SketchBackground, SketchShape, map_sketch
 from seam_inspector.plugin.toolkit.pages.picture_files import encoded
 from seam_inspector.plugin.toolkit.pages.templates import (
     HowMeasured,
@@ -25,7 +24,6 @@ EVIL = "<script>alert(\"1\")</script> & 'Söhne' {{7*7}} \u202egnp.exe\x01\udcff
 SHOWN = printable(EVIL)
 PARTS = """
 {% extends "page.html.j2" %}
-{% from "map_sketch.svg.j2" import map_sketch %}
 {% from "parts.html.j2" import chip, decision, drawing, facts_table, key_figures, legend, mark, marked_notes %}
 {% from "parts.html.j2" import note, photograph, signatures, table, warnings %}
 {% block body %}BODY{% endblock %}
@@ -44,17 +42,13 @@ def test_numbers_stand_to_the_right_in_every_language() -> None:
 
 
 def test_words_of_users_never_become_markup() -> None:
-    shape = SketchShape((0, 0, 9, 9), EVIL, EVIL, EVIL, EVIL)
     text = page(
         "{{ warnings([evil]) }}{{ table([evil, 'n'], [(evil, 1), (none, 2)]) }}{{ legend([(evil, evil)], evil) }}"
-        "{{ drawing('<svg/>', evil) }}{{ photograph('', evil, 1, evil) }}{{ map_sketch(sketch, evil) }}{{ evil }}",
-        evil=EVIL, sketch=map_sketch([shape]),
+        "{{ drawing('<svg/>', evil) }}{{ photograph('', evil, 1, evil) }}{{ evil }}", evil=EVIL,
     )  # fmt: skip
     assert "<script" not in text
     read = outline(text)
-    # a warning, a heading, a cell, a legend, two captions; the sketch's tip, label and north; and bare
-    assert read.words.count(SHOWN) == 10
-    assert read.links == [f"#{SHOWN}"]
+    assert read.words.count(SHOWN) == 7  # a warning, a heading, a cell, a legend, two captions; and bare
     assert read.captions == [SHOWN, SHOWN]
 
 
@@ -98,15 +92,11 @@ def test_every_template_escapes_and_refuses_what_it_is_not_given() -> None:
 
 def test_a_page_needs_no_network() -> None:
     data = encoded(np.zeros((4, 6, 3), np.uint8), "JPEG")
-    sketch = map_sketch([SketchShape((0, 0, 9, 9), "#000", "1", "")], background=SketchBackground(data, (0, 0, 9, 9)))
-    text = page(
-        "{{ photograph(data, 'jpeg', 6, 'clip', 2) }}{{ drawing('<svg/>') }}{{ map_sketch(sketch, 'N') }}",
-        data=data, sketch=sketch,
-    )  # fmt: skip
+    text = page("{{ photograph(data, 'jpeg', 6, 'clip', 2) }}{{ drawing('<svg/>') }}", data=data)
     read = outline(text)
-    assert len(read.addresses) == 3
+    assert len(read.addresses) == 2
     assert all(address.startswith("data:image/") for address in read.addresses)
-    assert read.pictures("jpeg") == [data, data]
+    assert read.pictures("jpeg") == [data]
     assert "url(" not in text
     assert "@import" not in text
     assert "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" in text

@@ -1,44 +1,39 @@
-"""The charts of the desk, which show plain data and say what the mouse points at, and pictures of them in files."""
+"""The charts of the desk, which show plain data, and pictures of them in files."""
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import hypot, inf
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import Qgis, QgsApplication
-from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent
+from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, pyqtSignal
+from qgis.PyQt.QtGui import QMouseEvent, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QFileDialog, QSizePolicy, QToolButton, QWidget
 
 from ....imagery.atomic_files import replacing
 from ....imagery.errors import SettingsError
-from ....toolkit.charts.chart_painter import ChartPainter, chart_image, chart_svg, paper_font
+from ....toolkit.charts.chart_painter import ChartPainter, chart_image, paper_font
 from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import check_chosen_file
 from ....toolkit.painting import painting
 from ....toolkit.translation import filled, sentence, tr
-from ...charts.curves_painter import Chart, LegendedCurves, Point
+from ...charts.curves_painter import Chart, LegendedCurves
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
 if TYPE_CHECKING:
-    from ...measure.profile.seam_profile import ProfileBin, SeamProfile
+    from ...measure.profile.seam_profile import ProfileBin
 
 _LEAST_PX = 150  # of height: in less, neither curves nor the limit and the interval can be told apart
 _DIMMED = 0.35  # how much is left of a chart that is disabled
-_NEAR_PX = 10  # outside the axes, where a point of a curve is pointed at from close by only
 
 
 class ChartWidget(QWidget):
     """What a ``ChartPainter`` paints, in the colours of the theme; faint while it is disabled."""
 
-    pointed = pyqtSignal(object)  # what the mouse points at; None when it is elsewhere
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setMouseTracking(True)
         self.setMinimumSize(11 * self.fontMetrics().height(), _LEAST_PX)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -49,16 +44,52 @@ class ChartWidget(QWidget):
         """In the widget as it is now; None for nothing to be seen."""
         raise NotImplementedError
 
-    def point_at(self, place: QPointF | None) -> None:
-        """The mouse is there; None: it is elsewhere."""
-        raise NotImplementedError
-
     def paintEvent(self, _event: QPaintEvent) -> None:
         chart = self.painter()
         if chart is not None:
             with painting(self) as painter:
                 painter.setOpacity(1.0 if self.isEnabled() else _DIMMED)
                 chart.paint(painter)
+
+
+class CurvesChart(ChartWidget):
+    """Shows a ``Chart``."""
+
+    chart: Chart | None = None  # what is seen
+
+    def painter(self) -> LegendedCurves | None:
+        if self.chart is None:
+            return None
+        return LegendedCurves(self.chart, QRectF(self.rect()), chart_style(self), self.font())
+
+    def show_chart(self, chart: Chart) -> None:
+        """Paint a chart."""
+        self.chart = chart
+        self.update()
+
+
+class ProfileChart(ChartWidget):
+    """Shows one profile; points at a ``ProfileBin``."""
+
+    pointed = pyqtSignal(object)  # what the mouse points at; None when it is elsewhere
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMouseTracking(True)
+        self.shown: ShownProfile | None = None  # what is seen
+        self.pointed_bin: ProfileBin | None = None  # what the mouse points at
+
+    def painter(self) -> ProfilePainter | None:
+        if self.shown is None:
+            return None
+        return ProfilePainter(self.shown, QRectF(self.rect()), chart_style(self), self.font(), self.pointed_bin)
+
+    def show_profile(self, shown: ShownProfile) -> None:
+        """Paint a profile."""
+        if shown != self.shown:
+            self.shown = shown
+            self._point(None)
+            self.update()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         self.point_at(QPointF(event.pos()))
@@ -67,71 +98,8 @@ class ChartWidget(QWidget):
         super().leaveEvent(event)
         self.point_at(None)
 
-
-class CurvesChart(ChartWidget):
-    """Shows a ``Chart``; points at a ``Point``."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.chart: Chart | None = None  # what is seen
-        self.point: Point | None = None  # what the mouse points at
-
-    def painter(self) -> LegendedCurves | None:
-        if self.chart is None:
-            return None
-        room, font = QRectF(self.rect()), self.font()
-        return LegendedCurves(self.chart, room, chart_style(self), font, self.point)
-
-    def show_chart(self, chart: Chart) -> None:
-        """Paint a chart, at which nobody points yet; nothing happens when it is there already."""
-        if chart != self.chart:
-            self.chart = chart
-            self.point = None
-            self.update()
-            self.pointed.emit(None)
-
     def point_at(self, place: QPointF | None) -> None:
-        """A point is pointed at from anywhere in the axes, else from close by."""
-        painter = self.painter()
-        if place is None or painter is None or not painter.places:
-            self._set_point(None)
-            return
-        away, point = min(
-            (hypot(place.x() - at.x(), place.y() - at.y()), point) for point, at in painter.places.items()
-        )
-        reach = inf if painter.axes.contains(place) else _NEAR_PX
-        self._set_point(point if away <= reach else None)
-
-    def _set_point(self, point: Point | None) -> None:
-        if point != self.point:
-            self.point = point
-            self.update()
-            self.pointed.emit(point)
-
-
-class ProfileChart(ChartWidget):
-    """Shows one profile; points at a ``ProfileBin``."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.shown: ShownProfile | None = None  # what is seen
-        self.pointed_bin: ProfileBin | None = None  # what the mouse points at
-
-    def painter(self) -> ProfilePainter | None:
-        if self.shown is None:
-            return None
-        room, font = QRectF(self.rect()), self.font()
-        return ProfilePainter(self.shown, room, chart_style(self), font, self.pointed_bin)
-
-    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
-        """Paint a profile; ``pixel_m``: the mosaic's pixel size, ``min_kept``: the limit of a significant loss."""
-        shown = ShownProfile(profile, pixel_m, min_kept, ground_left=ground_left)
-        if shown != self.shown:
-            self.shown = shown
-            self._point(None)
-            self.update()
-
-    def point_at(self, place: QPointF | None) -> None:
+        """The mouse is there; None: it is elsewhere."""
         painter = self.painter()
         if place is None or painter is None or self.shown is None:
             self._point(None)
@@ -170,7 +138,7 @@ class PictureButton(QToolButton):
         self._folder = Path.home()  # where the last one was saved
         self._picture: ChartPicture | None = None
         self.setIcon(QgsApplication.getThemeIcon("/mActionSaveMapAsImage.svg"))
-        self.setToolTip(tr("Save the chart as a picture (PNG or SVG)"))
+        self.setToolTip(tr("Save the chart as a picture"))
         self.setAutoRaise(True)
         self.setEnabled(False)
         self.clicked.connect(self.save)
@@ -184,21 +152,18 @@ class PictureButton(QToolButton):
         """Ask where, save, and tell it."""
         picture = self._picture
         assert picture is not None
-        kinds = ";;".join((tr("PNG picture") + " (*.png)", tr("SVG picture") + " (*.svg)"))
-        suggested = str(self._folder / f"{picture.name}.png")
-        chosen, kind = QFileDialog.getSaveFileName(self, tr("Save picture"), suggested, kinds)
+        suggested, kind = str(self._folder / f"{picture.name}.png"), tr("PNG picture") + " (*.png)"
+        chosen, _ = QFileDialog.getSaveFileName(self, tr("Save picture"), suggested, kind)
         if not chosen:
             return
         path = Path(chosen)
-        if path.suffix.lower() not in (".png", ".svg"):
-            path = Path(f"{chosen}.{'svg' if 'svg' in kind else 'png'}")
+        if path.suffix.lower() != ".png":
+            path = Path(f"{chosen}.png")
         self._folder = path.parent
         try:
             check_chosen_file(path)
             with replacing(path) as unfinished:
-                if path.suffix.lower() == ".svg":
-                    unfinished.write_text(chart_svg(picture.paint, *picture.size), encoding="utf-8")
-                elif not chart_image(picture.paint, *picture.size, _DOTS).save(str(unfinished), "PNG"):
+                if not chart_image(picture.paint, *picture.size, _DOTS).save(str(unfinished), "PNG"):
                     raise OSError(tr("it can't be written"))
         except SettingsError as error:
             said, level = sentence(error.message), Qgis.MessageLevel.Warning
@@ -210,18 +175,10 @@ class PictureButton(QToolButton):
         self.notified.emit(said, int(level))
 
 
-def curves_picture(name: str, chart: Chart, title: str) -> ChartPicture:
-    """Curves as they are shown, with their title, on white paper."""
-    room = QRectF(0, 0, *_CURVES_SIZE)
-    curves = LegendedCurves(chart, room.adjusted(0, 1.8 * _LETTERS_PX, 0, 0), PAPER, paper_font(_LETTERS_PX))
-
-    def paint(painter: QPainter) -> None:
-        curves.paint(painter)
-        painter.setPen(QColor(PAPER.text))
-        painter.setFont(curves.font)
-        painter.drawText(QRectF(0, 0, room.width(), 2 * _LETTERS_PX), Qt.AlignmentFlag.AlignCenter, title)
-
-    return ChartPicture(name, paint, _CURVES_SIZE)
+def curves_picture(name: str, chart: Chart) -> ChartPicture:
+    """Curves as they are shown, on white paper."""
+    curves = LegendedCurves(chart, QRectF(0, 0, *_CURVES_SIZE), PAPER, paper_font(_LETTERS_PX))
+    return ChartPicture(name, curves.paint, _CURVES_SIZE)
 
 
 def profile_picture(name: str, shown: ShownProfile) -> ChartPicture:

@@ -3,27 +3,24 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from qgis.PyQt.QtCore import QEvent, QObject, Qt
-from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
+from qgis.PyQt.QtCore import QSize, Qt
+from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtWidgets import QHBoxLayout, QSplitter, QWidget
 
+from ....imagery.limits import judged_band
 from ....toolkit.desk.chart_panel import ChartPanel
-from ....toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip, single_shot
-from ....toolkit.translation import BAND_ORDER, band_title, filled, sentence, tr
+from ....toolkit.desk.widgets import ClippedLabel, rich_tip
+from ....toolkit.translation import filled, sentence, tr
 from ...charts.curves_painter import (
     Chart,
-    ChartCurve,
-    bands_of,
-    point_words,
     window_curves,
 )
-from ...charts.profile_painter import bin_words, summary_words
+from ...charts.profile_painter import ShownProfile, bin_words, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ...measure.profile.seam_profile import SeamProfile
     from ...measure.window.explained_window import LiveWindow
     from ...measure.window.window_result import WindowCurves, WindowResult
     from ..session import Session
@@ -39,8 +36,6 @@ class CurvesPanel(ChartPanel):
         super().__init__(parent)
         self._session = session
         self._colours: dict[str, int] = {}
-        self._band = ""  # the user's choice, kept while other windows lack it
-        self._idle_text = ""
         self.shown: Sequence[WindowCurves] = ()  # what the chart is asked to draw
         self._build()
         session.selectionChanged.connect(self._refresh_now)
@@ -54,15 +49,9 @@ class CurvesPanel(ChartPanel):
     # widgets
 
     def _build(self) -> None:
-        self._bands = QComboBox()
-        self._bands.setToolTip(tr("Band whose curves are drawn; the verdict is that of luminance, or of the only band"))
-        self._bands.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self._fill_bands([BAND_ORDER[0]])
-        self._bands.activated.connect(self._on_band_chosen)
         self._save = PictureButton()
         self._save.notified.connect(self._session.messageRaised)
         self._chart = CurvesChart()
-        self._chart.pointed.connect(self._show_point)
         self._chart.setToolTip(rich_tip(tr(
             "The composite is what a hard cut of the sources along the seam, levelled to the mosaic's tone, would "
             "have. On or below the limit a loss is significant by curves."
@@ -71,16 +60,11 @@ class CurvesPanel(ChartPanel):
         self._status = ClippedLabel(1)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         tools = QHBoxLayout()
-        tools.addWidget(self._bands)
         tools.addStretch()
         tools.addWidget(self._save)
         self._lay_out(tools, self._status)
 
     # when to draw
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._show_point()
 
     def _refresh_soon(self) -> None:
         if not self._timer.isActive():
@@ -95,85 +79,43 @@ class CurvesPanel(ChartPanel):
             self._refresh_soon()
 
     def _refresh(self) -> None:
-        """Only changes are drawn."""
         if not self.isVisible():
             return
         live = self._session.live
-        result, missing = shown_window(self._session) if live is None else (live.clips, "")
-        if result is None:
-            if self._shows_chart and any(map(self._session.is_pending, self._session.selected())):
-                self._wait_for_curves(missing)
-            else:
-                self._show_text(missing)
-        elif live is None:
-            self._fill_bands(bands_of(result))
-            self._idle_text = _title(self._session, result)
-            self._draw(result, self._curves(result, self._bands.currentData()))
+        result, missing = shown_window(self._session)
+        if live is not None:
+            self._draw(live.clips, _live_title(live))
+            self._save.offer(None)
+        elif result is not None:
+            chart = self._draw(result, _title(self._session, result))
+            self._save.offer(curves_picture(f"window_{result.window_id}_curves", chart))
         else:
-            self._idle_text = _live_title(live)
-            self._draw(result, self._curves(result, next(iter(live.clips.clips[0].curves))))
+            self._show_no_curves(missing)
 
-    @property
-    def _shows_chart(self) -> bool:
-        return bool(self._pages.currentWidget() is self._chart)
-
-    def _wait_for_curves(self, words: str) -> None:
-        """The chart before stays meanwhile, faint."""
-        self._idle_text, self.shown = words, ()
-        self._save.offer(None)
-        self._chart.setEnabled(False)
-        self._show_point()
-
-    def _fill_bands(self, names: list[str]) -> None:
-        if names != [self._bands.itemData(row) for row in range(self._bands.count())]:
-            self._bands.clear()
-            for name in names:
-                self._bands.addItem(band_title(name), name)
-        self._bands.setCurrentIndex(max(self._bands.findData(self._band), 0))
-
-    def _curves(self, result: WindowCurves, band: str) -> tuple[ChartCurve, ...]:
+    def _draw(self, result: WindowCurves, title: str) -> Chart:
         for clip in result.clips[1:]:
             self._colours.setdefault(clip.raster, len(self._colours))
-        return tuple(window_curves(result, band, self._colours, self._session.inputs.reference))
-
-    def _draw(self, result: WindowCurves, curves: tuple[ChartCurve, ...]) -> None:
-        chart = Chart(curves, self._session.inputs.max_ratio)
+        band = judged_band(result.clips[0].curves)
+        curves = window_curves(result, band, self._colours, self._session.inputs.reference)
+        chart = Chart(tuple(curves), self._session.inputs.max_ratio)
         self._pages.setCurrentWidget(self._chart)
         self._chart.setEnabled(True)
         self._chart.show_chart(chart)
         self.shown = [result]
-        band = self._bands.currentData()
-        title, name = f"{self._idle_text} ({band_title(band)})", f"window_{result.window_id}_{band}"
-        self._save.offer(curves_picture(name, chart, title) if self._session.live is None else None)
-        self._show_point()
+        self._status.setText(title)
+        return chart
 
-    def _show_text(self, text: str) -> None:
-        self._text.setText(text)
-        self._pages.setCurrentWidget(self._text)
-        self.shown = []
-        self._idle_text = ""
+    def _show_no_curves(self, why: str) -> None:
+        """The chart before stays, faint, while there are some to come."""
+        self.shown = ()
         self._save.offer(None)
-        self._show_point()
-
-    # what the user does
-
-    def _on_band_chosen(self, index: int) -> None:
-        self._band = self._bands.itemData(index)
-        self._refresh_now()
-
-    def _show_point(self, *_: object) -> None:
-        """The values under the mouse, the name elided where there is no room for it, but never the values."""
-        chart = self._chart.chart
-        point = self._chart.point
-        if chart is None or point is None or not self._shows_chart:
-            self._status.setText(self._idle_text)
-            return
-        name, words = point_words(chart.curves, *point)
-        metrics = self._status.fontMetrics()
-        width = self._status.contentsRect().width()
-        room = max(width - metrics.horizontalAdvance(words + " "), metrics.horizontalAdvance("0" * 7))
-        self._status.setText(metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room) + words)
-        self._status.setToolTip(plain_tip(name + words))
+        if self._pages.currentWidget() is self._chart and any(map(self._session.is_pending, self._session.selected())):
+            self._chart.setEnabled(False)
+            self._status.setText(why)
+        else:
+            self._text.setText(why)
+            self._pages.setCurrentWidget(self._text)
+            self._status.setText("")
 
 
 def shown_window(session: Session) -> tuple[WindowCurves | None, str]:
@@ -194,9 +136,7 @@ def _title(session: Session, result: WindowCurves) -> str:
 
 def _live_title(live: LiveWindow) -> str:
     """The window that is drawn while it is being moved."""
-    template = tr("Live, {band}: {columns} x {rows} px under the mouse")
-    band = band_title(next(iter(live.clips.clips[0].curves)))
-    return filled(template, band=band, columns=live.window.width, rows=live.window.height)
+    return filled(tr("Live: {columns} x {rows} px under the mouse"), columns=live.window.width, rows=live.window.height)
 
 
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
@@ -215,10 +155,6 @@ def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     if not row.is_compared and row.reason and not row.stale:
         return row.reason
     return tr("The curves are not saved with the project. Inspect again to see them.")
-
-
-_WIDE_CHARACTERS = 75  # a tab wider than that has room for two charts side by side
-_SPARE_LINES = 1  # that the dock's sentence may be longer for another window, without the charts moving to and fro
 
 
 class ProfilePanel(ChartPanel):
@@ -241,10 +177,10 @@ class ProfilePanel(ChartPanel):
         """What is said in the chart's place; empty while there is one."""
         return str(self._text.text()) if self._pages.currentWidget() is self._text else ""
 
-    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0) -> None:
+    def show_profile(self, shown: ShownProfile) -> None:
         """Show any place's profile, as while the mouse is dragged; the next ``refresh`` shows the selected window's
         again."""
-        self.chart.show_profile(profile, pixel_m, min_kept, ground_left)
+        self.chart.show_profile(shown)
         self._pages.setCurrentWidget(self.chart)
         self._say()
 
@@ -254,7 +190,8 @@ class ProfilePanel(ChartPanel):
         self.chart.setEnabled(live is None or live.profile is not None)  # else it is another window's
         if live is not None:
             if live.profile is not None:
-                self.show_profile(live.profile, live.ground_sample_distance, self._session.inputs.min_kept)
+                min_kept = self._session.inputs.min_kept
+                self.show_profile(ShownProfile(live.profile, live.ground_sample_distance, min_kept))
             self._offer(None)
             return
         selected = self._session.selected()
@@ -262,7 +199,7 @@ class ProfilePanel(ChartPanel):
         profile = result.profile if result is not None else None
         if result is not None and profile is not None:
             pixel_m, min_kept = result.ground_sample_distance, self._session.inputs.min_kept
-            self.show_profile(profile, pixel_m, min_kept, result.ground_left)
+            self.show_profile(ShownProfile(profile, pixel_m, min_kept, ground_left=result.ground_left))
         else:
             result = None
             self._text.setText(self._why_nothing(selected))
@@ -310,72 +247,37 @@ class ProfilePanel(ChartPanel):
             f"window_{result.window_id}_profile", shown))
 
     def _say(self, *_: object) -> None:
-        """What the mouse points at, else what is kept beside the seam; in short where there is no room for it all."""
+        """What the mouse points at, else what is kept beside the seam."""
         shown = self.chart.shown if self._pages.currentWidget() is self.chart else None
-        words = [""]
+        words = ""
         if shown is not None:
             bin_ = self.chart.pointed_bin
             words = bin_words(shown, bin_) if bin_ is not None else summary_words(shown)
             if (live := self._session.live) is not None:  # nothing is said while its profile is still to come
-                words = [tr("Live: ") + text for text in words] if live.profile is not None else [""]
-        self._status.setText(words[0], shorter=words[1:])
+                words = tr("Live: ") + words if live.profile is not None else ""
+        self._status.setText(words)
 
 
-class CurvesAndProfile(QWidget):
-    """Both panels; the border between them can be moved."""
+class CurvesAndProfile(QSplitter):
+    """Both panels, one above the other, or side by side where there is too little height; their border can be moved."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.curves = CurvesPanel(session)
-        self.profile = ProfilePanel(session)
-        self._scroll: QScrollArea | None = None
-        self._arranger = single_shot(self, self._arrange)  # when all around it have their new sizes
-        self._splitter = QSplitter(Qt.Orientation.Vertical)
-        self._splitter.setChildrenCollapsible(False)
+        super().__init__(Qt.Orientation.Vertical, parent)
+        self.curves, self.profile = CurvesPanel(session), ProfilePanel(session)
+        self.setChildrenCollapsible(False)
         for panel in (self.curves, self.profile):
-            self._splitter.addWidget(panel)
-            self._splitter.setStretchFactor(self._splitter.count() - 1, 1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._splitter)
+            self.addWidget(panel)
 
-    @property
-    def is_side_by_side(self) -> bool:
-        """How they stand."""
-        return bool(self._splitter.orientation() == Qt.Orientation.Horizontal)
+    def minimumSizeHint(self) -> QSize:
+        sizes = [panel.minimumSizeHint() for panel in (self.curves, self.profile)]
+        width = self.handleWidth() + sum(size.width() for size in sizes)
+        return QSize(width, max(size.height() for size in sizes))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        stacked = self.handleWidth() + sum(self.widget(place).minimumSizeHint().height() for place in range(2))
+        is_high = event.size().height() >= stacked
+        orientation = Qt.Orientation.Vertical if is_high else Qt.Orientation.Horizontal
+        if orientation != self.orientation():
+            self.setOrientation(orientation)
+            self.setSizes([1000, 1000])
         super().resizeEvent(event)
-        self._arranger.start()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        around = self.parentWidget()
-        while around is not None and not isinstance(around, QScrollArea):
-            around = around.parentWidget()
-        if around is not None and self._scroll is None:
-            self._scroll = around
-            around.viewport().installEventFilter(self)
-        self._arranger.start()
-
-    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._arranger.start()
-        return False
-
-    def _arrange(self) -> None:
-        is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        orientation = Qt.Orientation.Horizontal if is_wide or self._is_low() else Qt.Orientation.Vertical
-        if orientation != self._splitter.orientation():
-            self._splitter.setOrientation(orientation)
-            self._splitter.setSizes([1000, 1000])
-
-    def _is_low(self) -> bool:
-        """Whether the dock has no room for one chart below the other, so that it would have to be scrolled."""
-        scroll = self._scroll
-        if scroll is None or scroll.widget() is None:
-            return False
-        others = scroll.widget().minimumSizeHint().height() - self.minimumSizeHint().height()
-        stacked = sum(panel.minimumSizeHint().height() for panel in (self.curves, self.profile))
-        spare = _SPARE_LINES * self.fontMetrics().height() if self.is_side_by_side else 0
-        return bool(scroll.viewport().height() - others < stacked + self._splitter.handleWidth() + spare)

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsMapLayer, QgsPointXY, QgsRectangle
-from qgis.gui import QgsMapCanvas, QgsMapToolPan, QgsVertexMarker
+from qgis.gui import QgsMapCanvas, QgsMapToolPan
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import (
@@ -17,7 +17,6 @@ from qgis.PyQt.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QStackedWidget,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -38,8 +37,7 @@ _GAP = 4  # px
 
 
 class WindowMap(QgsMapCanvas):
-    """A map of one raster around a window, with the window's outline, its lost detail, and where the mouse is on the
-    map beside it."""
+    """A map of one raster around a window, with the window's outline and its lost detail."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -49,9 +47,6 @@ class WindowMap(QgsMapCanvas):
         self.setMapTool(QgsMapToolPan(self))
         self.outline = WindowOutline(self)
         self.loss = PictureOverlay(self)
-        self.marker = QgsVertexMarker(self)
-        self.marker.setIconType(QgsVertexMarker.IconType.ICON_CROSS)
-        self.marker.hide()
 
     def minimumSizeHint(self) -> QSize:
         side = 7 * self.fontMetrics().height()
@@ -69,11 +64,6 @@ class WindowMap(QgsMapCanvas):
         size = self.width() * units_per_pixel, self.height() * units_per_pixel
         self.setExtent(QgsRectangle.fromCenterAndSize(centre, *size))
         self.refresh()
-
-    def mark(self, point: QgsPointXY) -> None:
-        """The mouse is there, on the map beside this one."""
-        self.marker.setCenter(point)
-        self.marker.show()
 
     def close_map(self) -> None:
         """Nothing is drawn any more."""
@@ -104,11 +94,10 @@ class ImagesPanel(QWidget):
         self._build()
         for canvas, beside in ((self.mosaic, self.other), (self.other, self.mosaic)):
             canvas.extentsChanged.connect(partial(self._link, canvas, beside))
-            canvas.xyCoordinates.connect(beside.mark)
         for signal in (session.selectionChanged, session.windowsChanged, session.inputsChanged):
             signal.connect(self._refresh)
         session.resultArrived.connect(self._show_loss)
-        session.loss_view.changed.connect(self._show_loss)
+        session.lost_detail.toggled.connect(self._show_loss)
 
     def close(self) -> bool:
         """Leave nothing open."""
@@ -124,17 +113,9 @@ class ImagesPanel(QWidget):
         self.choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.choice.setMinimumContentsLength(14)
         self.choice.activated.connect(self._refresh)
-        self.zoom_to_best = QToolButton()
-        self.zoom_to_best.setText("2x")
-        self.zoom_to_best.setToolTip(
-            tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen")
-        )
-        self.zoom_to_best.setAutoRaise(True)
-        self.zoom_to_best.clicked.connect(self._look)
         row = QHBoxLayout()
         row.addWidget(self.status, 1)
         row.addWidget(self.choice)
-        row.addWidget(self.zoom_to_best)
         self._hint = QLabel()
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -237,7 +218,7 @@ class ImagesPanel(QWidget):
     def _show_loss(self, *_: object) -> None:
         """Over both maps, where it was measured and is asked for."""
         selected, grid = self._session.selected(), self._session.mosaic_grid()
-        result = self._session.result(selected[0]) if selected and self._session.loss_view.is_shown else None
+        result = self._session.result(selected[0]) if selected and self._session.lost_detail.isChecked() else None
         placed = []
         if result is not None and result.window is not None and result.loss is not None and grid is not None:
             image = rgba_image(loss_rgba(result.loss.kept))

@@ -4,17 +4,15 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from threading import Lock
-from typing import Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCsException,
-    QgsFeatureRequest,
     QgsGeometry,
     QgsMapLayer,
     QgsProject,
@@ -67,10 +65,6 @@ class BlockCache(QObject):
         self._last_compared: ComparedBlock | None = None
         self.inputs = Inputs()
         self._turn = 0  # counts what was opened, so that only the last one is taken
-        self._seen: dict[str, tuple[str, str]] = {}
-        self._indexed: dict[str, tuple[Source, ...]] = {}  # of source indexes, which may vanish
-        self._cells: dict[str, tuple[Cell, ...]] = {}  # likewise
-        self._states: dict[object, str] = {}
         self.doubt: Message | None = None  # why the mosaic is not for the windows that are looked at
         self.forget()
 
@@ -108,9 +102,7 @@ class BlockCache(QObject):
         self._turn += 1
         self._background.cancel_others({self._turn})
         job = opening_job(self._project, self.inputs, ref)
-        index, cells = (name if source else "" for name, (source, _) in zip(vectors, origins))
-        take = partial(self._take, self._turn, (index, cells))
-        self._background.start(tr("Open the mosaic"), job, take, self._turn)
+        self._background.start(tr("Open the mosaic"), job, partial(self._take, self._turn), self._turn)
 
     def mosaic_layer(self) -> QgsRasterLayer | None:
         """The mosaic, while it is there."""
@@ -146,8 +138,7 @@ class BlockCache(QObject):
 
         Raises SeamInspectorError when they make none.
         """
-        there = [name for name in self.inputs.sources if self._project.mapLayer(name) is not None]
-        key = opened, [(name, *self.seen(name)) for name in there]
+        key = opened, [(name, self.seen(name)) for name in self.inputs.sources]
         if self._made is None or self._made[0] != key:
             sources = layer_sources(self._project, self.inputs, opened.mosaic)
             self._made = key, make_block(opened.mosaic, [], [*sources, *opened.indexed], opened.cells)[0]
@@ -210,53 +201,32 @@ class BlockCache(QObject):
         """The fingerprint of all that a result depends on; None while that is not known.
 
         Equal inputs have equal fingerprints, so results are up to date again when a change is taken back, and wherever
-        mosaic and sources were moved to together. A source that was removed counts no more; any other layer that
-        vanished counts as it was.
+        mosaic and sources were moved to together. A layer that was removed counts no more.
         """
-        inputs = self.inputs
-        mosaic, indexed = self._seen_place(inputs.mosaic), self._of_layer(self._indexed, inputs.source_index)
-        cells = self._of_layer(self._cells, inputs.cells)
-        if mosaic is None or indexed is None or cells is None:
+        inputs, mosaic, opened = self.inputs, self.seen(self.inputs.mosaic), self._opened
+        if mosaic is None or opened is None:
             return None
-        folder = os.path.dirname(mosaic[0])
-        places = [self.seen(name) for name in inputs.sources if self._project.mapLayer(name) is not None]
-        sources = [(_from(folder, path), crs) for path, crs in places]
-        windows_crs = (self._seen_place(inputs.windows) or ("", ""))[1]
-        state = mosaic[0], mosaic[1], tuple(sources), indexed, cells, self.settings(), windows_crs
-        if state not in self._states:
-            listed = [(_from(folder, source.ref.path), source.extent) for source in indexed]
-            said = os.path.basename(mosaic[0]), mosaic[1], sources, listed, cells, self.settings(), windows_crs
-            self._states[state] = hashlib.sha256(repr(said).encode()).hexdigest()
-        return self._states[state]
+        folder, windows = os.path.dirname(mosaic[0]), self.seen(inputs.windows)
+        sources = [(_from(folder, place[0]), place[1]) for place in map(self.seen, inputs.sources) if place is not None]
+        listed = [(_from(folder, source.ref.path), source.extent) for source in opened.indexed]
+        windows_crs = "" if windows is None else windows[1]
+        said = os.path.basename(mosaic[0]), mosaic[1], sources, listed, opened.cells, self.settings(), windows_crs
+        return hashlib.sha256(repr(said).encode()).hexdigest()
 
-    def _seen_place(self, layer_id: str) -> tuple[str, str] | None:
-        """``seen`` of a layer that was; None of another."""
-        place = self.seen(layer_id)
-        return place if layer_id in self._seen else None
-
-    def _of_layer(self, by_layer: Mapping[str, tuple[Any, ...]], layer_id: str) -> tuple[Any, ...] | None:
-        """What was read from a layer, nothing where there is none; None while it is not read yet."""
-        if layer_id not in by_layer and self._project.mapLayer(layer_id) is None:
-            return ()
-        return by_layer.get(layer_id)
-
-    def seen(self, layer_id: str) -> tuple[str, str]:
-        """Data source of a layer, and its reference system with its additional nodata, as they were last seen; its id
-        when it never was."""
+    def seen(self, layer_id: str) -> tuple[str, str] | None:
+        """Data source of a layer, and its reference system with its additional nodata; None where it is gone."""
         layer = self._project.mapLayer(layer_id)
-        if layer is not None:
-            crs = layer.crs()
-            nodata = layers.additional_nodata(layer) if isinstance(layer, QgsRasterLayer) else None
-            said = (crs.authid() or layers.system_wkt(crs)) + ("" if nodata is None else f" {nodata!r}")
-            self._seen[layer_id] = layer.source(), said
-        return self._seen.get(layer_id, (layer_id, ""))
+        if layer is None:
+            return None
+        crs = layer.crs()
+        nodata = layers.additional_nodata(layer) if isinstance(layer, QgsRasterLayer) else None
+        return layer.source(), (crs.authid() or layers.system_wkt(crs)) + ("" if nodata is None else f" {nodata!r}")
 
-    def _take(self, turn: int, ids: tuple[str, str], opened: object) -> None:
+    def _take(self, turn: int, opened: object) -> None:
         if turn != self._turn:
             return
         if isinstance(opened, OpenedFiles):
             self._opened = opened
-            self._indexed[ids[0]], self._cells[ids[1]] = opened.indexed, opened.cells
         else:
             self._opened = None
             self._unopened = opened if isinstance(opened, Message) else messages.MOSAIC_NOT_OPENED()
@@ -266,16 +236,15 @@ class BlockCache(QObject):
     def _ended(self, key: object, outcome: Outcome) -> None:
         """A task that was cancelled in QGIS, or failed, must not leave us waiting."""
         if key == self._turn and self._unopened.level is WARNING and self._opened is None:
-            self._take(self._turn, ("", ""), outcome.message)
+            self._take(self._turn, outcome.message)
 
     def seamlines(self, block: Block) -> Iterator[bytes | None] | None:
         """The seamlines' geometries in the mosaic's reference system, to be read in any thread."""
-        layer = self._project.mapLayer(self.inputs.seamlines)
-        if not isinstance(layer, QgsVectorLayer):
+        seamlines = LayerFeatures.of(self._project.mapLayer(self.inputs.seamlines))
+        if seamlines is None:
             return None
         crs = layers.mosaic_crs(block.mosaic)
-        transform = transformation(layer.crs(), crs, self._project.transformContext())
-        return _geometries(QgsVectorLayerFeatureSource(layer), transform)
+        return _geometries(seamlines, transformation(seamlines.crs, crs, self._project.transformContext()))
 
     def outlines(self, block: Block, layer: QgsVectorLayer, windows: Sequence[PixelWindow]) -> list[QgsGeometry]:
         """Windows as polygons in a layer's reference system, where they need not be upright.
@@ -283,11 +252,8 @@ class BlockCache(QObject):
         Raises WindowError when they can't be transformed.
         """
         crs = layers.mosaic_crs(block.mosaic)
-        transform = transformation(crs, layer.crs(), self._project.transformContext())
         rectangles = [layers.rectangle(block.mosaic.grid.window_extent(window)) for window in windows]
-        if not all(_is_transformed(geometry, transform) for geometry in rectangles):
-            raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
-        return rectangles
+        return self._transformed(rectangles, crs, layer.crs())
 
     def shapes(
         self, layer: QgsVectorLayer, fids: Sequence[int], crs: QgsCoordinateReferenceSystem
@@ -296,9 +262,13 @@ class BlockCache(QObject):
 
         Raises WindowError when they can't be transformed.
         """
-        transform = transformation(layer.crs(), crs, self._project.transformContext())
         by_fid = window_layer.read_shapes(layer, fids)
-        shapes = [by_fid[fid] for fid in fids if fid in by_fid]
+        return self._transformed([by_fid[fid] for fid in fids if fid in by_fid], layer.crs(), crs)
+
+    def _transformed(
+        self, shapes: list[QgsGeometry], crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
+    ) -> list[QgsGeometry]:
+        transform = transformation(crs, target, self._project.transformContext())
         if not all(_is_transformed(geometry, transform) for geometry in shapes):
             raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
         return shapes
@@ -351,9 +321,9 @@ def _read_seams(
     return input_layers.seam_features(seamlines.source.getFeatures(), seamlines.names, transform)
 
 
-def _geometries(source: QgsVectorLayerFeatureSource, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:
-    """A generator, so that features are fetched where it runs, and the source lives as long as it does."""
-    for feature in source.getFeatures(QgsFeatureRequest()):
+def _geometries(seamlines: LayerFeatures, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:
+    """A generator, so that features are fetched where it runs, and their source lives as long as it does."""
+    for feature in seamlines.source.getFeatures():
         yield layers.line_wkb(feature, transform)
 
 

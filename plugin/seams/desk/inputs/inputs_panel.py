@@ -1,4 +1,4 @@
-"""What is inspected: mosaic, sources, seamlines and how; folded to one line once it is set."""
+"""What is inspected: mosaic, sources, seamlines and how; folded to one line once there is a window."""
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
 from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsDoubleSpinBox, QgsSpinBox
 from qgis.PyQt.QtCore import Qt, pyqtSignal
-from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import QApplication, QComboBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from qgis.PyQt.QtGui import QShowEvent
+from qgis.PyQt.QtWidgets import QComboBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import WARNING, SettingsError
@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from .project_inputs import Inputs
 
 _TOGETHER_MS = 300  # layers that are added within this time are looked at once
-_WIDE_CHARACTERS = 95  # from this width on the sources stand beside the other inputs
 _Filter = QgsMapLayerProxyModel.Filter
 
 
@@ -43,12 +42,10 @@ class InputsPanel(QWidget):
         super().__init__(parent)
         self._session = session
         self._is_following = False
-        self._may_fold = True  # until it was folded once, or the operator did it
-        self._was_set = self._had_mosaic = False
+        self._was_folded = False
         self._fitted: tuple[float, float] | None = None  # a side that did not fit, and the one that does
         self.suggesting = Suggesting(session, self)
         self._suggester = single_shot(self, self._suggest_layers, _TOGETHER_MS)
-        self._is_wide: bool | None = None
         self._table_fields()
         self._lay_out()
         self._connections = Connections(
@@ -57,12 +54,12 @@ class InputsPanel(QWidget):
             (QgsProject.instance().layersAdded, self._take_layers),
             (QgsProject.instance().layersRemoved, self._layers_removed),
             (QgsProject.instance().layerTreeRoot().nameChanged, self._layer_renamed),
-            (QApplication.instance().focusChanged, self._focus_moved),
+            (session.windowsChanged, self._fold_once),
         )
         self.refresh()
 
     def close(self) -> bool:
-        """Stop following session, project and focus."""
+        """Stop following session and project."""
         self._connections.close()
         self._suggester.stop()
         return bool(super().close())
@@ -87,11 +84,9 @@ class InputsPanel(QWidget):
         self._fit_side()
         self._show_side()
         self.box.set_summary(*self._summary())
-        self._fold_when_set()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._arrange()
+        if not inputs.mosaic:  # another project
+            self._fitted, self._was_folded = None, False
+            self.box.fold(False)
 
     # What the operator changes
 
@@ -128,23 +123,11 @@ class InputsPanel(QWidget):
         self.doubts.setText(" ".join(map(sentence, chosen)))
         self.doubts.setVisible(bool(self.doubts.text()))
 
-    # Folding
-
-    def _fold_when_set(self) -> None:
-        """Fold once mosaic and sources are there, but not under the operator's hands; unfold when one is gone."""
-        inputs = self._session.inputs
-        is_new = self._had_mosaic and not inputs.mosaic  # another project
-        if is_new:
-            self._fitted = None
-        is_set = not self._missing()
-        if is_new or (self._was_set and not is_set):
-            self.box.fold(False)
-            self._may_fold = True
-        self._had_mosaic, self._was_set = bool(inputs.mosaic), is_set
-        is_open = self._session.mosaic_grid() is not None
-        if is_set and is_open and self._may_fold and not self._holds(QApplication.focusWidget()):
+    def _fold_once(self) -> None:
+        """With the first window there is other work to do."""
+        if not self._was_folded and self._session.windows():
+            self._was_folded = True
             self.box.fold(True)
-            self._may_fold = False
 
     def _missing(self) -> str:
         """What is to be set still, in words; empty when nothing is."""
@@ -154,19 +137,6 @@ class InputsPanel(QWidget):
         if not any(project.mapLayer(name) is not None for name in (*inputs.sources, inputs.source_index)):
             return tr("check the sources")
         return ""
-
-    def _folded_by_hand(self) -> None:
-        self._may_fold = False
-
-    def _focus_moved(self, _before: QWidget | None, now: QWidget | None) -> None:
-        if now is not None:
-            self._fold_when_set()
-
-    def _holds(self, widget: QWidget | None) -> bool:
-        """Whether a widget belongs to this panel; its drop-down lists do, though they are windows."""
-        while widget is not None and widget is not self:
-            widget = widget.parentWidget()
-        return widget is self
 
     # What is shown
 
@@ -178,13 +148,10 @@ class InputsPanel(QWidget):
         count = sum(project.mapLayer(source) is not None for source in inputs.sources)
         problem = self._session.problem() if self._session.mosaic_layer() is not None else None
         parts = [""]
-        if problem is not None and problem.level is WARNING:
-            parts.append(tr("opening ..."))
-        is_unusable = len(parts) == 1 and problem is not None and problem != messages.NO_SOURCES_GIVEN()
-        if is_unusable:  # it is not the sources that are missing
-            parts.append(tr("can't be used"))
+        if problem is not None and problem != messages.NO_SOURCES_GIVEN():  # it is not the sources that are missing
+            parts.append(tr("opening ...") if problem.level is WARNING else tr("can't be used"))
         counted = tr("1 source") if count == 1 else filled(tr("{count} sources"), count=count)
-        if count or not is_unusable:
+        if count or len(parts) == 1:
             parts.append(self._missing() or counted)
         if count < len(inputs.sources):
             parts.append(filled(tr("{count} missing"), count=len(inputs.sources) - count))
@@ -224,11 +191,9 @@ class InputsPanel(QWidget):
         if 0 < pixels < limits.MEASURABLE_SIDE_PX:
             note = filled(tr("few windows below {pixels} px can be measured"), pixels=limits.MEASURABLE_SIDE_PX)
         if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
-            asked, fits = self._fitted
-            note = tr("{asked} m is too small for this mosaic: {side} m, every {spacing} m") if asked < fits else tr(
-                "{asked} m is too large for this mosaic: {side} m, every {spacing} m")
-            spacing = shown_metres(inputs.spacing_m)
-            note = filled(note, asked=shown_metres(asked), side=shown_metres(fits), spacing=spacing)
+            asked, side, spacing = map(shown_metres, (*self._fitted, inputs.spacing_m))
+            note = filled(tr("{asked} m does not fit this mosaic: {side} m, every {spacing} m"),
+                          asked=asked, side=side, spacing=spacing)  # fmt: skip
         self.side_note.setText(note)
         self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title
 
@@ -261,7 +226,6 @@ class InputsPanel(QWidget):
         self.doubts.setWordWrap(True)
         self.doubts.setVisible(False)
         self.more = MoreBox(self.box)
-        self.box.foldedByHand.connect(self._folded_by_hand)
         self.box.collapsedStateChanged.connect(self._show_side)
         self.mosaic.chosen.connect(self.suggesting.choose_mosaic)
         self.sources.changed.connect(partial(self._take, "sources"))
@@ -273,39 +237,27 @@ class InputsPanel(QWidget):
         self.more.changed.connect(self._take)
 
     def _lay_out(self) -> None:
-        self._grid = QGridLayout(self.box)
-        self._grid.setColumnStretch(1, 2)
-        self._grid.setColumnStretch(2, 1)
-        self._grid.setVerticalSpacing(3)
-        add_field(self._grid, 0, tr("&Mosaic"), self.mosaic)
-        add_field(self._grid, 2, tr("Source &index"), self.index)
-        add_field(self._grid, 3, tr("Seam&lines"), self.seamlines)
-        add_field(self._grid, 4, tr("&Windows"), self.windows)
-        add_field(self._grid, 5, tr("Window si&de"), self.side, self.side_px)
-        self._grid.addWidget(self.more, 6, 0, 1, 3)
-        self._grid.addWidget(self.side_note, 7, 0, 1, 3)  # below all fields, so that none of them jumps
-        self._grid.setRowStretch(8, 1)
+        grid = QGridLayout(self.box)
+        grid.setColumnStretch(1, 2)
+        grid.setColumnStretch(2, 1)
+        grid.setVerticalSpacing(3)
+        add_field(grid, 0, tr("&Mosaic"), self.mosaic)
+        grid.addWidget(self.sources, 1, 0, 1, 3)
+        add_field(grid, 2, tr("Source &index"), self.index)
+        add_field(grid, 3, tr("Seam&lines"), self.seamlines)
+        add_field(grid, 4, tr("&Windows"), self.windows)
+        add_field(grid, 5, tr("Window si&de"), self.side, self.side_px)
+        grid.addWidget(self.more, 6, 0, 1, 3)
+        grid.addWidget(self.side_note, 7, 0, 1, 3)  # below all fields, so that none of them jumps
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.box)
         layout.addWidget(self.doubts)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
-        self._arrange()
         before_more = (self.index, self.seamlines, self.windows, self.side, self.more)
         order = (self.box, self.mosaic, *self.sources.fields(), *before_more, *self.more.boxes.values())
         for before, after in zip(order, order[1:]):
             QWidget.setTabOrder(before, after)
-
-    def _arrange(self) -> None:
-        """The sources below the mosaic, or beside everything where there is room."""
-        is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
-        if is_wide != self._is_wide:
-            self._is_wide = is_wide
-            self._grid.addWidget(self.sources, *((0, 3, 9, 1) if is_wide else (1, 0, 1, 3)))
-            self._grid.setColumnStretch(3, 4 if is_wide else 0)
-            aside = self.sources.minimumSizeHint().width() + self._grid.horizontalSpacing()
-            self.box.spared_width = aside if is_wide else 0  # so that the panel can get narrow again
-            self.box.updateGeometry()
 
 
 class MoreBox(QgsCollapsibleGroupBoxBasic):

@@ -93,63 +93,54 @@ class InputsWatch(QObject):
     """Tells what may have changed; whether it really has is for others to find out."""
 
     layersChanged = pyqtSignal()
-    """A layer has another data source or reference system, of the windows only that; or the source index or the seam
+    """A layer has another data source or reference system, of the windows only that; or seamlines, source index or seam
     cells have other features."""
-    seamlinesEdited = pyqtSignal()  # the seamlines are others
 
     def __init__(self, project: QgsProject, parent: QObject) -> None:
         super().__init__(parent)
         self._project = project
-        self._followed: tuple[dict[str, QgsMapLayer], str, str, str, str] = ({}, "", "", "", "")
-        self._index_timer = single_shot(self, self.layersChanged, _EDITS_MS)
-        self._seamlines_timer = single_shot(self, self.seamlinesEdited, _EDITS_MS)
+        self._followed: tuple[Inputs, dict[str, QgsMapLayer]] = Inputs(), {}
+        self._timer = single_shot(self, self.layersChanged, _EDITS_MS)
 
     def follow(self, inputs: Inputs) -> None:
         """Follow the layers of these inputs that are there, and no others."""
         ids = (inputs.mosaic, *inputs.sources, inputs.source_index, inputs.seamlines, inputs.windows, inputs.cells)
         layers = {layer_id: layer for layer_id in ids if (layer := self._project.mapLayer(layer_id)) is not None}
-        followed = layers, inputs.windows, inputs.source_index, inputs.seamlines, inputs.cells
-        if followed != self._followed:
-            self._let_go()
-            self._followed = followed
-            for signal, slot in self._signals():
-                signal.connect(slot)
+        self._let_go()
+        self._followed = inputs, layers
+        for signal, slot in self._signals():
+            signal.connect(slot)
 
     def leave(self, ids: Iterable[str]) -> None:
         """These layers are about to be deleted."""
-        if not self._followed[0].keys().isdisjoint(ids):
+        if not self._followed[1].keys().isdisjoint(ids):
             self._let_go()
 
     def close(self) -> None:
         """Let go of all layers and tell nothing more."""
         self._let_go()
-        self._index_timer.stop()
-        self._seamlines_timer.stop()
+        self._timer.stop()
 
     def _let_go(self) -> None:
         for signal, slot in self._signals():
             signal.disconnect(slot)
-        self._followed = ({}, "", "", "", "")
+        self._followed = Inputs(), {}
 
     def _signals(self) -> list[tuple[Any, Any]]:
         """Made anew each time: a signal that is kept crashes once its layer is deleted."""
-        layers, windows, index, seamlines, cells = self._followed
+        inputs, layers = self._followed
+        edited = [layers.get(layer_id) for layer_id in (inputs.source_index, inputs.cells, inputs.seamlines)]
         return [
-            *((layer.dataSourceChanged, self._changed) for name, layer in layers.items() if name != windows),
+            *((layer.dataSourceChanged, self._changed) for name, layer in layers.items() if name != inputs.windows),
             *((layer.crsChanged, self._changed) for layer in layers.values()),
-            *_edits(layers.get(index), self._index_edited),
-            *_edits(layers.get(cells), self._index_edited),
-            *_edits(layers.get(seamlines), self._seamlines_edited),
+            *(pair for layer in edited for pair in _edits(layer, self._edited)),
         ]
 
     def _changed(self, *_: object) -> None:
         self.layersChanged.emit()
 
-    def _index_edited(self, *_: object) -> None:
-        self._index_timer.start()
-
-    def _seamlines_edited(self, *_: object) -> None:
-        self._seamlines_timer.start()
+    def _edited(self, *_: object) -> None:
+        self._timer.start()
 
 
 def _edits(layer: QgsMapLayer | None, slot: Any) -> list[tuple[Any, Any]]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Optional
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple, Optional
 
 from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsProject, QgsRasterLayer, QgsVectorLayer, QgsWkbTypes
 from qgis.PyQt.QtCore import QObject, Qt, pyqtSignal
@@ -68,7 +68,6 @@ class Suggesting(QObject):
         self._suitabilities: dict[str, Suitability] = {}
         self._suggested: Sources = ()  # when it was looked last
         self._mosaic = ""  # for which
-        self._set: Sources | None = None  # the very tuple that was set here: what others set is theirs, and stays
         self.forget_choices()
 
     def standing(self, layer_id: str) -> Suitability | None:
@@ -80,17 +79,17 @@ class Suggesting(QObject):
         self._is_mosaic_chosen = self._are_seamlines_chosen = False
 
     def follow(self) -> None:
-        """Inputs or layers may be others: sources that were set here become what is suggested now."""
+        """Inputs or layers may be others: sources that were those suggested become what is suggested now."""
         inputs, project = self._session.inputs, QgsProject.instance()
-        is_same = inputs.mosaic == self._mosaic
+        is_same, before = inputs.mosaic == self._mosaic, self._suggested
         self._note(inputs.mosaic)
-        if project.mapLayer(inputs.mosaic) is None or not is_same or not self._is_ours(inputs):
-            return
         missing = tuple(source for source in inputs.sources if project.mapLayer(source) is None)
+        are_suggested = set(inputs.sources).difference(missing) == set(before).difference(missing)
         is_index_enough = not inputs.sources and bool(inputs.source_index)
-        if not is_index_enough and set(inputs.sources).difference(missing) != set(self._suggested):
+        is_there = is_same and project.mapLayer(inputs.mosaic) is not None
+        if is_there and are_suggested and not is_index_enough and set(before) != set(self._suggested):
             with unmodified(project):
-                self._set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
+                self._session.set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
 
     def choose_mosaic(self, layer_id: str) -> None:
         """The operator's choice. Another mosaic of the same block keeps its sources, a new block gets the suggested."""
@@ -101,11 +100,7 @@ class Suggesting(QObject):
         self._note(layer_id)
         kept = tuple(source for source in inputs.sources if source != layer_id)
         is_kept = not layer_id or bool(set(kept) & set(self._suggested))
-        chosen = replace(inputs, mosaic=layer_id, sources=kept if is_kept else self._suggested)
-        if is_kept and not self._is_ours(inputs):
-            self._session.set_inputs(chosen)
-        else:
-            self._set_inputs(chosen)
+        self._session.set_inputs(replace(inputs, mosaic=layer_id, sources=kept if is_kept else self._suggested))
         self.suggest_layers()
 
     def choose_seamlines(self, layer_id: str) -> None:
@@ -116,7 +111,7 @@ class Suggesting(QObject):
     def take_suggested(self) -> None:
         """The operator wants the suggested sources."""
         self._note(self._session.inputs.mosaic)
-        self._set_inputs(replace(self._session.inputs, sources=self._suggested))
+        self._session.set_inputs(replace(self._session.inputs, sources=self._suggested))
 
     def suggest_layers(self) -> None:
         """Mosaic and seamlines where the project has one candidate each, and the operator has said nothing of them."""
@@ -127,20 +122,11 @@ class Suggesting(QObject):
         if suggested.mosaic != inputs.mosaic:
             self._note(suggested.mosaic)
             suggested = replace(suggested, sources=self._suggested)
-            self._set = suggested.sources
-        if not self._are_seamlines_chosen:
-            suggested = with_likely_vectors(suggested)
+        if not self._are_seamlines_chosen and not suggested.seamlines:
+            suggested = replace(suggested, seamlines=likely_seamlines(suggested.mosaic))
         if suggested != inputs:
             with unmodified(QgsProject.instance()):
                 self._session.set_inputs(suggested)
-
-    def _is_ours(self, inputs: Inputs) -> bool:
-        """Whether sources are ours, by identity: equal ones set by the operator, the project or a script are theirs."""
-        return inputs.sources is self._set
-
-    def _set_inputs(self, inputs: Inputs) -> None:
-        self._set = inputs.sources
-        self._session.set_inputs(inputs)
 
     def _note(self, mosaic_id: str) -> None:
         rasters = file_rasters()
@@ -152,7 +138,7 @@ class Suggesting(QObject):
 
 
 _SEAM_NAMES = re.compile(r"seam|cut_?line|mosai[ck]|nahtlinie|szwy|mozaik|graphe", re.IGNORECASE)
-_OF_RESULTS = {"kept_1", "verdict", "window_id", "ratio_1"}  # fields of what scans and inspections write
+_OTHERS = {"kept_1", "verdict", "window_id", "ratio_1", LOCATION_FIELD}  # fields of results, and of a source index
 
 
 def with_likely_mosaic(inputs: Inputs) -> Inputs:
@@ -170,44 +156,22 @@ def with_likely_mosaic(inputs: Inputs) -> Inputs:
     return replace(inputs, mosaic=names.pop()) if len(names) == 1 else inputs
 
 
-def with_likely_vectors(inputs: Inputs) -> Inputs:
-    """Seamlines, and without any source their index, where none is chosen and one layer on the mosaic looks like it."""
-    mosaic = QgsProject.instance().mapLayer(inputs.mosaic)
-    if not isinstance(mosaic, QgsRasterLayer):
-        return inputs
-    every = QgsProject.instance().mapLayers().values()
-    vectors = [layer for layer in every if isinstance(layer, QgsVectorLayer) and layer.isValid()]
-    if not inputs.seamlines:
-        lines = _on(mosaic, [line for line in vectors if _are_seams(line, QgsWkbTypes.GeometryType.LineGeometry)])
-        cells = _on(mosaic, [area for area in vectors if _are_seams(area, QgsWkbTypes.GeometryType.PolygonGeometry)])
-        inputs = replace(inputs, seamlines=_only(lines or cells))
-    if not inputs.source_index and not inputs.sources:
-        inputs = replace(inputs, source_index=_only(_on(mosaic, [vector for vector in vectors if _is_index(vector)])))
-    return inputs
+def likely_seamlines(mosaic_id: str) -> str:
+    """The one layer on the mosaic that looks like its seams, by its name or by fields that say what lies on either
+    side; empty where there is none, or more."""
+    mosaic = QgsProject.instance().mapLayer(mosaic_id)
+    vectors = [layer for layer in QgsProject.instance().mapLayers().values() if isinstance(layer, QgsVectorLayer)]
+    likely = [vector for vector in vectors if _are_seams(vector)] if isinstance(mosaic, QgsRasterLayer) else []
+    on_mosaic = [vector for vector in likely if _meets(vector, mosaic)]
+    return str(on_mosaic[0].id()) if len(on_mosaic) == 1 else ""
 
 
-def _only(layers: list[QgsVectorLayer]) -> str:
-    return str(layers[0].id()) if len(layers) == 1 else ""
-
-
-def _on(mosaic: QgsRasterLayer, vectors: list[QgsVectorLayer]) -> list[QgsVectorLayer]:
-    return [vector for vector in vectors if _meets(vector, mosaic)]
-
-
-def _is_index(layer: QgsVectorLayer) -> bool:
-    is_polygons = layer.geometryType() == QgsWkbTypes.GeometryType.PolygonGeometry
-    return is_polygons and LOCATION_FIELD in layer.fields().names()
-
-
-def _are_seams(layer: QgsVectorLayer, kind: QgsWkbTypes.GeometryType) -> bool:
-    """Whether a layer holds seams, by its name or, of lines, by fields that say what lies on either side."""
-    names = layer.fields().names()
-    if layer.geometryType() != kind or _OF_RESULTS.intersection(names) or _is_index(layer):
+def _are_seams(layer: QgsVectorLayer) -> bool:
+    names, kind = layer.fields().names(), layer.geometryType()
+    kinds = QgsWkbTypes.GeometryType.LineGeometry, QgsWkbTypes.GeometryType.PolygonGeometry
+    if not layer.isValid() or kind not in kinds or _OTHERS.intersection(names):
         return False
-    if _SEAM_NAMES.search(layer.name()):
-        return True
-    is_lines = kind == QgsWkbTypes.GeometryType.LineGeometry
-    return is_lines and bool(seam_fields([dict.fromkeys(names, "x")]).left)
+    return bool(_SEAM_NAMES.search(layer.name()) or seam_fields([dict.fromkeys(names, "x")]).left)
 
 
 def _meets(layer: QgsVectorLayer, mosaic: QgsRasterLayer) -> bool:
@@ -285,14 +249,13 @@ _FEWEST_ROWS = 4  # seen without scrolling
 Standings = Callable[[str], Optional["Suitability"]]
 
 
-@dataclass(frozen=True)
-class _Entry:
+class _Entry(NamedTuple):
     """One line of the list."""
 
     layer_id: str
     text: str
     tip: str
-    reason: str = ""  # why it is not suggested
+    is_out: bool = False  # whether it is not suggested
 
 
 class SourceList(QWidget):
@@ -335,7 +298,7 @@ class SourceList(QWidget):
         layout.setRowStretch(1, 1)
         self.list.itemChanged.connect(self._tell)
         self.suggested.clicked.connect(self.suggestionWanted)
-        self.none.clicked.connect(self._check_none)
+        self.none.clicked.connect(lambda *_: self.changed.emit(()))
 
     def fields(self) -> tuple[QWidget, ...]:
         """In tab order."""
@@ -349,7 +312,13 @@ class SourceList(QWidget):
         try:
             if entries != self._entries:  # else the list keeps where it was scrolled to
                 self._entries = entries
-                self._fill()
+                self.list.clear()
+                for entry in entries:
+                    item = QListWidgetItem(entry.text, self.list)
+                    item.setData(_ID, entry.layer_id)
+                    item.setData(_IS_OUT, entry.is_out)
+                    item.setToolTip(plain_tip(entry.tip))
+                    item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             for row in range(self.list.count()):
                 item = self.list.item(row)
                 is_source = item.data(_ID) in chosen
@@ -359,25 +328,14 @@ class SourceList(QWidget):
                 item.setFont(font)
         finally:
             self._is_following = False
-        standings = [standing(entry.layer_id) for entry in entries]
-        self.suggested.setEnabled(any(standing is not None and standing.is_suggested for standing in standings))
+        standings = filter(None, (standing(entry.layer_id) for entry in entries))
+        self.suggested.setEnabled(any(known.is_suggested for known in standings))
         self.none.setEnabled(bool(sources))
 
     def checked(self) -> Sources:
         """Layer ids of the checked rasters, missing ones included."""
         items = [self.list.item(row) for row in range(self.list.count())]
         return tuple(item.data(_ID) for item in items if item.checkState() == Qt.CheckState.Checked)
-
-    def _fill(self) -> None:
-        scrolled = self.list.verticalScrollBar().value()
-        self.list.clear()
-        for entry in self._entries:
-            item = QListWidgetItem(entry.text, self.list)
-            item.setData(_ID, entry.layer_id)
-            item.setToolTip(plain_tip(entry.tip))
-            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
-            item.setData(_IS_OUT, bool(entry.reason))
-        self.list.verticalScrollBar().setValue(scrolled)
 
     def _button(self, text: str, tip: str) -> QToolButton:
         button = QToolButton(self)
@@ -386,9 +344,6 @@ class SourceList(QWidget):
         button.setAutoRaise(True)
         button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         return button
-
-    def _check_none(self) -> None:
-        self.changed.emit(())
 
     def _tell(self, _item: QListWidgetItem) -> None:
         if not self._is_following:
@@ -413,5 +368,5 @@ def _entries(mosaic_id: str, sources: Sources, standing: Standings) -> list[_Ent
         reason = sentence(suitability.reason) if suitability is not None and suitability.reason is not None else ""
         text = f"{layer.name()} \u2013 {reason}" if reason else layer.name()
         tip = "\n".join(filter(None, (reason, layer.source())))
-        (unfit if reason else fit).append(_Entry(layer.id(), text, tip, reason=reason))
+        (unfit if reason else fit).append(_Entry(layer.id(), text, tip, bool(reason)))
     return [*entries, *fit, *unfit]

@@ -1,4 +1,4 @@
-"""The detail that was lost, on the map: the button and key that show it, and its pictures.
+"""Pictures of the detail that was lost, on the map.
 
 Those lie where their windows are, whatever way the map is turned and whatever its reference system.
 """
@@ -11,11 +11,11 @@ from html import escape
 from typing import TYPE_CHECKING, NamedTuple
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCsException, QgsPointXY, QgsProject
-from qgis.gui import QgisInterface, QgsMapCanvas, QgsMapCanvasItem
+from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, QPointF, QRectF, Qt
-from qgis.PyQt.QtGui import QColor, QIcon, QImage, QPainter, QPainterPath, QPolygonF, QTransform
-from qgis.PyQt.QtWidgets import QAction, QLabel, QStyleOptionGraphicsItem, QWidget
+from qgis.PyQt.QtGui import QColor, QImage, QPainter, QPainterPath, QPolygonF, QTransform
+from qgis.PyQt.QtWidgets import QLabel, QStyleOptionGraphicsItem, QWidget
 
 from ....imagery.errors import WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow
@@ -24,7 +24,6 @@ from ....toolkit.desk.theme import blended
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.painting import painting
 from ....toolkit.reference_systems import transformation
-from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...words import LOSS_OPACITY, loss_legend, loss_rgba
 
@@ -161,25 +160,6 @@ class _PictureItem(QgsMapCanvasItem):
         return QPolygonF([self.toCanvasCoordinates(transform.transform(QgsPointXY(*corner))) for corner in corners])
 
 
-class LostDetail(QObject):
-    """Owns all of it until ``close``."""
-
-    def __init__(self, iface: QgisInterface, session: Session, parent: QObject) -> None:
-        super().__init__(parent)
-        self.overlay = LossOverlay(iface.mapCanvas(), session, self)
-        self.action = QAction(QIcon(icon_path("loss")), tr("Lost detail"), parent)
-        self.action.setToolTip(
-            tr("Show where detail was lost, over the map and the images (L while judging). One scale for all windows")
-        )
-        self.action.setCheckable(True)
-        self.action.toggled.connect(session.loss_view.show)
-        session.loss_view.changed.connect(self.action.setChecked)
-
-    def close(self) -> None:
-        """Take all off the canvas."""
-        self.overlay.close()
-
-
 _TOGETHER_MS = 100  # windows that come within this time are painted once
 _SLICE_S = 0.05  # of reading results, which of thousands of windows are in a file; then the operator has a turn
 
@@ -209,7 +189,7 @@ class LossOverlay(QObject):
         self._connections = Connections(
             (session.resultArrived, self._forget), (session.resultArrived, self._refresh_soon),
             (session.windowsChanged, self._refresh_soon), (session.inputsChanged, self._refresh_soon),
-            (session.loss_view.changed, self._refresh),
+            (session.lost_detail.toggled, self._refresh),
         )  # fmt: skip
 
     @property
@@ -231,7 +211,7 @@ class LossOverlay(QObject):
         self._overlay.set_visible(not to_another_picture)
 
     def _refresh_soon(self, *_: object) -> None:
-        if self._session.loss_view.is_shown and not self._timer.isActive():
+        if self._session.lost_detail.isChecked() and not self._timer.isActive():
             self._timer.start()
 
     def _forget(self, fid: int) -> None:
@@ -242,7 +222,7 @@ class LossOverlay(QObject):
 
     def _refresh(self, *_: object) -> None:
         layer, grid = self._session.mosaic_layer(), self._session.mosaic_grid()
-        if not self._session.loss_view.is_shown or layer is None or grid is None:
+        if not self._session.lost_detail.isChecked() or layer is None or grid is None:
             self._pictures.clear()
             self._overlay.hide()
             self._legend.hide()

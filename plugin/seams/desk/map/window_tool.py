@@ -58,9 +58,9 @@ class WindowTool(DrawingTool):
     """Click: the window that is there, else a new standard one, on the seam when one is near. Drag: a new rectangle.
 
     Shift and a click add a window to the selection or take it out, as in QGIS's own tools; Ctrl and a click make a new
-    one where there is one already; Shift and a drag make a square. Esc cancels a drag, the right button ends. Middle
-    button, wheel and Space move the map as ever: the canvas keeps these to itself, and no flag of this tool (zooming
-    by Shift and drag, context menu) takes the others.
+    one where there is one already. Esc cancels a drag, the right button ends. Middle button, wheel and Space move the
+    map as ever: the canvas keeps these to itself, and no flag of this tool (zooming by Shift and drag, context menu)
+    takes the others.
     """
 
     def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
@@ -70,19 +70,16 @@ class WindowTool(DrawingTool):
         self._pressed_at: QPoint | None = None
         self._anchor: Point | None = None  # where the drag began, on the mosaic
         self._is_drag = False
-        self._is_square = False
         self._is_new = False  # by Ctrl, where there is a window already
         self._cursor: QgsPointXY | None = None  # on the map; None while it is elsewhere
 
     def _listen(self) -> None:
         super()._listen()
-        self.canvas().keyReleased.connect(self._key_released)
         self.canvas().viewport().installEventFilter(self)
         self._session.inputsChanged.connect(self._show_draft)
 
     def _listen_no_more(self) -> None:
         super()._listen_no_more()
-        self.canvas().keyReleased.disconnect(self._key_released)
         self.canvas().viewport().removeEventFilter(self)
         self._session.inputsChanged.disconnect(self._show_draft)
 
@@ -111,7 +108,8 @@ class WindowTool(DrawingTool):
             there = self._window_there()
             if there is not None:
                 self._forget()
-                self._select(there.fid)
+                is_added = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+                self._session.select(sorted({*self._session.selected()} ^ {there.fid}) if is_added else [there.fid])
                 return
             draft = self._draft()
             if draft is not None and draft.window is not None:
@@ -131,24 +129,9 @@ class WindowTool(DrawingTool):
         if event.key() == Qt.Key.Key_Escape and self._pressed_at is not None:
             event.accept()
             self._forget()
-        elif event.key() == Qt.Key.Key_Shift:
-            self._is_square = True
-            self._show_draft()
-        elif event.key() == Qt.Key.Key_Control:
-            self._is_new = True
-            self._show_draft()
-
-    def _key_released(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Shift:
-            self._is_square = False
-            self._show_draft()
-        elif event.key() == Qt.Key.Key_Control:
-            self._is_new = False
-            self._show_draft()
 
     def _follow(self, event: QgsMapMouseEvent) -> None:
         self._cursor = event.mapPoint()
-        self._is_square = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         self._is_new = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
         if self._pressed_at is not None:
             self._is_drag = self._is_drag or is_drag(self._pressed_at, event.pixelPoint())
@@ -170,10 +153,6 @@ class WindowTool(DrawingTool):
             return None
         map_crs = self.canvas().mapSettings().destinationCrs()
         return window_under(self._session.windows(), layer, self._cursor, map_crs)
-
-    def _select(self, fid: int) -> None:
-        """It alone, or with Shift it too, or not any more."""
-        self._session.select(sorted({*self._session.selected()} ^ {fid}) if self._is_square else [fid])
 
     def _show_draft(self) -> None:
         """Draw what a click, or the end of the drag, would make at the cursor."""
@@ -202,7 +181,8 @@ class WindowTool(DrawingTool):
         if grid is None or point is None:
             return None
         if self._is_drag and self._anchor is not None:
-            extent = drawn_extent(grid, self._anchor, point, self._is_square)
+            (x1, x2), (y1, y2) = (sorted(pair) for pair in zip(self._anchor, point))
+            extent = x1, y1, x2, y2
             try:
                 return self._accepted(grid, snap_window(grid, extent, self._session.inputs.levels))
             except WindowError as error:
@@ -257,29 +237,6 @@ def clicked_window(grid: Grid, centre: Point, inputs: Inputs) -> PixelWindow:
         most = imagery_limits.MAX_WINDOW_PIXELS // 1_000_000
         raise WindowError(imagery_messages.WINDOW_TOO_LARGE(width=side_px, height=side_px, most=most))
     return standard_window(grid, *centre, side_px).moved_into(grid.columns, grid.rows)
-
-
-def drawn_extent(grid: Grid, anchor: Point, end: Point, is_square: bool) -> Extent:
-    """The rectangle of a drag, or the square on whole pixels that grows from its anchor as far as the grid goes.
-
-    A square's sides are counted in pixels here: to round and cut its edges one by one could leave one side
-    longer than the other.
-    """
-    if not is_square:
-        (x1, x2), (y1, y2) = sorted((anchor[0], end[0])), sorted((anchor[1], end[1]))
-        return x1, y1, x2, y2
-    metres_x, metres_y = grid.pixel_width * grid.metres_x, grid.pixel_height * grid.metres_y
-    column = min(max(round((anchor[0] - grid.left) / grid.pixel_width), 0), grid.columns)
-    row = min(max(round((grid.top - anchor[1]) / grid.pixel_height), 0), grid.rows)
-    across = (end[0] - grid.left) / grid.pixel_width - column
-    down = (grid.top - end[1]) / grid.pixel_height - row
-    room_x = grid.columns - column if across > 0 else column
-    room_y = grid.rows - row if down > 0 else row
-    side_m = min(max(abs(across) * metres_x, abs(down) * metres_y), room_x * metres_x, room_y * metres_y)
-    columns, rows = round(side_m / metres_x), round(side_m / metres_y)
-    first_column = column if across > 0 else column - columns
-    first_row = row if down > 0 else row - rows
-    return grid.window_extent(PixelWindow(first_column, first_row, columns, rows))
 
 
 def window_under(

@@ -42,8 +42,6 @@ class NewWindows(QObject):
     """Methods raise SeamInspectorError where inputs or layer do not allow what is asked."""
 
     layerMade = pyqtSignal(str)  # id of a new window layer in the project, to be followed from now on
-    scanned = pyqtSignal(list)  # feature ids of the windows at the worst places of a scan, worst first
-    drawn = pyqtSignal(list)  # feature ids of windows that are to be inspected at once
     notified = pyqtSignal(object)  # a Message
 
     def __init__(
@@ -58,13 +56,13 @@ class NewWindows(QObject):
         self._steps = steps
         self._background = background
 
-    def draw(self, window: PixelWindow) -> None:
-        """Add one window, or take the one that is there already."""
+    def draw(self, window: PixelWindow) -> list[int]:
+        """Add one window, or take the one that is there already; the feature id."""
         block = self._with_layer()
         outlines = self._outlines(block, [window])
         there = [fid for fid in self._there(outlines, window.width) if fid is not None]
         words = filled(tr("drawing window {number}"), number=self._watch.next_number)
-        self.drawn.emit(there or self._add([(outlines[0], {"origin": DRAWN})], words))
+        return there or self._add([(outlines[0], {"origin": DRAWN})], words)
 
     def place(self) -> None:
         """Place windows along the seamlines; they are added when all are found."""
@@ -78,14 +76,9 @@ class NewWindows(QObject):
         job = jobs.placing_job(lines, block.mosaic, inputs.placing)
         self._background.start(tr("Place windows"), job, partial(self._take, inputs.mosaic), _PLACING, steps=1)
 
-    def copy(self, outlines: Sequence[QgsGeometry]) -> None:
-        """Add windows of these outlines, in the mosaic's reference system, to a new layer."""
-        self._with_layer()
-        words = filled(tr("copying {count} windows"), count=len(outlines))
-        self._add([(outline, {"origin": DRAWN}) for outline in outlines], words)
-
-    def add_scanned(self, worst: QgsVectorLayer) -> None:
-        """Take the worst places of a scan, and go to the first; one that shares most with a judged window is that."""
+    def add_scanned(self, worst: QgsVectorLayer) -> list[int]:
+        """Take the worst places of a scan; one that shares most with a judged window is that. Feature ids, the worst
+        first."""
         self._with_layer()
         layer = self._watch.writable()
         assert layer is not None
@@ -100,7 +93,7 @@ class NewWindows(QObject):
         new = iter(self._add(places, filled(tr("adding {count} places of a scan"), count=len(places))))
         fids = [next(new) if fid is None else fid for fid in there]
         self.notified.emit(keeping_messages.PLACES_TAKEN(count=len(places), there=len(fids) - len(places)))
-        self.scanned.emit(fids)
+        return fids
 
     def copy_file(self) -> None:
         """Copy the windows of another format into a windows file, which is followed from then on."""

@@ -1,13 +1,12 @@
 """The columns of the windows' table; all other fields of a window are in QGIS's attribute table."""
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TR_NOOP, QRectF, Qt
-from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
+from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
@@ -15,7 +14,7 @@ from ....toolkit.painting import painting
 from ....toolkit.translation import filled, shown_number, tr
 from ...measure.window_records import SEAM
 from ...window_summary import named_causes, shown_area, window_sentence, window_why
-from ...words import CLAIMS, VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
+from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult
@@ -24,20 +23,9 @@ if TYPE_CHECKING:
 _CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one and scales it down
 
 
-def verdict_chip(verdict: str, stale: bool = False) -> QIcon:
-    """A square in the verdict's colour; only half of it is filled when the verdict is out of date."""
-    return plain_icon(*(_chip(verdict, stale, side) for side in _CHIP_SIDES))
-
-
-def windows_sentence(rows: Sequence[WindowRecord]) -> str:
-    """What was found in several windows, in plain words."""
-    counts = Counter(row.verdict for row in rows)
-    words = dict.fromkeys([*VERDICTS, *counts])  # the unknown ones last
-    parts = [f"{counts[verdict]} {verdict_word(verdict)}" for verdict in words if counts[verdict]]
-    changed = sum(row.stale for row in rows)
-    if changed:
-        parts.append(filled(tr("{count} changed since"), count=changed))
-    return filled(tr("{count} windows selected: {verdicts}."), count=len(rows), verdicts=", ".join(parts))
+def verdict_chip(verdict: str) -> QIcon:
+    """A square in the verdict's colour."""
+    return plain_icon(*(_chip(verdict, side) for side in _CHIP_SIDES))
 
 
 def window_tip(row: WindowRecord, result: WindowResult | None = None) -> str:
@@ -45,7 +33,7 @@ def window_tip(row: WindowRecord, result: WindowResult | None = None) -> str:
     return rich_tip(window_sentence(row, result), *window_why(row, result))
 
 
-def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
+def _chip(verdict: str, side: int) -> QPixmap:
     colour = QColor(verdict_colour(verdict))
     pixmap = QPixmap(side, side)
     pixmap.fill(Qt.GlobalColor.transparent)
@@ -54,12 +42,9 @@ def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
         width = max(side / 10, 1.0)
         square = QRectF(width, width, side - 2 * width, side - 2 * width)
         painter.setPen(QPen(colour.darker(130), width, Qt.PenStyle.SolidLine if verdict else Qt.PenStyle.DotLine))
-        if verdict and not stale:
+        if verdict:
             painter.setBrush(colour)
         painter.drawRoundedRect(square, side / 6, side / 6)
-        if stale:
-            painter.setBrush(colour)
-            painter.drawPolygon(QPolygonF([square.topLeft(), square.topRight(), square.bottomLeft()]))
     return pixmap
 
 
@@ -77,7 +62,6 @@ class TableColumn(NamedTuple):
     explanation: str
     text: Callable[[WindowRecord], str]  # what the cell says
     key: Callable[[WindowRecord], Any]  # what the column is sorted by; None where the row has nothing there
-    words: Callable[[], Iterable[str]]  # which it has room for
     alignment: int = ALIGNED_LEFT
 
     def title(self) -> str:
@@ -88,8 +72,6 @@ class TableColumn(NamedTuple):
         """The tooltip of the cell; ``result``: what was measured in the row's window."""
         if self.name == "cause" and row.cause and not row.stale:
             return rich_tip(cause_sentence(row.cause))
-        if self.name == "ratio" and row.ratio is not None and not row.stale:
-            return rich_tip(filled(tr("Ratio at level {level}: {ratio}"), level=1, ratio=shown_number(row.ratio, 4)))
         return window_tip(row, result)
 
 
@@ -102,7 +84,7 @@ def _cause_text(row: WindowRecord) -> str:
     return ", ".join(map(cause_word, named_causes(row)))
 
 
-def _plain(name: str, heading: str, explanation: str, words: str, alignment: int = ALIGNED_LEFT) -> TableColumn:
+def _plain(name: str, heading: str, explanation: str, alignment: int = ALIGNED_LEFT) -> TableColumn:
     """A column that says what the record holds."""
 
     def text(row: WindowRecord) -> str:
@@ -112,64 +94,63 @@ def _plain(name: str, heading: str, explanation: str, words: str, alignment: int
         value = getattr(row, name)
         return value.casefold() or None if isinstance(value, str) else value
 
-    return TableColumn(name, heading, explanation, text, key, lambda: [words], alignment)
+    return TableColumn(name, heading, explanation, text, key, alignment)
 
 
 def _observed(name: str, heading: str, explanation: str) -> TableColumn:
     return TableColumn(
         name, heading, explanation, lambda row: observer_word(getattr(row, name)),
-        lambda row: _OBSERVERS.get(getattr(row, name)), lambda: map(observer_word, _OBSERVERS),
+        lambda row: _OBSERVERS.get(getattr(row, name)),
     )  # fmt: skip
 
 
 def _sure(name: str, heading: str, explanation: str) -> TableColumn:
-    percent = _plain(name, heading, explanation, "100 %", _ALIGNED_RIGHT)
+    percent = _plain(name, heading, explanation, _ALIGNED_RIGHT)
     return percent._replace(text=lambda row: "" if percent.key(row) is None else f"{percent.key(row)} %")
 
 
-WINDOW_ID = _plain("window_id", QT_TR_NOOP("id"), QT_TR_NOOP("Number of the window."), "000", _ALIGNED_RIGHT)
+WINDOW_ID = _plain("window_id", QT_TR_NOOP("id"), QT_TR_NOOP("Number of the window."), _ALIGNED_RIGHT)
 COLUMNS = (
     WINDOW_ID,
     TableColumn(
         "verdict", QT_TR_NOOP("verdict"),
         QT_TR_NOOP("The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first."),
-        _verdict_text, lambda row: _SEVERITY.get(row.verdict), lambda: map(verdict_word, CLAIMS),
+        _verdict_text, lambda row: _SEVERITY.get(row.verdict),
     ),
     TableColumn(
         "loss", QT_TR_NOOP("loss"),
         QT_TR_NOOP("The finest detail that is missing, along the seam or in the whole window, given as the square "
                    "metres of the window that hold as much; 0 where no loss is certain."),
         lambda row: "" if row.loss is None else shown_area(row.loss), lambda row: row.loss,
-        lambda: ["888 m²"], _ALIGNED_RIGHT,
+        _ALIGNED_RIGHT,
     ),
     TableColumn(
         "ratio", QT_TR_NOOP("ratio 1"),
         QT_TR_NOOP("Detail at level 1 in the mosaic as a multiple of the least sharp source's."),
         lambda row: "" if row.ratio is None else shown_number(row.ratio), lambda row: row.ratio,
-        lambda: ["0.00"], _ALIGNED_RIGHT,
+        _ALIGNED_RIGHT,
     ),
     TableColumn(
         "paper_verdict", QT_TR_NOOP("paper"),
         QT_TR_NOOP("The paper's own flag, by ratio 1 against whole sources, whatever the verdict is based on."),
         lambda row: verdict_word(row.paper_verdict) if row.paper_verdict else "",
-        lambda row: _SEVERITY.get(row.paper_verdict), lambda: map(verdict_word, VERDICTS),
+        lambda row: _SEVERITY.get(row.paper_verdict),
     ),
     TableColumn(
         "cause", QT_TR_NOOP("cause"),
         QT_TR_NOOP("The step of production that explains what happened to the contrast."),
-        _cause_text, lambda row: _cause_text(row).casefold() or None, tuple,
+        _cause_text, lambda row: _cause_text(row).casefold() or None,
     ),
-    _plain("sources", QT_TR_NOOP("sources"), QT_TR_NOOP("How many sources the mosaic was compared with."), "00",
+    _plain("sources", QT_TR_NOOP("sources"), QT_TR_NOOP("How many sources the mosaic was compared with."),
            _ALIGNED_RIGHT),
     _observed("observer", QT_TR_NOOP("observer"),
               QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification.")),
     _observed("observer_2", QT_TR_NOOP("observer 2"), QT_TR_NOOP("What the second operator saw at 2x magnification.")),
     _sure("confidence", QT_TR_NOOP("sure"), QT_TR_NOOP("How sure the observer is, 0 to 100 %.")),
     _sure("confidence_2", QT_TR_NOOP("sure 2"), QT_TR_NOOP("How sure the second operator is, 0 to 100 %.")),
-    _plain("remark", QT_TR_NOOP("remark"), QT_TR_NOOP("The observer's remark."), "m" * 10),
-    _plain("remark_2", QT_TR_NOOP("remark 2"), QT_TR_NOOP("The second operator's remark."), "m" * 10),
-    _plain("reason", QT_TR_NOOP("reason"), QT_TR_NOOP("Why the mosaic could not be compared with a source."),
-           "m" * 20),
+    _plain("remark", QT_TR_NOOP("remark"), QT_TR_NOOP("The observer's remark.")),
+    _plain("remark_2", QT_TR_NOOP("remark 2"), QT_TR_NOOP("The second operator's remark.")),
+    _plain("reason", QT_TR_NOOP("reason"), QT_TR_NOOP("Why the mosaic could not be compared with a source.")),
 )  # fmt: skip
 """From left to right; those that stand empty, or there is no room for, are left out."""
 _SAID = ("observer_2", "confidence", "confidence_2", "remark", "remark_2")

@@ -1,37 +1,26 @@
-"""The windows as a sortable table whose selection is the window layer's, filtered by kind, words or an expression."""
+"""The windows as a sortable table whose selection is the window layer's, filtered by kind and words."""
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache, partial
+from functools import partial
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from qgis.core import (
-    QgsExpression,
-    QgsExpressionContext,
-    QgsExpressionContextUtils,
-    QgsFeatureRequest,
-    QgsVectorLayer,
-)
 from qgis.gui import QgsFilterLineEdit
 from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QComboBox,
     QHBoxLayout,
-    QLabel,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
-from ....imagery.errors import SettingsError
 from ....imagery.statistics import FIRST, UNSURE, VISIBLE, Operator
 from ....toolkit.desk.widgets import is_confirmed
-from ....toolkit.translation import filled, sentence, tr
-from ...measure import messages
+from ....toolkit.translation import filled, tr
 from ...measure.window_records import WindowRecord
 from ...words import CLAIMS, VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import WINDOW_ID, verdict_chip
@@ -42,52 +31,18 @@ if TYPE_CHECKING:
 
 
 Test = Callable[[WindowRecord], bool]
-_EXPRESSION = re.compile(r"[<>=()]|\bis\s+(not\s+)?null\b|\bi?like\b|\bbetween\b", re.IGNORECASE)
-_EXAMPLES = ("window_id", "verdict", "kept_1", "loss", "ratio_1", "cause", "observer", "confidence")
 
 
-def is_expression(text: str) -> bool:
-    """Whether a text is an expression, and no words."""
-    return _EXPRESSION.search(text) is not None
+def window_filter(text: str, allowed: frozenset[str] | None) -> Test | None:
+    """Whether a window matches all words of a text; None where the text asks for nothing.
 
-
-def window_filter(text: str, layer: QgsVectorLayer | None, allowed: frozenset[str] | None) -> Test | None:
-    """Whether a window matches an expression on the layer as it is now, or all words of a text; None where the text
-    asks for nothing.
-
-    ``allowed``: the only fields that a text is about, while others are hidden. Raises SettingsError with a sentence for
-    an expression that is wrong, or asks for more.
+    ``allowed``: the only fields that a text is about, while others are hidden.
     """
-    if is_expression(text):
-        fids = matching_windows(text, layer, allowed) if layer is not None else set[int]()
-        return lambda row: row.fid in fids
-    words, words_of = text.casefold().split(), cache(_shown_words)
-    return (lambda row: all(_matches(row, word, allowed, words_of) for word in words)) if words else None
+    words = text.casefold().split()
+    return (lambda row: all(_matches(row, word, allowed) for word in words)) if words else None
 
 
-def matching_windows(text: str, layer: QgsVectorLayer, allowed: frozenset[str] | None) -> set[int]:
-    """Feature ids of the windows for which an expression holds. Raises SettingsError."""
-    expression, names = QgsExpression(text), {name.lower(): name for name in layer.fields().names()}
-    if expression.hasParserError():
-        raise _not_understood(expression.parserErrorString())
-    for name in sorted(map(str.lower, expression.referencedColumns())):
-        if allowed is not None and names.get(name) not in allowed:
-            raise SettingsError(messages.FILTER_HIDDEN(word=name, known=", ".join(sorted(allowed))))
-        if name not in names and name != QgsFeatureRequest.ALL_ATTRIBUTES.lower():
-            known = ", ".join(example for example in _EXAMPLES if example in names)
-            raise SettingsError(messages.FILTER_FIELD_UNKNOWN(name=name, known=known))
-    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
-    expression.prepare(context)
-    if (first := next(layer.getFeatures(), None)) is not None:  # what is wrong with values shows only there
-        context.setFeature(first)
-        expression.evaluate(context)
-        if expression.hasEvalError():
-            raise _not_understood(expression.evalErrorString())
-    request = QgsFeatureRequest(expression, context)
-    return {feature.id() for feature in layer.getFeatures(request)}
-
-
-def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None, words_of: Callable[..., list[str]]) -> bool:
+def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None) -> bool:
     """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
     anywhere in the reason, which names files. A number is a window's."""
     if word.isdigit():
@@ -95,18 +50,8 @@ def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None, words
     if allowed is not None:
         said = row.observer if FIRST.observer in allowed else row.observer_2
         return any(part.startswith(word) for part in observer_word(said).casefold().split())
-    words = words_of(row.verdict, row.cause, row.observer)
-    return any(part.startswith(word) for part in words) or word in row.reason.casefold()
-
-
-def _shown_words(verdict: str, cause: str, observer: str) -> list[str]:
-    """The words that the table says for these."""
-    return " ".join((verdict_word(verdict), cause_word(cause), observer_word(observer))).casefold().split()
-
-
-def _not_understood(error: str) -> SettingsError:
-    first = next((line.strip().rstrip(".") for line in error.splitlines() if line.strip()), "")
-    return SettingsError(messages.FILTER_NOT_UNDERSTOOD(error=first))
+    said = " ".join((verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer)))
+    return any(part.startswith(word) for part in said.casefold().split()) or word in row.reason.casefold()
 
 
 _LETTERS = 8  # of the box
@@ -191,8 +136,6 @@ class WindowsPanel(QWidget):
         self._windows = WindowsModel(self, session.result)
         self._search = QgsFilterLineEdit(self)  # before the table, for Tab
         self._verdicts = KindBox(self)
-        self._problem = QLabel(self)
-        self._problem.setTextFormat(Qt.TextFormat.PlainText)
         self.table = WindowsTable(self._windows, self)
         self.table.setToolTip(
             tr("A click goes to a window on the map, Enter once more; Del removes the selected ones.")
@@ -238,19 +181,11 @@ class WindowsPanel(QWidget):
     def _take_windows(self) -> None:
         with self._following():
             self._windows.set_windows(self._session.windows())
-        if is_expression(self._search.text()):
-            self._filter()
 
     def _filter(self, *_: object) -> None:
         with self._following():
-            problem, query = "", None
-            try:
-                query = window_filter(self._search.text(), self._session.window_layer(), self._allowed)
-            except SettingsError as error:  # which leaves no window out
-                problem = sentence(error.message)
-            self._windows.set_filter(test for test in (query, self._verdicts.test()) if test is not None)
-        self._problem.setText(problem)
-        self._problem.setVisible(bool(problem))
+            tests = window_filter(self._search.text(), self._allowed), self._verdicts.test()
+            self._windows.set_filter(test for test in tests if test is not None)
 
     @contextmanager
     def _following(self) -> Iterator[None]:
@@ -267,7 +202,6 @@ class WindowsPanel(QWidget):
                 self._windows.index(rows.index(anchor), 0), QAbstractItemView.ScrollHint.PositionAtTop
             )
         self._show_selection(selected)
-        self._describe()
         self.orderChanged.emit()
 
     def _take_selection(self) -> None:
@@ -311,15 +245,6 @@ class WindowsPanel(QWidget):
             self._show_selection(set())
             self.orderChanged.emit()
 
-    def _describe(self) -> None:
-        """What an empty table says."""
-        hint = tr("Draw a window on the map, or place windows along the seamlines.")
-        if self._windows.all_windows():
-            hint = tr("No window matches the filter.")
-        if hint != self.table.hint:
-            self.table.hint = hint
-            self.table.viewport().update()
-
     # What the operator asks for
 
     def _zoom_to(self, index: QModelIndex) -> None:
@@ -346,9 +271,6 @@ class WindowsPanel(QWidget):
         line.addWidget(self._verdicts)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        self._problem.setWordWrap(True)
-        self._problem.setVisible(False)
         layout.addLayout(line)
-        layout.addWidget(self._problem)
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)

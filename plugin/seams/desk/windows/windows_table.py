@@ -15,12 +15,11 @@ from qgis.PyQt.QtCore import (
     Qt,
     pyqtSignal,
 )
-from qgis.PyQt.QtGui import QFont, QIcon, QKeyEvent, QKeySequence, QPaintEvent, QPalette, QResizeEvent
+from qgis.PyQt.QtGui import QFont, QIcon, QKeyEvent, QKeySequence, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyleOptionHeader, QTableView, QWidget
 
-from ....toolkit.desk.theme import ReadableItems, readable_palette
+from ....toolkit.desk.theme import ReadableItems
 from ....toolkit.desk.widgets import rich_tip, single_shot
-from ....toolkit.painting import painting
 from ....toolkit.translation import tr
 from .window_columns import ALIGNED_LEFT, COLUMNS, WINDOW_ID, TableColumn, used_columns, verdict_chip
 
@@ -47,7 +46,7 @@ class WindowsModel(QAbstractTableModel):
         self._rows: list[WindowRecord] = []
         self._fids: list[int] = []
         self._places: dict[int, int] = {}
-        self._chips: dict[tuple[str, bool], QIcon] = {}
+        self._chips: dict[str, QIcon] = {}
         self._italic = QFont()
         self._italic.setItalic(True)
 
@@ -123,7 +122,7 @@ class WindowsModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return column.alignment
         if role == Qt.ItemDataRole.DecorationRole and column.name == "verdict":
-            return self._chip(row.verdict, row.stale)
+            return self._chip(row.verdict)
         if role == Qt.ItemDataRole.FontRole and row.stale:
             return self._italic
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -144,19 +143,20 @@ class WindowsModel(QAbstractTableModel):
             return ALIGNED_LEFT if column == self.sorted_by else column.alignment
         return None
 
-    def _chip(self, verdict: str, stale: bool) -> QIcon:
-        if (verdict, stale) not in self._chips:
-            self._chips[verdict, stale] = verdict_chip(verdict, stale)
-        return self._chips[verdict, stale]
+    def _chip(self, verdict: str) -> QIcon:
+        if verdict not in self._chips:
+            self._chips[verdict] = verdict_chip(verdict)
+        return self._chips[verdict]
 
 
 _GIVING_WAY = (
     "reason", "paper_verdict", "sources", "remark_2", "remark", "confidence_2", "confidence", "ratio", "observer_2",
-    "cause",
-)  # fmt: skip
-"""Columns without room, the first that go first; verdict, loss and observer always stay."""
-_BEFORE_CAUSES = _GIVING_WAY[:3]  # that go before causes are cut short
-_CAUSE_LETTERS = 12  # that causes have beyond their heading then
+)
+"""Columns without room, the first that go first; verdict, loss, cause and observer always stay."""
+_CUT_SHORT = ("cause", "verdict", "observer", "observer_2", "remark", "remark_2", "reason")
+"""Columns of words that are known by their first letters, in the order in which they are cut, and get room again."""
+_LETTERS = 8  # that words have at least beyond their heading before another column goes
+_MEASURED_ROWS = 30  # from the first that is seen, of which a column has room for the longest
 _FIT_MS = 100  # from a change on, so that many at once cost one look at all rows
 
 
@@ -168,9 +168,7 @@ class WindowsTable(QTableView):
 
     def __init__(self, windows: WindowsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.hint = ""  # what is said in the middle of an empty table
         self._windows = windows
-        self._used = frozenset[str]()  # names of the columns that hold something
         self._allowed: frozenset[str] | None = None  # those that tell nothing; None: all may be seen
         self._fit_soon = single_shot(self, self.fit, _FIT_MS)
         self.setModel(windows)
@@ -192,6 +190,7 @@ class WindowsTable(QTableView):
         header.setHighlightSections(False)
         header.setTextElideMode(Qt.TextElideMode.ElideRight)
         header.setMinimumSectionSize(1)
+        header.setResizeContentsPrecision(_MEASURED_ROWS)
         header.sortIndicatorChanged.connect(self.fit)  # the arrow needs room in its column
         windows.modelReset.connect(self.fit)  # a column may be of use from now on, or a number longer
         self.fit()
@@ -243,44 +242,30 @@ class WindowsTable(QTableView):
         metrics = self.fontMetrics()
         self.setIconSize(QSize(metrics.ascent(), metrics.ascent()))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
-        self._used = used_columns(self._windows.all_windows())
-        names = self._used if self._allowed is None else self._used & self._allowed
-        sizes = {place: self._least(column) for place, column in enumerate(COLUMNS) if column.name in names}
-        room = self.viewport().width()
+        names = used_columns(self._windows.all_windows())
+        widths = self._widths(names if self._allowed is None else names & self._allowed)
+        for place, column in enumerate(COLUMNS):
+            self.setColumnHidden(place, column.name not in widths)
+            if column.name in widths:
+                self.setColumnWidth(place, widths[column.name])
+
+    def _widths(self, names: frozenset[str]) -> dict[str, int]:
+        """Widths of those among some columns that there is room for."""
+        room, letters = self.viewport().width(), _LETTERS * self.fontMetrics().averageCharWidth()
+        places = {column.name: place for place, column in enumerate(COLUMNS) if column.name in names}
+        headings = {name: self._heading(COLUMNS[place]) for name, place in places.items()}
+        whole = {name: max(headings[name], self.sizeHintForColumn(place)) for name, place in places.items()}
+        short = {name: min(whole[name], headings[name] + letters) for name in _CUT_SHORT if name in names}
+        widths = {**whole, **short}
         for name in _GIVING_WAY:
-            causes = _CAUSE_LETTERS * metrics.averageCharWidth() if name in _BEFORE_CAUSES else 0
-            if sum(sizes.values()) + causes <= room:
-                break
-            sizes = {place: size for place, size in sizes.items() if COLUMNS[place].name != name}
-        spare = room - sum(sizes.values())
-        for place in sorted(sizes, reverse=True):  # causes before verdicts, which have a chip, too
-            if COLUMNS[place].name not in ("verdict", "cause"):
-                continue
-            wider = min(max(self._full(place) - sizes[place], 0), spare) if spare > 0 else 0
-            sizes[place], spare = sizes[place] + wider, spare - wider
-        for section in range(len(COLUMNS)):
-            self.setColumnHidden(section, section not in sizes)
-        for section, size in sizes.items():
-            self.setColumnWidth(section, size)
-
-    def _least(self, column: TableColumn) -> int:
-        """With its heading and words; causes are cut short, as their first letters tell."""
-        words = [] if column.name == "cause" else [*column.words()]
-        if column.name == "loss":  # a number that is never cut
-            most = max(self._windows.all_windows(), key=lambda row: row.loss or 0.0, default=None)
-            words += [] if most is None else [column.text(most)]
-        return max([self._heading(column), *(self._of_words(column, text) for text in words)])
-
-    def _full(self, place: int) -> int:
-        column = COLUMNS[place]
-        texts = {column.text(row) for row in self._windows.all_windows()}
-        return max((self._of_words(column, text) for text in texts), default=0)
-
-    def _of_words(self, column: TableColumn, text: str) -> int:
-        margin = self.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, self)
-        em = self.fontMetrics().horizontalAdvance("m")
-        chip = self.iconSize().width() + em // 2 if column.name == "verdict" else 0
-        return int(self.fontMetrics().horizontalAdvance(text) + 2 * (margin + 1) + em // 2 + chip)
+            if sum(widths.values()) > room:
+                widths.pop(name, None)
+        spare = room - sum(widths.values())
+        for name in filter(widths.get, _CUT_SHORT):
+            limit = whole[name] if spare > 0 else headings[name]
+            change = min(limit - widths[name], spare, key=abs)
+            widths[name], spare = widths[name] + change, spare - change
+        return widths
 
     def _heading(self, column: TableColumn) -> int:
         """That shows all of a heading, with what the style or a theme's style sheet puts around it."""
@@ -301,9 +286,7 @@ class WindowsTable(QTableView):
 
     def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
         """Paint the rows that changed, and no others as Qt 5 does."""
-        if self._used != used_columns(self._windows.all_windows()):
-            self.fit()
-        elif not self._fit_soon.isActive():  # words may be longer, as causes that are told after the verdict
+        if not self._fit_soon.isActive():  # a column may be of use, or words longer, as causes told after the verdict
             self._fit_soon.start()
         top = self.rowViewportPosition(first.row())
         bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
@@ -318,15 +301,6 @@ class WindowsTable(QTableView):
         super().changeEvent(event)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
             self.fit()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self.hint and self._windows.rowCount() == 0:
-            with painting(self.viewport()) as painter:
-                painter.setPen(readable_palette(self).color(QPalette.ColorRole.PlaceholderText))
-                margin = self.fontMetrics().height()
-                room = self.viewport().rect().adjusted(margin, 0, -margin, 0)
-                painter.drawText(room, int(Qt.AlignmentFlag.AlignCenter) | int(Qt.TextFlag.TextWordWrap), self.hint)
 
     # Keys
 

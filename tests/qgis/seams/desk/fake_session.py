@@ -18,6 +18,7 @@ class FakeSession(QObject):
     """Inputs that can be set; one seam along a meridian; three sources over every window."""
 
     inputsChanged = pyqtSignal()
+    windowsChanged = pyqtSignal()
     progressChanged = pyqtSignal(int, int)
 
     def __init__(self, inputs: Inputs, columns: int = 4096, rows: int = 2048) -> None:

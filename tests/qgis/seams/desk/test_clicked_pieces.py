@@ -43,8 +43,7 @@ class Map:
         self.is_blind = False
         self.pieces = ClickedPieces(canvas, desk.session, canvas, lambda: self.is_blind)
         self.judging = Judging(desk.session)
-        self.bar = JudgeBar(desk.session, self.judging)
-        self.bar.follow_pieces(self.pieces)
+        self.bar = JudgeBar(desk.session, self.judging, self.pieces)
 
     def click(self, column: float, row: float) -> None:
         place = self.canvas.getCoordinateTransform().transform(QgsPointXY(*at(column, row)))

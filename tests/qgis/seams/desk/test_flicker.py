@@ -94,18 +94,26 @@ def test_what_lies_on_the_map_goes_with_judging_and_with_the_desk(plugin: Any, s
     desk.session = dock.session
     desk.set(desk.inputs())
     dock.session.select([desk.add()])
-    layout, flicker = dock.layout_of_judging.action, dock.flicker
+    layout, flicker = dock.judging.action, dock.flicker
     layout.trigger()
     assert dock.flicker.press()
     dock.flicker.release(0.1)
     assert flicker.is_shown
     layout.trigger()
     assert not flicker.is_shown
-    dock.session.loss_view.show(True)
+    dock.session.lost_detail.setChecked(True)
     dock.draw.trigger()
     assert dock.draw.isChecked()
     assert dock.flicker.press()
     dock.hide()
     assert not flicker.is_shown
-    assert not dock.session.loss_view.is_shown
+    assert not dock.session.lost_detail.isChecked()
     assert not dock.draw.isChecked()
+    node = desk.project.layerTreeRoot().findLayer(desk.layer().id())
+    assert node.isVisible()
+    dock.judging.model.change(is_blind=True)
+    assert not node.isVisible()  # whose colours and labels tell what was found
+    dock.judging.leave()
+    assert not node.isVisible()
+    dock.judging.model.change(is_blind=False)
+    assert node.isVisible()

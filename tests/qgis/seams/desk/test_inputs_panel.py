@@ -11,9 +11,9 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtWidgets import QApplication
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.numbers.synthetic import ORIGIN, write_raster
 from tests.qgis.scenes import PIXEL, Scene, layer, line, outline, whole
@@ -216,9 +216,9 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
         (10.0, 3, 10.0, "128 px, 12.8 m", "few windows below 256 px can be measured"),
         # not 12.8, as tenths would say
         (12.79, 3, 12.79, "128 px, 12.8 m", "few windows below 256 px can be measured"),
-        (3.0, 3, 25.6, "256 px, 25.6 m", "3.0 m is too small for this mosaic: 25.6 m, every 51.2 m"),
-        (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m is too small for this mosaic: 25.6 m, every 51.2 m"),
-        (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m is too large for this mosaic: 51.2 m, every 102.4 m"),
+        (3.0, 3, 25.6, "256 px, 25.6 m", "3.0 m does not fit this mosaic: 25.6 m, every 51.2 m"),
+        (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m does not fit this mosaic: 25.6 m, every 51.2 m"),
+        (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m does not fit this mosaic: 51.2 m, every 102.4 m"),
     ],
 )
 def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
@@ -237,23 +237,26 @@ def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
         assert desk.panel.side_note.isVisibleTo(desk.panel.box) == (bool(note) and not folded)
 
 
-def test_folds_once_set_and_then_stays_as_it_is_left(desk: Desk) -> None:
+def test_folds_with_the_first_window_and_then_stays_as_it_is_left(desk: Desk) -> None:
     box = desk.panel.box
     desk.panel.resize(900, 500)
     desk.panel.grab()
     assert not box.isCollapsed()
     assert box.title() == "Inputs: choose the mosaic"
     desk.set_all()
-    assert box.isCollapsed()
+    assert not box.isCollapsed()
     assert box.title() == "mosaic · 2 sources"
+    desk.session.rows = [WindowRecord(1, None)]
+    desk.session.windowsChanged.emit()
+    assert box.isCollapsed()
     box.setCollapsed(False)
-    desk.panel.side.setValue(50)
+    desk.session.windowsChanged.emit()
     assert not box.isCollapsed()
 
 
 def test_close_lets_go_of_everything(desk: Desk) -> None:
-    project, app = QgsProject.instance(), QApplication.instance()
-    owners = [(desk.session, "inputsChanged"), (app, "focusChanged")]
+    project = QgsProject.instance()
+    owners: list[tuple[Any, str]] = [(desk.session, "inputsChanged"), (desk.session, "windowsChanged")]
     owners += [(project, "layersAdded"), (project, "layersRemoved")]
     before = [owner.receivers(getattr(owner, name)) for owner, name in owners]
     desk.panel.close()

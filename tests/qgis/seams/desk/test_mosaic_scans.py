@@ -54,7 +54,7 @@ def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> Non
     desk.scans.start()
     wait_until(lambda: desk.scans.news is not None and desk.scans.news.share > 0, "for the first block")
     desk.scans.stop()
-    wait_until(lambda: not desk.scans.is_busy, "for the end")
+    wait_until(lambda: not desk.scans.is_at_work, "for the end")
     settle(0.1)
     assert names(desk.folder) == ["ortho_loss.tif.scan"]
     assert desk.messages == ["The scan was stopped; started again with the same output it continues from here."]
@@ -82,7 +82,7 @@ def test_closing_the_project_stops_the_scan(desk: ScanDesk) -> None:
     desk.use("north", "south")
     desk.scans.start()
     desk.project.clear()
-    assert not desk.scans.is_busy
+    assert not desk.scans.is_at_work
     wait_for_tasks()
     settle(0.2)
     assert desk.project.mapLayers() == {}

@@ -57,11 +57,11 @@ def test_the_button_waits_for_something_to_scan(plugin: Any, scan_scene: ScanSce
     dock.scan.trigger()
     assert not dock.scan.isEnabled()
     assert dock.stop.isEnabled()
-    assert not dock.scan_progress.isHidden()
+    assert not dock.progress.parentWidget().isHidden()
     wait_until(lambda: not dock.scans.is_at_work, "for the scan")
     assert dock.scan.isEnabled()
     assert not dock.stop.isEnabled()
-    assert dock.scan_progress.isHidden()
+    assert dock.progress.parentWidget().isHidden()
 
 
 def test_the_worst_places_are_inspected_and_the_first_is_shown(

@@ -63,7 +63,7 @@ def test_stale_marks_come_back_with_the_project(desk: Desk, tmp_path: Path) -> N
     assert desk.project.write(path)
     desk.project.clear()
     assert desk.project.read(path)
-    assert {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True}
+    wait_until(lambda: {number: row.stale for number, row in desk.rows().items()} == {1: False, 2: True})
 
 
 def test_the_result_of_another_place_is_stale_where_the_window_comes_back(desk: Desk) -> None:
@@ -105,8 +105,8 @@ def test_another_data_source_or_reference_system_makes_inspected_windows_stale(d
     source.setCrs(crs)
     assert not desk.rows()[1].stale
     desk.mosaic.setDataSource(str(scene.east), "other", "gdal")
-    assert desk.rows()[1].stale
     desk.wait_for_opening()
+    assert desk.rows()[1].stale
     desk.session.take_windows()  # they were asked about, as the mosaic is another
     desk.session.inspect_pending()
     desk.wait()
@@ -133,8 +133,7 @@ def test_an_edited_source_index_makes_inspected_windows_stale(desk: Desk, scene:
     wait_until(lambda: not desk.rows()[1].stale)
     assert len(desk.session.block().sources_over(BLURRED_WINDOW)) == 2
     desk.project.removeMapLayers([index.id()])
-    settle()
-    assert not desk.rows()[1].stale
+    wait_until(lambda: desk.rows()[1].stale)
 
 
 def test_seam_cells_decide_and_make_inspected_windows_stale(desk: Desk) -> None:
@@ -159,5 +158,4 @@ def test_seam_cells_decide_and_make_inspected_windows_stale(desk: Desk) -> None:
     cells.rollBack()
     wait_until(lambda: not desk.rows()[1].stale)
     desk.project.removeMapLayers([cells.id()])
-    settle()
-    assert not desk.rows()[1].stale
+    wait_until(lambda: desk.rows()[1].stale)

@@ -14,7 +14,6 @@ from qgis.core import (
 )
 from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsRubberBand, QgsVertexMarker
 from qgis.PyQt.QtCore import QEvent, QPoint, Qt
-from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QApplication, QLabel
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
@@ -56,11 +55,6 @@ class Operator:
         self.press(start)
         self.move(end, LEFT)
         self.release(end)
-
-    def key(self, key: Qt.Key, kind: QEvent.Type = QEvent.Type.KeyPress) -> None:
-        """A key as the canvas tells it while a button is down."""
-        event = QKeyEvent(kind, key, Qt.KeyboardModifier.NoModifier)
-        (self.canvas.keyPressed if kind == QEvent.Type.KeyPress else self.canvas.keyReleased).emit(event)
 
     def on_screen(self, place: tuple[float, float]) -> QPoint:
         point = self.canvas.getCoordinateTransform().transform(self.on_map(place))
@@ -138,18 +132,6 @@ def test_drag_is_snapped_while_it_is_drawn(operator: Operator) -> None:
     operator.release((1004, 812))
     assert operator.session.added == [PixelWindow(402, 402, 600, 408)]
     assert operator.text == ""
-
-
-def test_shift_makes_a_square_also_when_pressed_midway(operator: Operator) -> None:
-    operator.press((400, 400))
-    operator.move((1004, 812), LEFT)
-    operator.key(Qt.Key.Key_Shift)
-    assert "600 x 600 px" in operator.text
-    operator.key(Qt.Key.Key_Shift, QEvent.Type.KeyRelease)
-    assert "600 x 408 px" in operator.text
-    operator.modifiers = SHIFT
-    operator.release((1004, 812))
-    assert operator.session.added == [PixelWindow(402, 402, 600, 600)]
 
 
 @pytest.mark.parametrize(

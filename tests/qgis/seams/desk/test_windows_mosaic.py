@@ -5,12 +5,12 @@ import shutil
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsVectorLayer
+from qgis.core import QgsCoordinateReferenceSystem, QgsVectorLayer
 from seam_inspector.plugin.imagery.errors import Message
 
 from tests.qgis.emptied import UNDEFINED
 from tests.qgis.scenes import SHARP, Scene, windows
-from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle
 
 
 @pytest.fixture
@@ -64,23 +64,6 @@ def test_windows_that_lost_their_reference_system_have_the_mosaics(desk: Desk, w
     desk.session.inspect([row.fid for row in desk.session.windows()])
     desk.wait()
     assert all(row.verdict for row in desk.session.windows())
-
-
-def test_new_windows_lie_where_the_others_lie(desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]) -> None:
-    older, before = desk.layer(), said(desk)
-    places = [row.extent for row in desk.session.windows()]
-    other_mosaic(desk, scene, tmp_path)
-    desk.session.copy_windows()
-    wait_until(lambda: len(desk.session.windows()) == len(places), "for the windows")
-    assert desk.layer() is not older
-    assert not QgsProject.instance().layerTreeRoot().findLayer(older.id()).isVisible()  # its labels tell older results
-    assert [row.extent for row in desk.session.windows()] == places
-    assert said(desk) == [("", "")] * 2
-    desk.session.inspect_pending()
-    desk.wait()
-    assert [verdict for verdict, _ in said(desk)] != ["", ""]
-    desk.set(desk.inputs(windows=older.id()))
-    assert said(desk) == before
 
 
 def test_windows_know_their_mosaic_when_they_are_opened_again(

@@ -5,11 +5,22 @@ from collections.abc import Iterator
 
 import pytest
 from qgis.core import QgsProject
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import Show, WindowsSession
+
+
+class NoPieces(QObject):
+    """No piece of a scanned seam is clicked."""
+
+    changed = pyqtSignal()
+    current = None
+
+    def judge(self) -> bool:
+        return False
 
 
 class Asked:
@@ -38,7 +49,7 @@ def judging(session: WindowsSession, panel: WindowsPanel, asked: Asked, project:
 
 @pytest.fixture
 def bar(session: WindowsSession, panel: WindowsPanel, judging: Judging, show: Show) -> JudgeBar:
-    bar = JudgeBar(session, judging)
+    bar = JudgeBar(session, judging, NoPieces(panel))
     panel.orderChanged.connect(bar.refresh)
     show(bar)
     return bar

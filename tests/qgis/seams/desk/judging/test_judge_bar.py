@@ -7,9 +7,8 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QLineEdit
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
-from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
-from tests.qgis.seams.desk.windows_session import WindowsSession, filter_to
+from tests.qgis.seams.desk.windows_session import WindowsSession
 
 DESCENDING = Qt.SortOrder.DescendingOrder
 
@@ -30,7 +29,7 @@ DESCENDING = Qt.SortOrder.DescendingOrder
             "Preserved. Along the seam as much of the finest detail is left as around it.",
         ),
         ([12], "Significant loss. Detail at level 1 is 45 % of the source's. Changed since: inspect it again."),
-        ([1, 2, 12], "3 windows selected: 2 significant, 1 reduced, 1 changed since."),
+        ([1, 2, 12], "3 windows selected."),
     ],
 )
 def test_sentence(bar: JudgeBar, session: WindowsSession, fids: list[int], sentence: str) -> None:
@@ -77,22 +76,6 @@ def test_how_much_is_judged_is_always_said(bar: JudgeBar, session: WindowsSessio
     assert bar._progress.text() == "4 to go: 0 of 4 judged"
 
 
-def test_steps_and_position(bar: JudgeBar, panel: WindowsPanel, session: WindowsSession) -> None:
-    session.select([2])
-    assert bar._position.text() == "2 of 6"
-    bar._forth.click()
-    assert session.selected() == [3]
-    bar._back.click()
-    bar._back.click()
-    assert session.selected() == [1]
-    assert not bar._back.isEnabled()
-    panel.table.sortByColumn(0, DESCENDING)
-    assert bar._position.text() == "6 of 6"
-    assert not bar._forth.isEnabled()
-    filter_to(panel, choice="preserved")
-    assert bar._position.text() == "- of 1"
-
-
 def test_confidence_and_remark_are_written_where_the_operator_is(
     bar: JudgeBar, session: WindowsSession, judging: Judging
 ) -> None:
@@ -100,14 +83,11 @@ def test_confidence_and_remark_are_written_where_the_operator_is(
     bar.key_actions()["sure 70"]()
     assert session.row(1).confidence == 70  # type: ignore[union-attr]
     bar.key_actions()["sure 100"]()
-    assert bar.confidence.value() == session.row(1).confidence == 100  # type: ignore[union-attr]
-    bar.confidence.setValue(85)
     judging.change(operator=2)
-    assert bar.confidence.text() == "- %"
     bar.key_actions()["sure 10"]()
     row = session.row(1)
     assert row is not None
-    assert (row.confidence, row.confidence_2) == (85, 10)
+    assert (row.confidence, row.confidence_2) == (100, 10)
 
 
 def test_a_digit_after_a_verdict_is_the_judged_window_s(bar: JudgeBar, session: WindowsSession) -> None:

@@ -28,7 +28,7 @@ from qgis.PyQt.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
-from seam_inspector.plugin.seams.desk.desk_keys import JUDGING, DeskKeys
+from seam_inspector.plugin.seams.desk.desk_keys import DeskKeys
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import Show, WindowsSession, window
@@ -77,7 +77,7 @@ class _Desk:
                 )
             },
             {"flicker": self._let_go},
-            {JUDGING: lambda: self.is_judging},
+            lambda: self.is_judging,
         )
         self.keys.listen(True)
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject, QgsRasterLayer
+from qgis.PyQt.QtWidgets import QAction
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.seams.desk.session_inputs import LossView
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
@@ -61,7 +61,8 @@ class ProfileSession(WindowsSession):
 
     def __init__(self) -> None:
         super().__init__([WindowRecord(7, None, "significant", fid=1), WindowRecord(8, None, fid=2)])
-        self.loss_view = LossView(self)
+        self.lost_detail = QAction(self)
+        self.lost_detail.setCheckable(True)
         self.grid = Grid(*ORIGIN, PIXEL, PIXEL, 512, 512)
         self.results = {1: result()}
         self.chosen = [1]

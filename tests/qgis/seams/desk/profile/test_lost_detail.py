@@ -85,7 +85,7 @@ def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: 
     before = len(canvas.scene().items())
     overlay = LossOverlay(canvas, session)
     assert overlay.pictures == ()
-    session.loss_view.show(not session.loss_view.is_shown)
+    session.lost_detail.toggle()
     settle()
     (legend,) = canvas.findChildren(LossLegend)
     assert legend.isVisible()
@@ -98,7 +98,7 @@ def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: 
         assert not is_on(colour_at(canvas, column, 60)), column
     assert is_on(colour_at(canvas, SEAM_COLUMN + 4, 118))
     assert not is_on(colour_at(canvas, SEAM_COLUMN + 4, 123))
-    session.loss_view.show(not session.loss_view.is_shown)
+    session.lost_detail.toggle()
     settle()
     assert overlay.pictures == ()
     overlay.close()
@@ -111,7 +111,7 @@ def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis
     canvas, session = QgsMapCanvas(), ProfileSession()
     values, session.results = session.results, {}
     overlay = LossOverlay(canvas, session)
-    session.loss_view.show(True)
+    session.lost_detail.setChecked(True)
     (legend,) = canvas.findChildren(LossLegend)
     assert "No picture yet" in legend.text()
     session.results = values

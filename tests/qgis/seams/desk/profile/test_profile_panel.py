@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import QPoint
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
+from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
 from seam_inspector.plugin.seams.desk.charts.curves_tab import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
@@ -74,18 +74,18 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
 def test_the_mixture_is_a_quiet_line(panel: ProfilePanel) -> None:
     bins = (replace(PROFILE.bins[0], mixture=0.4), replace(PROFILE.bins[1], mixture=0.1), *PROFILE.bins[2:])
     mixed = replace(PROFILE, bins=bins, feather_width_px=15.0)
-    panel.show_profile(mixed, PIXEL, 0.7)
+    panel.show_profile(ShownProfile(mixed, PIXEL, 0.7))
     shown = panel.chart.shown
     assert shown is not None
     placed = panel.chart.painter()
     points = placed.mixture
     assert points[0] == pytest.approx((placed.axes.left(), placed.y_of(0.4)))
     assert [y for _, y in points[1:]] == pytest.approx([placed.y_of(0.4), placed.y_of(0.1), placed.y_of(0.1)])
-    assert bin_words(shown, shown.bins(1)[0])[0].endswith(", 40 % other image")
+    assert bin_words(shown, shown.bins(1)[0]).endswith(", 40 % other image")
     wider = max(15, mixed.band_width_px) * PIXEL
-    assert all(words.endswith(f"in {wider:.1f} m") for words in summary_words(shown)[:-1])
+    assert summary_words(shown).endswith(f"in {wider:.1f} m")
     drawn = panel.chart.grab().toImage()
-    panel.show_profile(PROFILE, PIXEL, 0.7)
+    panel.show_profile(ShownProfile(PROFILE, PIXEL, 0.7))
     assert panel.chart.grab().toImage() != drawn
     assert not panel.chart.painter().mixture
 
@@ -97,14 +97,11 @@ def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(12 * PIXEL)), 60))
     settle()
     assert messages == [PROFILE.bins[1]]
-    assert panel._status.text() == "0.80 to 1.60 m from the seam: 80 % kept (70 to 90 %)"
+    assert panel._status.text() == "0.80 to 1.60 m: 80 % kept (70 to 90 %)"
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(30 * PIXEL)), 60))  # nothing was measured there
     settle()
     assert messages[-1] is None
-    assert panel._status.text().startswith("Beside the seam 56 % kept (51 to 62 %)")
-    panel.resize(180, 320)
-    settle()
-    assert panel._status.shown_text() == "56 % kept in 2.0 m"
+    assert panel._status.text().startswith("56 % kept (51 to 62 %)")
 
 
 @pytest.mark.parametrize(
