@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="266"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="144"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -124,7 +124,7 @@
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="338"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="336"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -184,59 +184,39 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="50"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="56"/>
-        <source>The window lies outside the mosaic; draw it on the mosaic.</source>
-        <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="73"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="76"/>
+        <location filename="../plugin/imagery/messages.py" line="75"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
-        <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
-        <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
-    </message>
-    <message>
         <location filename="../plugin/imagery/messages.py" line="80"/>
-        <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
-        <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="85"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
-        <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
-        <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="28"/>
@@ -299,17 +279,17 @@
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="31"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="65"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="67"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; wybierz inne miejsce.</translation>
     </message>
@@ -324,47 +304,42 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="42"/>
+        <location filename="../plugin/imagery/messages.py" line="41"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="69"/>
         <source>No source covers the window; add the orthoimages that overlap it or choose another place.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo wybierz inne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="71"/>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/messages.py" line="71"/>
         <source>The mosaic has no variance in the window; choose a place with content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; wybierz miejsce, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="73"/>
+        <location filename="../plugin/seams/measure/messages.py" line="72"/>
         <source>{name} has no variance in the window; choose a place with content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; wybierz miejsce, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="75"/>
+        <location filename="../plugin/seams/measure/messages.py" line="73"/>
         <source>No source has detail at level 1 in the window; choose a place with some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; wybierz miejsce, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="77"/>
+        <location filename="../plugin/seams/measure/messages.py" line="74"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
-        <source>The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller.</source>
-        <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -409,12 +384,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="39"/>
-        <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
-        <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="137"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="211"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -444,7 +414,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="379"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="319"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -504,57 +474,47 @@
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="39"/>
-        <source>{count} changed since</source>
-        <translation>zmienione od kontroli: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="40"/>
-        <source>{count} windows selected: {verdicts}.</source>
-        <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="186"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="157"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="159"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="161"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="220"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="153"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="136"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="239"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -564,12 +524,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="208"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="213"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -579,42 +539,42 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="252"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="217"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="255"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="220"/>
         <source>Minimum side of a clicked or placed window, in metres</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="246"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="247"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="406"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="361"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -624,82 +584,67 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="98"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="80"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="190"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="132"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="192"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="134"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="204"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="210"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="150"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="212"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="152"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="217"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="157"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="214"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="154"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="68"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="75"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="226"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
-        <source>{place} of {count}</source>
-        <translation>{place} z {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
-        <source>No window matches the filter.</source>
-        <translation>Żadne okno nie pasuje do filtra.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="316"/>
-        <source>Draw a window on the map, or place windows along the seamlines.</source>
-        <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="146"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -709,37 +654,37 @@
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="125"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="72"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="125"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="72"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="120"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="65"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="77"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -749,162 +694,152 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="185"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="195"/>
+        <location filename="../plugin/seams/desk/dock.py" line="185"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="188"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="198"/>
+        <location filename="../plugin/seams/desk/dock.py" line="188"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="216"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="209"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="209"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="81"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="73"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="248"/>
+        <location filename="../plugin/seams/desk/dock.py" line="238"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="353"/>
+        <location filename="../plugin/seams/desk/dock.py" line="376"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="317"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="269"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="334"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="333"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="335"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="337"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="92"/>
-        <source>Ratio at level {level}: {ratio}</source>
-        <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="146"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="128"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="130"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="134"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="116"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="146"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="130"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="112"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="144"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="165"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="147"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="58"/>
-        <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
-        <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="312"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="275"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="325"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="288"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="407"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="362"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="79"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="77"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
@@ -914,22 +849,12 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="187"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="155"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="187"/>
-        <source>SVG picture</source>
-        <translation>Obraz SVG</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="130"/>
-        <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
-        <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="177"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="158"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -939,7 +864,7 @@
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="64"/>
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you can write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
@@ -974,54 +899,39 @@
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="134"/>
+        <location filename="../plugin/toolkit/translation.py" line="131"/>
         <source>luminance</source>
         <translation>luminancja</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="135"/>
+        <location filename="../plugin/toolkit/translation.py" line="132"/>
         <source>red</source>
         <translation>czerwony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="136"/>
+        <location filename="../plugin/toolkit/translation.py" line="133"/>
         <source>green</source>
         <translation>zielony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="137"/>
+        <location filename="../plugin/toolkit/translation.py" line="134"/>
         <source>blue</source>
         <translation>niebieski</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="138"/>
+        <location filename="../plugin/toolkit/translation.py" line="135"/>
         <source>near infrared</source>
         <translation>bliska podczerwień</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="140"/>
+        <location filename="../plugin/toolkit/translation.py" line="137"/>
         <source>band {number}</source>
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="137"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="282"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="145"/>
-        <source> ({percent:.0f} % of the lowest source)</source>
-        <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="147"/>
-        <source> ({percent:.0f} % of the least sharp source)</source>
-        <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="150"/>
-        <source> (mosaic: {percent:.0f} % of it)</source>
-        <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
     <message>
         <location filename="../plugin/plugin.py" line="49"/>
@@ -1034,47 +944,47 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="124"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="101"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="182"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="152"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="113"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="105"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="204"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="147"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="350"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="302"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="349"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="301"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="158"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="159"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="141"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -2349,7 +2259,7 @@
         <translation>Warstwa komórek ortofotomapy nie ma pola „source”; dodaj je i wpisz nazwy plików ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="61"/>
+        <location filename="../plugin/seams/measure/messages.py" line="60"/>
         <source>No window could be placed along the seams; the log messages say why.</source>
         <translation>Wzdłuż linii mozaikowania nie udało się umieścić żadnego okna; przyczyny podaje dziennik komunikatów.</translation>
     </message>
@@ -2364,82 +2274,82 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/messages.py" line="127"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="136"/>
+        <location filename="../plugin/seams/measure/messages.py" line="130"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="139"/>
+        <location filename="../plugin/seams/measure/messages.py" line="133"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="73"/>
+        <location filename="../plugin/toolkit/messages.py" line="75"/>
         <source>{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="97"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="143"/>
+        <location filename="../plugin/seams/measure/messages.py" line="137"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="187"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="175"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>{measure} does not reliably separate visible losses from others: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="168"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="199"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="198"/>
+        <location filename="../plugin/seams/measure/messages.py" line="185"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="69"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2449,12 +2359,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="96"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="100"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2479,17 +2389,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="63"/>
+        <location filename="../plugin/imagery/messages.py" line="62"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
+        <location filename="../plugin/imagery/messages.py" line="63"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2514,22 +2424,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2539,17 +2449,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="122"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2989,7 +2899,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="96"/>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3154,7 +3064,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="48"/>
+        <location filename="../plugin/imagery/messages.py" line="47"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3219,7 +3129,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="93"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -4090,7 +4000,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="266"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="144"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4113,11 +4023,6 @@
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="333"/>
-        <source>window {number}: {verdict}</source>
-        <translation>okno {number}: {verdict}</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/packages.py" line="22"/>
         <source>Seam Inspector needs the Python package(s) {packages}.</source>
         <translation>Seam Inspector wymaga pakietów Pythona: {packages}.</translation>
@@ -4131,11 +4036,6 @@
         <location filename="../plugin/toolkit/packages.py" line="39"/>
         <source>Run &apos;{command}&apos; in a terminal, then restart QGIS.</source>
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="143"/>
-        <source> ({percent:.0f} % of the composite)</source>
-        <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/report.py" line="177"/>
@@ -4158,7 +4058,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="221"/>
+        <location filename="../plugin/seams/desk/dock.py" line="211"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4168,7 +4068,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="69"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4258,47 +4158,47 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="117"/>
         <source>The verdict, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Ocena: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="347"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="299"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="322"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="322"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="322"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="274"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="341"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="293"/>
         <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="340"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="343"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="295"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="346"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="298"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
@@ -4448,22 +4348,22 @@
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/messages.py" line="107"/>
         <source>What is kept along the seam lies somewhere between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/messages.py" line="109"/>
         <source>{name} covers {share:.0f} % of the window and is used there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/messages.py" line="122"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; so the verdict is uncertain.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="201"/>
+        <location filename="../plugin/seams/measure/messages.py" line="188"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others are in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -4513,27 +4413,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="53"/>
-        <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
-        <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="202"/>
+        <location filename="../plugin/seams/desk/dock.py" line="192"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="202"/>
+        <location filename="../plugin/seams/desk/dock.py" line="192"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="207"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="207"/>
+        <location filename="../plugin/seams/desk/dock.py" line="197"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4558,307 +4453,287 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="95"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="97"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="122"/>
-        <source>Scan: putting the blocks together, {percent} %</source>
-        <translation>Badanie: łączenie bloków, {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="123"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="118"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="83"/>
+        <location filename="../plugin/seams/jobs.py" line="81"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="85"/>
+        <location filename="../plugin/seams/jobs.py" line="83"/>
         <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="86"/>
+        <location filename="../plugin/seams/jobs.py" line="84"/>
         <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="200"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="269"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="264"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="269"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="264"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="271"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="319"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="271"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is compared with, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="323"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="323"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="275"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="353"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="305"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="356"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="308"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="331"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="357"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="309"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="352"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="304"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="355"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="307"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="357"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="309"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="207"/>
+        <location filename="../plugin/seams/measure/messages.py" line="194"/>
         <source>&apos;{density}&apos; is not a density of a scan; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="208"/>
+        <location filename="../plugin/seams/measure/messages.py" line="195"/>
         <source>The picture of losses can&apos;t have cells of {cell} pixels; give one of: {known}.</source>
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="248"/>
+        <location filename="../plugin/seams/measure/messages.py" line="231"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it is not used.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="318"/>
+        <location filename="../plugin/seams/measure/messages.py" line="300"/>
         <source>The scan continues where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="319"/>
+        <location filename="../plugin/seams/measure/messages.py" line="301"/>
         <source>The scan starts from the beginning, as {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="324"/>
+        <location filename="../plugin/seams/measure/messages.py" line="306"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="326"/>
+        <location filename="../plugin/seams/measure/messages.py" line="308"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="328"/>
+        <location filename="../plugin/seams/measure/messages.py" line="310"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="330"/>
+        <location filename="../plugin/seams/measure/messages.py" line="312"/>
         <source>{path} can&apos;t be written ({error}). What was measured is saved (blocks done: {done}); make room on the disk and start it again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i zacznij ponownie z tym samym plikiem wyniku, aby kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="334"/>
+        <location filename="../plugin/seams/measure/messages.py" line="316"/>
         <source>{path} can&apos;t be read any more ({error}); start it again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); zacznij ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="337"/>
+        <location filename="../plugin/seams/measure/messages.py" line="319"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="338"/>
+        <location filename="../plugin/seams/measure/messages.py" line="320"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="339"/>
+        <location filename="../plugin/seams/measure/messages.py" line="321"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="341"/>
+        <location filename="../plugin/seams/measure/messages.py" line="323"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="342"/>
+        <location filename="../plugin/seams/measure/messages.py" line="324"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="343"/>
+        <location filename="../plugin/seams/measure/messages.py" line="325"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="359"/>
+        <location filename="../plugin/seams/measure/messages.py" line="341"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="344"/>
+        <location filename="../plugin/seams/measure/messages.py" line="326"/>
         <source>The scan was stopped; started again with the same output it continues from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="266"/>
+        <location filename="../plugin/seams/measure/messages.py" line="248"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="269"/>
+        <location filename="../plugin/seams/measure/messages.py" line="251"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="272"/>
+        <location filename="../plugin/seams/measure/messages.py" line="254"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the pixels decide which of them the mosaic shows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="281"/>
-        <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
-        <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="285"/>
-        <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
-        <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="288"/>
+        <location filename="../plugin/seams/measure/messages.py" line="270"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="291"/>
+        <location filename="../plugin/seams/measure/messages.py" line="273"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="294"/>
+        <location filename="../plugin/seams/measure/messages.py" line="276"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; it is unknown which lies on top, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="298"/>
+        <location filename="../plugin/seams/measure/messages.py" line="280"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are not seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="302"/>
+        <location filename="../plugin/seams/measure/messages.py" line="284"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="314"/>
+        <location filename="../plugin/seams/measure/messages.py" line="296"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="394"/>
+        <location filename="../plugin/seams/measure/messages.py" line="376"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="402"/>
+        <location filename="../plugin/seams/measure/messages.py" line="383"/>
         <source>Without orthoimages the ground here is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="226"/>
+        <location filename="../plugin/seams/measure/messages.py" line="210"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="406"/>
+        <location filename="../plugin/seams/measure/messages.py" line="387"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="414"/>
+        <location filename="../plugin/seams/measure/messages.py" line="395"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="229"/>
+        <location filename="../plugin/seams/measure/messages.py" line="213"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="232"/>
+        <location filename="../plugin/seams/measure/messages.py" line="216"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="244"/>
+        <location filename="../plugin/seams/measure/messages.py" line="228"/>
         <source>More than {most} orthoimages overlap in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are used.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="346"/>
+        <location filename="../plugin/seams/measure/messages.py" line="328"/>
         <source>The layer {name} can&apos;t be written. What was measured is saved; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="235"/>
-        <source>None of the orthoimages can be used, for the reasons in the log; fix that, or leave them all out to scan the mosaic along its seamlines alone.</source>
-        <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="362"/>
+        <location filename="../plugin/seams/measure/messages.py" line="344"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -4953,42 +4828,42 @@
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="206"/>
+        <location filename="../plugin/seams/measure/messages.py" line="193"/>
         <source>The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.</source>
         <translation>Badanie mierzy od 1 do {most} poziomów, a podano {levels}; podaj od 1 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="212"/>
+        <location filename="../plugin/seams/measure/messages.py" line="196"/>
         <source>{name} is {value:g}; give {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="370"/>
+        <location filename="../plugin/seams/measure/messages.py" line="352"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="373"/>
+        <location filename="../plugin/seams/measure/messages.py" line="355"/>
         <source>What is kept along this piece lies somewhere between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="222"/>
+        <location filename="../plugin/seams/measure/messages.py" line="206"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="219"/>
+        <location filename="../plugin/seams/measure/messages.py" line="203"/>
         <source>The corridor applies only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="213"/>
+        <location filename="../plugin/seams/measure/messages.py" line="197"/>
         <source>The picture of losses is a GeoTIFF; give {path} the ending .tif.</source>
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
@@ -5018,7 +4893,7 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="126"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="71"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -5043,129 +4918,109 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="224"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="205"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="286"/>
-        <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
-        <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="149"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="123"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="151"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="258"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="200"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="307"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="308"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="304"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="229"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="308"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="307"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="310"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="80"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="84"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
-        <source>The window before this (P).</source>
-        <translation>Poprzednie okno (P).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="89"/>
-        <source>The window after this.</source>
-        <translation>Następne okno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="206"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="159"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="367"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="260"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="251"/>
+        <location filename="../plugin/seams/desk/judging.py" line="236"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="259"/>
+        <location filename="../plugin/seams/desk/judging.py" line="244"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="261"/>
+        <location filename="../plugin/seams/desk/judging.py" line="246"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="129"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="74"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="76"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="197"/>
-        <source>Live, {band}: {columns} x {rows} px under the mouse</source>
-        <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/map/hard_cut.py" line="75"/>
@@ -5173,42 +5028,17 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="206"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="187"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="75"/>
-        <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
-        <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="75"/>
-        <source>&gt; {near} m: {kept} %</source>
-        <translation>&gt; {near} m: {kept} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="77"/>
-        <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
-        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
-        <source>{near} to {far} m: {kept} %</source>
-        <translation>od {near} do {far} m: {kept} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
-        <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
-        <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="90"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="214"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="199"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -5218,192 +5048,187 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="224"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="209"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="282"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="219"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="298"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="235"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="303"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="240"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="304"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="241"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="320"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="257"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="61"/>
-        <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
-        <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="330"/>
+        <location filename="../plugin/seams/desk/dock.py" line="339"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="339"/>
+        <location filename="../plugin/seams/desk/dock.py" line="348"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="336"/>
+        <location filename="../plugin/seams/desk/dock.py" line="345"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="170"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="33"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="182"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="161"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="313"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="293"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="82"/>
+        <location filename="../plugin/seams/desk/desk_keys.py" line="74"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="166"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="167"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="150"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="168"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="150"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="169"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="151"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="152"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="152"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="54"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="52"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="31"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="29"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="126"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="71"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="130"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="75"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="76"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="152"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="134"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="135"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict is based on.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="71"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="155"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="138"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="177"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="147"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
         <source>Windows of the given side do not fit this mosaic, so the side was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="310"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="273"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="310"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="273"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="279"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="243"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="279"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="243"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -5413,7 +5238,7 @@
         <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca, które już miały swoje okno: {there}. Skontroluj okna, gdy zechcesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="56"/>
+        <location filename="../plugin/seams/measure/messages.py" line="55"/>
         <source>No window was placed: all {there} places along the seams have theirs already.</source>
         <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
     </message>
@@ -5426,11 +5251,6 @@
         <location filename="../plugin/seams/desk/messages.py" line="11"/>
         <source>The windows stay in {old}, as they can&apos;t be moved to {folder} ({error}); export them from there.</source>
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
-        <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
-        <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="7"/>
@@ -5500,24 +5320,19 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="134"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="337"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="262"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="288"/>
+        <location filename="../plugin/seams/desk/dock.py" line="301"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="152"/>
-        <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
-        <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/inspection_record.py" line="82"/>
@@ -5613,11 +5428,6 @@
         <location filename="../plugin/noise/measure/messages.py" line="38"/>
         <source>The curve rises, but noise coarser than a pixel (grain) can hide in this texture; measure smoother ground.</source>
         <translation>Krzywa rośnie, ale w tej teksturze może się kryć szum grubszy niż piksel (ziarno); zmierz gładszy teren.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/measure/messages.py" line="41"/>
-        <source>The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a larger one.</source>
-        <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/charts.py" line="98"/>
@@ -6100,27 +5910,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -6630,17 +6440,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="239"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="117"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="240"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="118"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="244"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="122"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -7518,7 +7328,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="57"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="55"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -7909,37 +7719,37 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="225"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="225"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="99"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="59"/>
+        <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>{path} is being written by another program; close it there, or choose another file.</source>
         <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="66"/>
+        <location filename="../plugin/toolkit/messages.py" line="68"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="66"/>
+        <location filename="../plugin/seams/desk/judging.py" line="64"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="258"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="200"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -7949,7 +7759,7 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>The rules in {name} are not valid JSON (see line {line}); correct the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -8089,47 +7899,47 @@
         <translation>Okno {number}: wariancja względna według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="32"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="30"/>
         <source>station (m)</source>
         <translation>pikietaż (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="33"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="31"/>
         <source>length (m)</source>
         <translation>długość (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="37"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="35"/>
         <source>verdict by the paper&apos;s rule</source>
         <translation>ocena według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="38"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="36"/>
         <source>verdict against</source>
         <translation>ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="38"/>
         <source>sources that were used</source>
         <translation>liczba ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="42"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
         <source>orthoimage on the left</source>
         <translation>ortoobraz z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="43"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="41"/>
         <source>orthoimage on the right</source>
         <translation>ortoobraz z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="44"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="42"/>
         <source>its date, left</source>
         <translation>jego data, z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="45"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="43"/>
         <source>its date, right</source>
         <translation>jego data, z prawej</translation>
     </message>
@@ -8139,17 +7949,17 @@
         <translation>stosunek tła</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="46"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="44"/>
         <source>kept 1, at least</source>
         <translation>zachowane 1, co najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="48"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="46"/>
         <source>kept 1, at most</source>
         <translation>zachowane 1, co najwyżej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="49"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
         <source>width of the band (m)</source>
         <translation>szerokość pasa (m)</translation>
     </message>
@@ -8174,17 +7984,17 @@
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="56"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="54"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="58"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="56"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="59"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
@@ -8199,27 +8009,27 @@
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="62"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="60"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="63"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="64"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="62"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="65"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="63"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="66"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="64"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -8233,17 +8043,17 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="39"/>
+        <location filename="../plugin/imagery/messages.py" line="38"/>
         <source>{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="217"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="184"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="312"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="269"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
@@ -8278,7 +8088,7 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="41"/>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to them first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -8298,7 +8108,7 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="51"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="49"/>
         <source>visibility at 2x (JND)</source>
         <translation>widoczność w powiększeniu 2× (JND)</translation>
     </message>
@@ -8367,17 +8177,12 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="81"/>
-        <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
-        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="242"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="227"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="244"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="229"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -8387,7 +8192,7 @@
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>It is unclear whether the loss is significant, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
@@ -8402,7 +8207,7 @@
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="50"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="48"/>
         <source>width of the feather (m)</source>
         <translation>szerokość wtapiania (m)</translation>
     </message>
@@ -8431,22 +8236,22 @@
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="125"/>
+        <location filename="../plugin/seams/measure/messages.py" line="119"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <location filename="../plugin/toolkit/messages.py" line="70"/>
         <source>{path} is unchanged, as the run did not finish; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="71"/>
+        <location filename="../plugin/toolkit/messages.py" line="73"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="264"/>
+        <location filename="../plugin/seams/measure/messages.py" line="246"/>
         <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
@@ -8461,17 +8266,17 @@
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="321"/>
+        <location filename="../plugin/seams/measure/messages.py" line="303"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured again.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="340"/>
+        <location filename="../plugin/seams/measure/messages.py" line="322"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="355"/>
+        <location filename="../plugin/seams/measure/messages.py" line="337"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it shows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
@@ -8631,72 +8436,72 @@
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>Neither a folder nor sheets are given; choose the folder of the delivery, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>the file is not georeferenced</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
         <source>it is unknown whether it has data everywhere</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
@@ -8866,52 +8671,42 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="211"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
-        <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
-        <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="229"/>
-        <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
-        <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="54"/>
         <source>Why?</source>
         <translation>Dlaczego?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="57"/>
         <source>What the sentence is based on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="82"/>
+        <location filename="../plugin/seams/measure/messages.py" line="79"/>
         <source>No change from one source to another is found in the window; the verdict is based on sharpness alone.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="305"/>
+        <location filename="../plugin/seams/measure/messages.py" line="287"/>
         <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
         <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="309"/>
+        <location filename="../plugin/seams/measure/messages.py" line="291"/>
         <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the pixels decide what the mosaic shows there; write paths with their folders into the layer to tell them apart.</source>
         <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="366"/>
+        <location filename="../plugin/seams/measure/messages.py" line="348"/>
         <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
         <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
     </message>
@@ -8921,12 +8716,12 @@
         <translation>strata (m2)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="121"/>
         <source>loss</source>
         <translation>strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="122"/>
         <source>The finest detail that is missing, along the seam or in the whole window, given as the square metres of the window that hold as much; 0 where no loss is certain.</source>
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
@@ -8981,12 +8776,12 @@
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="34"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="32"/>
         <source>piece or stretch</source>
         <translation>odcinek czy ciąg odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="35"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="33"/>
         <source>counts as</source>
         <translation>liczy się jako</translation>
     </message>
@@ -9254,7 +9049,7 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/sources.py" line="314"/>
+        <location filename="../plugin/seams/desk/inputs/sources.py" line="277"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -9324,12 +9119,12 @@
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/messages.py" line="92"/>
         <source>{share:.0f} % of the window matches none of the given sources and is left out; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/messages.py" line="96"/>
         <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
         <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
     </message>
@@ -9354,17 +9149,12 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="160"/>
-        <source>New windows at the same places</source>
-        <translation>Nowe okna w tych samych miejscach</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="161"/>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="158"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -9384,12 +9174,12 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="56"/>
+        <location filename="../plugin/toolkit/messages.py" line="58"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="57"/>
+        <location filename="../plugin/toolkit/messages.py" line="59"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -9517,7 +9307,7 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="376"/>
+        <location filename="../plugin/seams/measure/messages.py" line="358"/>
         <source>{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields &apos;state&apos; and &apos;reason&apos; say why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
@@ -9532,12 +9322,12 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="397"/>
+        <location filename="../plugin/seams/measure/messages.py" line="379"/>
         <source>Without orthoimages this piece is not enough: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="410"/>
+        <location filename="../plugin/seams/measure/messages.py" line="391"/>
         <source>Without orthoimages a significant loss can be detected on this mosaic from about {length:.0f} m of seam on; to show that a seam is sound takes more.</source>
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
@@ -9647,19 +9437,14 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="368"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="203"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="52"/>
         <source>Judge</source>
         <translation>Oceń</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="241"/>
-        <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
-        <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="33"/>
@@ -9672,17 +9457,17 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="179"/>
+        <location filename="../plugin/seams/measure/messages.py" line="166"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="183"/>
+        <location filename="../plugin/seams/measure/messages.py" line="170"/>
         <source>{measure}: all verdicts of one kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="277"/>
+        <location filename="../plugin/seams/measure/messages.py" line="259"/>
         <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
     </message>
@@ -10029,7 +9814,7 @@
         <translation>Radiometria: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="153"/>
         <source>{field} of {count} windows is not a possible measurement; it is left out.</source>
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
@@ -10059,27 +9844,27 @@
         <translation>Linia nie leży na tej ortofotomapie; podaj linie znalezione przy jej skanowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="79"/>
+        <location filename="../plugin/seams/measure/messages.py" line="76"/>
         <source>No source explains the mosaic&apos;s fine detail here; add the orthoimages that it was made from.</source>
         <translation>Żaden ortoobraz źródłowy nie wyjaśnia tu drobnych detali ortofotomapy; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="82"/>
         <source>Two images are mixed on {share:.0f} % of the window: there is no seam, and no unmixed ground to compare with.</source>
         <translation>Dwa obrazy są zmieszane na {share:.0f} % okna: nie ma linii ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo je przesuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="93"/>
+        <location filename="../plugin/seams/measure/messages.py" line="89"/>
         <source>{share:.0f} % of the window matches none of the given sources: check their dates, and add the missing one.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych: sprawdź ich daty i dodaj brakujący.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/messages.py" line="99"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources&apos; detail: add those that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
@@ -10204,7 +9989,7 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="77"/>
+        <location filename="../plugin/seams/desk/judging.py" line="74"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
     </message>
@@ -10354,12 +10139,12 @@
         <translation>Nie znaleziono ortoobrazów, które skanowano: {count} ({names}); bez nich nikt nie zmierzy ponownie tego, na czym opiera się decyzja.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: make sure that the mosaic was made from them.</source>
         <translation>Ortofotomapę porównano z podanymi ortoobrazami. Szczegóły, których brak także w nich, nie liczą się jako utracone: upewnij się, że to z nich ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>it is not part of the mosaic of all sheets</source>
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
@@ -10409,17 +10194,17 @@
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy według najlepszego oszacowania wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza, a to, że coś stracono, jest pewne. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="344"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="296"/>
         <source>By the seam, a loss is significant when by the best estimate at most this share of the finest detail is kept along it, and some loss is certain</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="172"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="36"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="315"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="295"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -10439,27 +10224,27 @@
         <translation>{name} jest podobny do ortofotomapy wszędzie, gdzie je porównano, jak bywa z ortoobrazami tego samego terenu. Jeśli powstał z ortofotomapy, ukrywa straty, więc usuń go ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="215"/>
+        <location filename="../plugin/seams/measure/messages.py" line="199"/>
         <source>The format of SEAMS can&apos;t hold the seal of the scan, without which no delivery is accepted; write SEAMS as GeoPackage.</source>
         <translation>Format warstwy linii mozaikowania SEAMS nie ma miejsca na pieczęć skanowania, bez której żadna dostawa nie zostanie przyjęta; zapisz SEAMS jako GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="238"/>
+        <location filename="../plugin/seams/measure/messages.py" line="222"/>
         <source>Nothing of the mosaic {name} could be read, so nothing was measured: {why}</source>
         <translation>Z ortofotomapy {name} nie udało się niczego odczytać, więc niczego nie zmierzono: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="240"/>
+        <location filename="../plugin/seams/measure/messages.py" line="224"/>
         <source>No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along its seamlines alone: {why}</source>
         <translation>Nie udało się odczytać żadnego ortoobrazu, więc niczego nie zmierzono; usuń tę przeszkodę albo nie podawaj żadnego, aby zeskanować samą ortofotomapę wzdłuż linii mozaikowania: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="384"/>
+        <location filename="../plugin/seams/measure/messages.py" line="366"/>
         <source>The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest {longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check it, and give the missing seamlines or scan without seamlines.</source>
         <translation>Ortofotomapa przechodzi z jednego ortoobrazu w drugi na około {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej {longest:.0f} m przy {x:.1f}, {y:.1f}: nie podano tam linii mozaikowania albo miejsce rozmyto lub wycięto. Obejrzyj je i podaj brakujące linie mozaikowania albo skanuj bez linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="389"/>
+        <location filename="../plugin/seams/measure/messages.py" line="371"/>
         <source>{share:.2g} % of the mosaic could not be read, for example around {x:.1f}, {y:.1f}, and count as not measured. Copy its files again and scan again.</source>
         <translation>Nie udało się odczytać {share:.2g} % ortofotomapy, na przykład wokół {x:.1f}, {y:.1f}; liczy się to jako niezmierzone. Skopiuj jej pliki na nowo i powtórz skan.</translation>
     </message>
@@ -10516,17 +10301,12 @@
         <translation>warstwy linii mozaikowania dotyczą ortofotomap, których nie podano: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
-        <source>Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are unknown: {names}.</source>
-        <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami (w Pythonie told=), nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/paper/inspection_record.py" line="89"/>
         <source>median length of the pieces</source>
         <translation>mediana długości odcinków</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets that meet as one mosaic.</source>
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
@@ -10536,37 +10316,32 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="173"/>
-        <source>Save the chart as a picture (PNG or SVG)</source>
-        <translation>Zapisz wykres jako obraz (PNG lub SVG)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="189"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="156"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="206"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="171"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="209"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="174"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="202"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="167"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="249"/>
+        <location filename="../plugin/seams/desk/dock.py" line="239"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -10576,32 +10351,32 @@
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="123"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="222"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="305"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="68"/>
+        <location filename="../plugin/seams/desk/judging.py" line="66"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="67"/>
+        <location filename="../plugin/seams/desk/judging.py" line="65"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="205"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="54"/>
         <source>Judge window after window: hides QGIS&apos;s panels and what lies over the mosaic (J); again: shows them as before</source>
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
@@ -10616,7 +10391,7 @@
         <translation>Pokrywa całą ortofotomapę, jak niewiele z pozostałych: jej kopia, inna ortofotomapa albo mapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>Both operators judged {count} windows and agreed on {agreed}. Cohen&apos;s kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}: 1 where they always agree, 0 where they do as often as by chance.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}. Kappa Cohena {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}: 1, gdy są zawsze zgodni, 0, gdy tak często, jak przez przypadek.</translation>
     </message>
@@ -10626,19 +10401,9 @@
         <translation>kod powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="102"/>
-        <source>Beside the seam {kept} % ({low} to {high} %) of the ground&apos;s detail; the ground has {left} % of the orthoimages&apos;</source>
-        <translation>Przy linii {kept} % (od {low} do {high} %) detali terenu; teren ma {left} % detali ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="92"/>
         <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
-        <source>Seam {kept} %, ground {left} %</source>
-        <translation>Linia {kept} %, teren {left} %</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
@@ -10651,22 +10416,17 @@
         <translation>Przyjęto, że to, czego nie zmierzono, jest tak dobre jak reszta. Gdyby wszystko to było niezgodne, niezgodnych byłoby {worst:.1%}, a może być {limit:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are not counted and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>Skanowanie {name} nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
         <source>The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is measured, the longest around {place}.</source>
         <translation>Ortofotomapa {name} przechodzi z jednego ortoobrazu w drugi na co najmniej {metres:.0f} m, gdzie nie zmierzono linii mozaikowania, najdłużej przy {place}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
-        <source>Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.</source>
-        <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie CORRIDOR; linie mozaikowania poza nim nie są znane.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
         <source>The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
         <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
@@ -10751,7 +10511,7 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="72"/>
+        <location filename="../plugin/toolkit/messages.py" line="74"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -10776,12 +10536,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -10801,54 +10561,39 @@
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="167"/>
+        <location filename="../plugin/seams/desk/session.py" line="169"/>
         <source>removing window {number}</source>
         <translation>usunięcie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="167"/>
+        <location filename="../plugin/seams/desk/session.py" line="169"/>
         <source>removing {count} windows</source>
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="185"/>
+        <location filename="../plugin/seams/desk/session.py" line="187"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="185"/>
+        <location filename="../plugin/seams/desk/session.py" line="187"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="64"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="84"/>
-        <source>copying {count} windows</source>
-        <translation>skopiowanie okien: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="100"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="93"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="134"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="110"/>
-        <source>Undo {step}</source>
-        <translation>Cofnij: {step}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/desk_keys.py" line="111"/>
-        <source>Redo {step}</source>
-        <translation>Ponów: {step}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/window_results.py" line="273"/>
@@ -10861,12 +10606,12 @@
         <translation>zbadanie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="67"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>{path} can&apos;t be written ({error}); make sure that the disk has room and no other program has the file open.</source>
         <translation>Nie można zapisać {path} ({error}); zadbaj, aby na dysku było miejsce i żaden inny program nie miał otwartego tego pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="143"/>
         <source>The layer {name} has no field &apos;{field}&apos;, which can&apos;t be added now: save its edits, then try again.</source>
         <translation>Warstwa {name} nie ma pola „{field}”, którego nie można teraz dodać: zapisz jej edycje i spróbuj ponownie.</translation>
     </message>
@@ -10881,27 +10626,27 @@
         <translation>Linie mozaikowania leżą poza tym, co opisuje ich układ współrzędnych; należy im nadać układ, w którym są ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>its pixels are {pixel:.3g} m instead of {wanted:.3g} m</source>
         <translation>piksel ma {pixel:.3g} m zamiast {wanted:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>its reference system is {system} instead of {wanted}</source>
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="34"/>
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.</source>
         <translation>{name} jest brany w układzie współrzędnych, który mu wybrano, {system}, a nie w układzie swojego pliku, {own}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/messages.py" line="111"/>
         <source>{name} has a different pixel size from the mosaic&apos;s and was resampled; it is shown but not used, as others have the mosaic&apos;s pixel size.</source>
         <translation>{name} ma inną wielkość piksela niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne mają wielkość piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="350"/>
+        <location filename="../plugin/seams/measure/messages.py" line="332"/>
         <source>{metres:.0f} m of seam were found, but the orthoimages&apos; outlines are only {around:.0f} m long: the mosaic seems to change between them everywhere, as after warping by nearest neighbour. No seam is listed; give seamlines, or the mosaic as it was before.</source>
         <translation>Znaleziono {metres:.0f} m linii mozaikowania, a ortoobrazy mają razem {around:.0f} m obwodu: ortofotomapa zdaje się co chwilę przechodzić z jednego na drugi, jak po przekształceniu metodą najbliższego sąsiada. Nie wymieniono żadnej linii; należy podać linie mozaikowania albo ortofotomapę sprzed przekształcenia.</translation>
     </message>
@@ -10931,129 +10676,89 @@
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="92"/>
-        <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer with &apos;Fix geometries&apos;.</source>
-        <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę algorytmem „Napraw geometrie”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="109"/>
-        <source>Beside the seam {kept} % kept ({low} to {high} %), in {width} m</source>
-        <translation>Przy linii mozaikowania zachowano {kept} % ({low} do {high} %), na szerokości {width} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
-        <source>{kept} % kept in {width} m</source>
-        <translation>{kept} % na {width} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="111"/>
-        <source>{kept} % kept</source>
-        <translation>zachowano {kept} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="257"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="250"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="310"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="310"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="314"/>
-        <source>All settings ...</source>
-        <translation>Wszystkie ustawienia...</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="314"/>
-        <source>Sampling plans, rules from a file, who judges, and all outputs.</source>
-        <translation>Plany próbkowania, reguły z pliku, kto ocenia i wszystkie wyniki.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="328"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="310"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="328"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="310"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="330"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="330"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="333"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="187"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="180"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="213"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="206"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="305"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="305"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
         <source>Judge here</source>
         <translation>Oceń tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
         <source>Makes a window on this piece of seam, and inspects it.</source>
         <translation>Tworzy okno na tym odcinku linii mozaikowania i mierzy je.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="221"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="175"/>
         <source>By the scan, this piece of seam: {finding} The charts are of the window around it.</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Wykresy są z okna wokół niego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="70"/>
-        <source>{judged} of {count} judged</source>
-        <translation>{judged} z {count} ocenione</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="70"/>
-        <source>{left} to go</source>
-        <translation>zostało {left}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="7"/>
@@ -11071,32 +10776,32 @@
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="207"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="202"/>
         <source>No significant loss on {metres} m of seams.</source>
         <translation>Brak istotnej straty na {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="209"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="204"/>
         <source>Significant loss on {failed} of {metres} m of seams.</source>
         <translation>Istotna strata na {failed} z {metres} m linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="252"/>
+        <location filename="../plugin/seams/measure/messages.py" line="234"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
         <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="256"/>
+        <location filename="../plugin/seams/measure/messages.py" line="238"/>
         <source>Along {metres:.0f} m of the seamlines, which name no orthoimage, the mosaic shows the same one on both sides: there is no seam, so they are left out.</source>
         <translation>Wzdłuż {metres:.0f} m linii mozaikowania, które niczego nie nazywają, ortofotomapa pokazuje po obu stronach ten sam ortoobraz: nie ma tam linii mozaikowania, więc zostały pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="260"/>
+        <location filename="../plugin/seams/measure/messages.py" line="242"/>
         <source>No seamline separates two orthoimages on the mosaic: all run along the border of its pixels or within one orthoimage; check the reference systems, and the field that names the orthoimages.</source>
         <translation>Żadna linia mozaikowania nie rozdziela na ortofotomapie dwóch ortoobrazów: wszystkie biegną wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu; sprawdź układy współrzędnych i pole, które nazywa ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="275"/>
+        <location filename="../plugin/seams/measure/messages.py" line="257"/>
         <source>The orthoimages beside the seams are those that the seamline layer names in {fields}.</source>
         <translation>Ortoobrazy obok linii mozaikowania to te, które warstwa tych linii nazywa w polu {fields}.</translation>
     </message>
@@ -11116,12 +10821,7 @@
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
-        <source>The executor was shut down or lost its workers; open a new one, then run this again.</source>
-        <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="65"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -11183,52 +10883,47 @@
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
-        <source>{name} has no coordinate reference system; set it in the layer&apos;s properties in QGIS, write it into the file, or name it where the raster is opened (crs in Python).</source>
-        <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy w QGIS, zapisz w pliku albo podaj przy otwieraniu rastra (crs w Pythonie).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="36"/>
+        <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>&apos;{text}&apos; is not a projected or geographic coordinate reference system; write it as WKT, or as a code such as EPSG:2180.</source>
         <translation>„{text}” nie jest układem współrzędnych mapy (płaskim ani geograficznym); należy go zapisać jako WKT albo tak jak EPSG:2180.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="52"/>
+        <location filename="../plugin/imagery/messages.py" line="51"/>
         <source>{name} is {value}; give {expected}.</source>
         <translation>{name}: podano {value}; należy podać {expected}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="54"/>
+        <location filename="../plugin/imagery/messages.py" line="53"/>
         <source>The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax as numbers, the smaller ones first.</source>
         <translation>Okno biegnie od {xmin:.8g} do {xmax:.8g} i od {ymin:.8g} do {ymax:.8g}; podaj xmin, ymin, xmax i ymax jako liczby, najpierw mniejsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="121"/>
+        <location filename="../plugin/seams/measure/messages.py" line="115"/>
         <source>{path} holds no polygon on the mosaic that names its source; choose the layer of seam cells, with their sources&apos; file names in a field.</source>
         <translation>{path} nie zawiera na ortofotomapie wieloboku, który podaje swój ortoobraz; wskaż warstwę, w której są komórki ortofotomapy z nazwami plików ortoobrazów w polu.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="45"/>
         <source>kept by distance from the seam</source>
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="300"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="286"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="206"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="202"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="246"/>
+        <location filename="../plugin/seams/desk/dock.py" line="236"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -11253,7 +10948,7 @@
         <translation>Warstwy linii mozaikowania są puste albo żaden ich wiersz nie jest odcinkiem linii (pole „level”); wybierz warstwy takie, jak je zapisało badanie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="58"/>
+        <location filename="../plugin/seams/measure/messages.py" line="57"/>
         <source>Window {number} is not a rectangle; give (xmin, ymin, xmax, ymax), a geometry of shapely, or a row with a geometry or with xmin, ymin, xmax and ymax.</source>
         <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
@@ -11283,7 +10978,7 @@
         <translation>Część okna bez danych w jednym z rastrów wynosi {share:.1%}, a dopuszcza się {most:.0%}; wybierz inne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/messages.py" line="140"/>
         <source>The table {table} has no field &apos;{field}&apos;; choose the one that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -11293,12 +10988,12 @@
         <translation>Wtapiaj węziej.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <location filename="../plugin/imagery/messages.py" line="42"/>
         <source>The table has no lines; make a frame of it by to_dataframe().</source>
         <translation>Tabela nie zawiera linii; utwórz z niej ramkę danych metodą to_dataframe().</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="267"/>
+        <location filename="../plugin/seams/measure/messages.py" line="249"/>
         <source>{path} names no reference system, so it is taken in the mosaic&apos;s.</source>
         <translation>Plik {path} nie podaje układu współrzędnych, więc przyjęto układ ortofotomapy.</translation>
     </message>
@@ -11313,12 +11008,7 @@
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="58"/>
-        <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger, or use fewer levels where these ask for more than 64 px.</source>
-        <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno albo, jeśli poziomy wymagają więcej niż 64 px, zmniejsz ich liczbę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="380"/>
+        <location filename="../plugin/seams/measure/messages.py" line="362"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
     </message>
@@ -11343,17 +11033,17 @@
         <translation>Nie można zapisać warstwy „{name}”; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
         <source>The seams are those of the given seamlines ({name}); a missing one is noticed only if it is longer than some 150 pixels.</source>
         <translation>Linie mozaikowania są podane ({name}); brakującą widać tylko wtedy, gdy jest dłuższa niż około 150 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer&apos;s seamlines to the scan to measure all of them.</source>
         <translation>Linie mozaikowania znaleziono z pikseli ({name}), a szerokie wtapianie część z nich ukrywa. Podaj przy skanowaniu linie od wykonawcy, aby zmierzyć wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>The run was stopped: there is neither report nor XML, and the failures may have no pictures.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
@@ -11407,19 +11097,14 @@
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="46"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>Some places can&apos;t be transformed to another coordinate reference system; check the systems of the layers.</source>
         <translation>Niektórych położeń nie da się przeliczyć do innego układu współrzędnych; sprawdź układy warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="102"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address, the network, and GDAL&apos;s settings and credentials, or copy it to a local disk.</source>
         <translation>Nie można odczytać {name} przez sieć ({why}); sprawdź adres, sieć oraz ustawienia i dane logowania GDAL albo skopiuj plik na dysk lokalny.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="41"/>
-        <source>No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or leave it empty.</source>
-        <translation>Pod adresem {address} nie odpowiada scheduler Dask ({error}); sprawdź adres (zwykle z portem 8786) albo pozostaw go pusty.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/packages.py" line="41"/>
@@ -11427,7 +11112,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS (w systemie Windows w OSGeo4W Shell), a potem uruchom ponownie QGIS. Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
+        <location filename="../plugin/toolkit/messages.py" line="63"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
@@ -11517,7 +11202,7 @@
         <translation>kept_1 nie jest udziałem, jaki linia może zachować (odcinki w {name}: {count}; pisz z kropką, 86 % jako „0.86”); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
         <source>it does not show the same as {names} where they overlap</source>
         <translation>tam, gdzie nachodzi na {names}, pokazuje co innego</translation>
     </message>
@@ -11532,27 +11217,27 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="347"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="287"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="67"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="56"/>
         <source>The composite is what a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have. On or below the limit a loss is significant by curves.</source>
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="314"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="271"/>
         <source>no source lies there</source>
         <translation>nie leży tam żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="147"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="129"/>
         <source>Detail at level 1 in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="198"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="141"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>
@@ -11562,27 +11247,17 @@
         <translation>{name} wynosi {limit}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
-        <source>The filter is not understood: {error}. Example: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</source>
-        <translation>Niezrozumiały filtr: {error}. Przykład: kept_1 &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="191"/>
+        <location filename="../plugin/seams/measure/messages.py" line="178"/>
         <source>{measure}: no threshold is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="194"/>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, but it has to be below {most:g} to be set.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="49"/>
-        <source>The Dask scheduler at {address} has no workers, or none that answers; start some or leave it empty.</source>
-        <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo pozostaw pole puste.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <location filename="../plugin/toolkit/messages.py" line="53"/>
         <source>The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
@@ -11653,6 +11328,150 @@
         <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
         <source>form of the delivery</source>
         <translation>postać dostawy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <source>Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.</source>
+        <translation>Bez tego, co o terenie mówi skanowanie z ortoobrazami, nic nie wiadomo o liniach mozaikowania, których nie ma w żadnym wierszu: {names}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
+        <source>Only {share:.0%} of the mosaic of {name} were scanned, those in its corridor; seams elsewhere are unknown.</source>
+        <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie korytarza; linie mozaikowania poza nim nie są znane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <source>{name} has no coordinate reference system (CRS); set it where the raster is opened, or write it into the file.</source>
+        <translation>Raster {name} nie ma układu współrzędnych (CRS); ustaw go tam, gdzie raster jest otwierany, albo zapisz go w pliku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
+        <source>The window lies outside the mosaic; choose a place on it.</source>
+        <translation>Okno leży poza ortofotomapą; wybierz miejsce na niej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="57"/>
+        <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so take a larger one, or use fewer levels where these ask for more than 64 px.</source>
+        <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; weź większe okno albo, jeśli poziomy wymagają więcej niż 64 px, zmniejsz ich liczbę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
+        <source>The window covers {width} x {height} px of the mosaic, but {most} million px are the most; take a smaller one.</source>
+        <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; weź mniejsze okno.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <source>The seamline layer holds no line and no polygon; give that of the mosaic&apos;s seamlines or of its source polygons.</source>
+        <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; podaj warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="87"/>
+        <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
+        <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
+        <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/measure/messages.py" line="41"/>
+        <source>The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; take a larger one.</source>
+        <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; weź większe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="69"/>
+        <source>beyond {near} m: {kept} % kept ({low} to {high} %)</source>
+        <translation>dalej niż {near} m: zachowane {kept} % (od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="70"/>
+        <source>{near} to {far} m: {kept} % kept ({low} to {high} %)</source>
+        <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="73"/>
+        <source>{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image</source>
+        <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="141"/>
+        <source>Save the chart as a picture</source>
+        <translation>Zapisz wykres jako obraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="139"/>
+        <source>Live: {columns} x {rows} px under the mouse</source>
+        <translation>Na żywo: {columns} × {rows} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="61"/>
+        <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle. Ctrl+click: a window on top of another.</source>
+        <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt. Ctrl+kliknięcie: okno na innym oknie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
+        <source>{asked} m does not fit this mosaic: {side} m, every {spacing} m</source>
+        <translation>{asked} m nie pasuje do tej ortofotomapy: {side} m, co {spacing} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
+        <source>{count} windows selected.</source>
+        <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
+        <source>All windows are judged.</source>
+        <translation>Wszystkie okna są ocenione.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="117"/>
+        <source>Scan: putting the blocks together</source>
+        <translation>Badanie: łączenie bloków</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="219"/>
+        <source>None of the orthoimages can be used, for the reasons told before; fix that, or leave them all out to scan the mosaic along its seamlines alone.</source>
+        <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="263"/>
+        <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
+        <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="267"/>
+        <source>The geometry of no feature of the seamline layer can be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
+        <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="39"/>
+        <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos;, or give no scheduler.</source>
+        <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo nie podawaj schedulera.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="41"/>
+        <source>No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or give none.</source>
+        <translation>Pod adresem {address} nie odpowiada scheduler Dask ({error}); sprawdź adres (zwykle z portem 8786) albo nie podawaj żadnego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <source>The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are spawned needs the line if __name__ == &apos;__main__&apos;: above its work.</source>
+        <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie. Skrypt, którego procesy są uruchamiane od nowa (spawn), musi mieć nad swoimi poleceniami wiersz if __name__ == &apos;__main__&apos;:.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <source>The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.</source>
+        <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo nie podawaj schedulera.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="55"/>
+        <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL&apos;s python3-gdal), or give no scheduler.</source>
+        <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam (osgeo to python3-gdal z GDAL) albo nie podawaj schedulera.</translation>
+    </message>
+    <message>
+        <source>The windows by their verdicts; the numbers are theirs.</source>
+        <translation>Okna według werdyktów, z ich numerami.</translation>
     </message>
 </context>
 </TS>

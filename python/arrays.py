@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
-from typing import Any, Union
+from typing import TYPE_CHECKING, Union
 from uuid import uuid4
 
 import numpy as np
@@ -22,13 +22,15 @@ from ..plugin.noise.measure import band_noise
 from ..plugin.noise.measure.band_noise import BandNoise
 from ..plugin.seams.measure.profile.seam_profile import SeamProfile
 from ..plugin.seams.measure.seam_cells import Cell
-from ..plugin.seams.measure.window.inspection import inspect_window, make_block
+from ..plugin.seams.measure.window.inspection import Block, inspect_window, usable_block
 from ..plugin.seams.measure.window.window_request import InspectionSettings
 from ..plugin.seams.measure.window.window_result import WindowResult
 from . import messages
 
-Image = Any
-"""A numpy array, a masked one, or an xarray DataArray: (rows, columns) or (rows, columns, bands)."""
+if TYPE_CHECKING:
+    from xarray import DataArray
+
+Image = Union[np.ndarray, "DataArray"]
 Images = Union[Sequence[Image], Mapping[str, Image]]
 
 _METRES = 'LOCAL_CS["array",UNIT["metre",1]]'
@@ -38,18 +40,18 @@ _MOST_BANDS_FIRST = 16  # of an array whose first side is its shortest: more are
 
 
 def seam_profile(
-    mosaic: Image, sources: Images, pixel_size_m: float, labels: np.ndarray | None = None,
+    mosaic: Image, sources: Images, pixel_size_m: float, labels: Image | None = None,
     settings: InspectionSettings | None = None,
 ) -> SeamProfile | None:
     """What a mosaic kept of its sources along its seams, all of them arrays on one pixel grid.
 
     The ``profile`` of ``inspect_arrays``, whose ``judgement.reason`` says why where it is None, as without a seam.
     """
-    return inspect_arrays(mosaic, sources, pixel_size_m, labels, settings).profile
+    return _inspected(mosaic, sources, pixel_size_m, labels, settings).profile
 
 
 def inspect_arrays(
-    mosaic: Image, sources: Images, pixel_size_m: float, labels: np.ndarray | None = None,
+    mosaic: Image, sources: Images, pixel_size_m: float, labels: Image | None = None,
     settings: InspectionSettings | None = None,
 ) -> WindowResult:
     """Inspect arrays as ``inspect_window`` does a window of files.
@@ -63,31 +65,44 @@ def inspect_arrays(
     mosaic : array
         (rows, columns) or (rows, columns, bands); three bands or more begin with red, green and blue.
     sources : sequence or mapping of arrays
-        The images that it may have been made from, on the mosaic's rows and columns, none of them a copy of it, which
-        would explain all; a mapping has their names.
+        The images that it may have been made from, on the mosaic's rows and columns; a mapping has their names. The
+        mosaic itself and copies of it, which would explain all, are left out, and told by a SeamInspectorWarning each.
     pixel_size_m : float
         Metres on the ground that a pixel spans.
     labels : array, optional
-        (rows, columns) of whole numbers: of the source that each pixel was taken from; -1 or masked where unknown.
+        (rows, columns) of whole numbers: the place in ``sources``, from 0 and in the order of a mapping, of the one
+        that each pixel was taken from; -1 or masked where unknown.
     settings : InspectionSettings, optional
         The standard ones where None.
 
-    Raises SettingsError for arrays that are no images, of different sides, or whose coordinates x and y are others.
+    Raises SettingsError for arrays that are no images, of different sides, or whose coordinates x and y are others, and
+    when no source can be used.
     """
+    return _inspected(mosaic, sources, pixel_size_m, labels, settings)
+
+
+def _inspected(
+    mosaic: Image, sources: Images, pixel_size_m: float, labels: Image | None, settings: InspectionSettings | None
+) -> WindowResult:
     imagery_limits.check_type("pixel_size_m", pixel_size_m, float)
     imagery_limits.check_type("sources", sources, Iterable)
     if pixel_size_m <= 0:
         raise SettingsError(messages.NO_PIXEL_SIZE(value=pixel_size_m))
     named = dict(sources) if isinstance(sources, Mapping) else {f"source_{i}": image for i, image in enumerate(sources)}
+    if not named:
+        raise SettingsError(messages.NO_SOURCES())
     for name, image in (*named.items(), ("labels", labels)):
         _check_places(name, image, mosaic)
     with ExitStack() as held:
         held.callback(close_rasters)
         ref = held.enter_context(_raster_of(mosaic, "mosaic", pixel_size_m))
         raster = describe_mosaic(ref)
-        refs = [held.enter_context(_raster_of(source, name, pixel_size_m, raster)) for name, source in named.items()]
+        refs = [
+            ref if source is mosaic else held.enter_context(_raster_of(source, name, pixel_size_m, raster))
+            for name, source in named.items()
+        ]
         cells = () if labels is None else tuple(_cells(_known(labels), [ref.path for ref in refs], raster))
-        block, _ = make_block(raster, refs, (), cells)
+        block = usable_block(Block(raster, (), cells), refs, calls=3)
         return inspect_window(block.window(raster.extent, settings))
 
 
@@ -138,7 +153,7 @@ def _in_order(image: Image, name: str) -> Image:
     return image.transpose("y", "x", ...).values
 
 
-def _known(labels: Image) -> np.ndarray:
+def _known(labels: np.ndarray | DataArray) -> np.ndarray:
     """Labels (rows, columns) with -1 where they are masked."""
     turned = np.ma.asanyarray(_in_order(labels, "labels"))
     turned = turned[..., 0] if turned.shape[2:] == (1,) else turned

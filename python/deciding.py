@@ -1,7 +1,6 @@
 """The decision on scans, by the plugin's rules."""
 from __future__ import annotations
 
-import os
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
@@ -12,8 +11,9 @@ from ..plugin.acceptance.measure.delivered_rows import make_delivery
 from ..plugin.acceptance.measure.scanned_files import file_doubts
 from ..plugin.imagery.errors import SettingsError
 from ..plugin.imagery.limits import PATH_TYPES, check_type
+from ..plugin.imagery.records import TableRows
 from ..plugin.imagery.reference_systems import same_system
-from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
+from ..plugin.seams.measure.scan.scan_result import ScanResult
 from ..plugin.seams.measure.window.inspection import PathLike, paths_of
 from . import messages
 from .scan_files import read_seams
@@ -32,8 +32,9 @@ def decide(
     Parameters
     ----------
     sheets : mapping
-        By the name of each sheet what ``scan`` found in it, or the GeoPackage that holds that, which has to be as the
-        scan left it; all in one reference system. One without any seam counts for nothing beside others.
+        By the name of each sheet what ``scan`` found in it, or the GeoPackage that holds that, as for ``mend``, which
+        has to be as the scan left it; all in one reference system. One without any seam counts for nothing beside
+        others.
     rules : AcceptanceRules
         Of ``limit_rules`` or ``load_acceptance_rules``.
     mosaics : iterable of paths, optional
@@ -52,22 +53,17 @@ def decide(
     check_type("seed", seed, int)
     if (lot_size or seed) and rules.sampling is None:
         raise SettingsError(messages.LOT_WITHOUT_PLAN(rules=rules.name))
-    sheets = {str(name): sheet for name, sheet in sheets.items()}
-    for name, sheet in sheets.items():
+    rows: dict[str, TableRows] = {}
+    notes: dict[str, Mapping[str, str]] = {}
+    for name, sheet in zip(map(str, sheets), sheets.values()):
         check_type(f"sheets[{name!r}]", sheet, ScanResult, *PATH_TYPES)
-    files = {name: os.fspath(sheet) for name, sheet in sheets.items() if not isinstance(sheet, ScanResult)}
-    tables = {
-        name: (seam_rows(sheet), dict(sheet.told)) if isinstance(sheet, ScanResult) else read_seams(sheet)
-        for name, sheet in sheets.items()
-    }
-    rows = {name: table for name, (table, _) in tables.items()}
-    notes = {name: beside for name, (_, beside) in tables.items()}
-    first, wkt = next(((name, table.wkt) for name, table in rows.items()), ("", ""))
-    for name, table in rows.items():
-        if not same_system(table.wkt, wkt):
+        rows[name], notes[name] = read_seams(sheet)
+        first, wkt = next((other, table.wkt) for other, table in rows.items())
+        if not same_system(rows[name].wkt, wkt):
             raise SettingsError(messages.NOT_IN_ONE_SYSTEM(name=name, first=first))
     if not any(rows.values()):
         raise NoSeamsError(messages.NO_SEAM_TO_DECIDE_ON())
+    files = [str(name) for name, sheet in sheets.items() if not isinstance(sheet, ScanResult)]
     delivery = make_delivery(rows, wkt, notes, files)
     doubts = file_doubts(delivery, paths_of("mosaics", mosaics), ())
     return deciding.decide(replace(delivery, files=doubts), rules, lot_size or None, seed)

@@ -9,12 +9,12 @@ from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable
+from threading import Event
+from typing import Any, Callable, Union
 
 from osgeo import ogr
 
 from ..plugin.imagery.errors import CancelledError, Level, Message, SeamInspectorWarning, SettingsError
-from ..plugin.imagery.file_identity import check_is_file, refuse_overwriting
 from ..plugin.imagery.gdal_calls import gdal_silenced
 from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.messages import CANCELLED
@@ -25,7 +25,7 @@ from ..plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
 from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, Mending, MendRequest, mending
 from ..plugin.seams.measure.scan import whole_scan
-from ..plugin.seams.measure.scan.scan_result import ScanResult, seam_rows
+from ..plugin.seams.measure.scan.scan_result import ScanResult
 from ..plugin.seams.measure.scan.whole_scan import ScanRun, ScanSettings
 from ..plugin.seams.measure.window import inspection
 from ..plugin.seams.measure.window.inspection import Block, PathLike
@@ -36,9 +36,8 @@ from . import messages
 from .outputs import GEOTIFF, VRT, check_writing
 from .scan_files import SEAMLINES, check_scanned, read_seams
 
-if TYPE_CHECKING:
-    from distributed import Client
-
+Progress = Callable[[float], object]
+Cancelled = Union[Callable[[], bool], Event]
 _log = logging.getLogger("seam_inspector")
 _log.addHandler(logging.NullHandler())
 _SIDES = ("xmin", "ymin", "xmax", "ymax")
@@ -46,8 +45,7 @@ _SIDES = ("xmin", "ymin", "xmax", "ymax")
 
 def inspect_windows(
     windows: Iterable[Any], block: Block | None = None, settings: InspectionSettings | None = None, *,
-    executor: Executor | Client | str | None = None, progress: Callable[[float], object] | None = None,
-    cancelled: Callable[[], bool] | None = None,
+    executor: Crew = None, progress: Progress | None = None, cancelled: Cancelled | None = None,
 ) -> Iterator[WindowResult]:
     """``inspect_window`` for many, in their order, each as soon as it is ready.
 
@@ -55,9 +53,9 @@ def inspect_windows(
     ----------
     windows : iterable
         What ``Block.window`` makes; or with a ``block`` rectangles, numbered from 1: (xmin, ymin, xmax, ymax) in the
-        mosaic's reference system, geometries of shapely, rows with a ``geometry`` or with these four names, a
-        GeoSeries or a GeoDataFrame, which are moved to the mosaic's system; a SeamInspectorWarning tells where they
-        name none and are taken in that.
+        mosaic's reference system, geometries of shapely, of which the box around each is inspected, rows with a
+        ``geometry`` or with these four names, a GeoSeries or a GeoDataFrame, which are moved to the mosaic's system; a
+        SeamInspectorWarning tells where they name none and are taken in that.
     block : Block, optional
         The mosaic that rectangles lie on.
     settings : InspectionSettings, optional
@@ -66,7 +64,7 @@ def inspect_windows(
         Where windows are measured; a thread per core where None.
     progress : callable, optional
         Is told the share that is done, 0 to 1.
-    cancelled : callable, optional
+    cancelled : callable or threading.Event, optional
         Is asked several times a second whether to end; threads finish what they are at, a window or a block of a scan.
 
     A window that fails in a way nobody foresaw is ``not_comparable`` for that reason. Raises CancelledError when
@@ -83,21 +81,15 @@ def inspect_windows(
     ]
     if not all(isinstance(request, WindowRequest) for request in requests):
         raise SettingsError(messages.RECTANGLES_WITHOUT_BLOCK())
-    return _inspected(requests, executor, progress or _nobody, cancelled or _nobody)
-
-
-def _nobody(*_share: float) -> bool:
-    """Nobody watches, and nobody cancels."""
-    return False
+    return _inspected(requests, executor, *_watchers(progress, cancelled))
 
 
 def _inspected(
-    requests: list[WindowRequest], executor: Crew, progress: Callable[[float], object], cancelled: Callable[[], bool]
+    requests: list[WindowRequest], executor: Crew, progress: Progress, cancelled: Callable[[], bool]
 ) -> Iterator[WindowResult]:
     done = 0
     with open_executor(executor, cancelled) as (opened, ahead):
-        for result in inspection.inspect_windows(requests, opened, ahead, cancelled):
-            done += 1
+        for done, result in enumerate(inspection.inspect_windows(requests, opened, ahead, cancelled), 1):
             _tell(result.notices)
             progress(done / len(requests))
             yield result
@@ -107,8 +99,7 @@ def _inspected(
 
 def scan(
     block: Block, settings: ScanSettings | None = None, *, seamlines: PathLike = "", loss: PathLike = "",
-    executor: Executor | Client | str | None = None, progress: Callable[[float], object] | None = None,
-    cancelled: Callable[[], bool] | None = None,
+    executor: Crew = None, progress: Progress | None = None, cancelled: Cancelled | None = None,
 ) -> ScanResult:
     """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.
 
@@ -120,8 +111,8 @@ def scan(
     settings : ScanSettings, optional
         The standard ones where None.
     seamlines : path, optional
-        A vector file of lines, or of polygons that are filled from one source each, as ``file.gpkg|layername=name``
-        where it has several layers; without it seams are found from the pixels. One that names no reference system
+        A vector file of lines, or of polygons that are filled from one source each: its first layer, or
+        ``file.gpkg|layername=name``; without it seams are found from the pixels. One that names no reference system
         lies in the mosaic's; where none of its seams lies on the mosaic, nothing is measured: 0 m, and a notice.
     loss : path, optional
         A GeoTIFF for the picture of losses; a scan that was stopped goes on when it is started again with the same.
@@ -136,13 +127,11 @@ def scan(
     check_type("block", block, Block)
     check_type("seamlines", seamlines, *PATH_TYPES)
     check_type("loss", loss, *PATH_TYPES)
-    cancelled = cancelled or _nobody
+    tell, is_cancelled = _watchers(progress, cancelled)
     given = os.fspath(seamlines).partition("|")[0]
-    outputs = {"loss": (os.fspath(loss), GEOTIFF)} if loss else {}
-    read = filter(None, (*block.paths, *block.files, given))
-    check_writing(outputs, read)
-    with open_executor(executor, cancelled) as (opened, ahead):
-        run = ScanRun(opened, ahead, _rising(progress or _nobody), cancelled)
+    check_writing({"loss": (os.fspath(loss), GEOTIFF)} if loss else {}, filter(None, (*block.paths, given)))
+    with open_executor(executor, is_cancelled) as crew:
+        run = ScanRun(*crew, tell, is_cancelled)
         result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
     _tell(result.notices)
     return replace(result, told={**result.told, SEAMLINES: os.path.abspath(given)}) if given else result
@@ -151,8 +140,7 @@ def scan(
 def mend(
     block: Block, seams: ScanResult | PathLike, mended: PathLike, settings: MendSettings | None = None, *,
     patches: PathLike = "", which: str = FAILED,
-    executor: Executor | Client | str | None = None, progress: Callable[[float], object] | None = None,
-    cancelled: Callable[[], bool] | None = None,
+    executor: Crew = None, progress: Progress | None = None, cancelled: Cancelled | None = None,
 ) -> list[MendedSeam]:
     """Cut seams anew where the images agree best, as patches beside the mosaic, which is never touched.
 
@@ -161,7 +149,7 @@ def mend(
     block : Block
         The mosaic with its orthoimages; neighbours are not looked at.
     seams : ScanResult or path
-        What ``scan`` found, or the GeoPackage that holds it.
+        What ``scan`` found, or the GeoPackage that holds it: its layer ``seams``, or ``file.gpkg|layername=name``.
     mended : path
         The mended mosaic, a VRT over the mosaic and the patches.
     settings : MendSettings, optional
@@ -183,43 +171,42 @@ def mend(
     check_type("patches", patches, *PATH_TYPES)
     settings = settings or MendSettings()
     MendSettings.check(settings)
-    cancelled = cancelled or _nobody
-    name = os.fspath(mended)
-    place = Path(name)
+    tell, is_cancelled = _watchers(progress, cancelled)
+    place = Path(mended)
     folder = os.fspath(patches) or str(place.parent / f"{place.stem}_patches")
-    made = {"patches": folder}
-    if not Path(folder).suffix:
-        made = {path.name: str(path) for path in Path(folder).glob("patch_*")}
-    read = [*block.paths, *block.files]
-    read += [] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]]
-    refuse_overwriting({"mended": name, **made}, read)
-    check_is_file("patches", folder)
-    check_writing({"mended": (name, VRT)}, ())
-    rows, notes = (seam_rows(seams), seams.told) if isinstance(seams, ScanResult) else read_seams(seams)
+    read = [*block.paths, *([] if isinstance(seams, ScanResult) else [os.fspath(seams).partition("|")[0]])]
+    single = {"patches": (folder, ())} if Path(folder).suffix else {}
+    check_writing({"mended": (os.fspath(mended), VRT), **single}, read)
+    rows, notes = read_seams(seams)
     if notes:
         check_scanned(notes, block)
     features = [(row, bytes(ogr.CreateGeometryFromWkt(row[GEOMETRY]).ExportToWkb())) for row in rows]
     pieces = tuple(given_pieces(features, FIELDS, which))
     request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings)
-    with open_executor(executor, cancelled) as crew, mending(request, folder, str(place)) as job:
-        return _mended(job, crew, _rising(progress or _nobody), cancelled)
+    with open_executor(executor, is_cancelled) as crew, mending(request, folder, os.fspath(mended), read) as job:
+        return _mended(job, crew, tell, is_cancelled)
 
 
-def _rising(progress: Callable[[float], object]) -> Callable[[float], object]:
-    """Tells a share only where it is more than all before: found seams, and runs that share work, are counted anew."""
+def _watchers(progress: Progress | None, cancelled: Cancelled | None) -> tuple[Progress, Callable[[], bool]]:
+    """Who is told of progress, where it is more than before (found seams, and runs that share work, are counted anew),
+    and who is asked whether to end. Raises SettingsError for what can't be called."""
+    asked: Any = getattr(cancelled, "is_set", cancelled)
+    for name, given in (("progress", progress), ("cancelled", asked)):
+        if given is not None and not callable(given):
+            raise SettingsError(messages.NO_FUNCTION(name=name, value=type(given).__name__))
     most = -1.0
 
     def tell(share: float) -> None:
         nonlocal most
-        if share > most:
+        if progress is not None and share > most:
             most = share
             progress(share)
 
-    return tell
+    return tell, asked or (lambda: False)
 
 
 def _mended(
-    job: Mending, crew: tuple[Executor, int], progress: Callable[[float], object], cancelled: Callable[[], bool]
+    job: Mending, crew: tuple[Executor, int], progress: Progress, cancelled: Callable[[], bool]
 ) -> list[MendedSeam]:
     for step in job.steps(*crew, cancelled):
         _tell(step.notices)

@@ -20,7 +20,7 @@ from ..plugin.imagery.lines import line_wkt
 from ..plugin.imagery.records import GEOMETRY, Column, Row, TableRows, rows_of
 from ..plugin.imagery.seam_totals import MOSAIC_FILES, TOTALS_DOMAIN
 from ..plugin.seams.measure.planning.window_placing import PLACED_COLUMNS
-from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, ScanResult, seam_notes
+from ..plugin.seams.measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, ScanResult, seam_notes, seam_rows
 from ..plugin.seams.measure.scan.whole_scan import rectangle
 from ..plugin.seams.measure.window.inspection import Block, PathLike
 from . import messages
@@ -40,7 +40,7 @@ def write_scan(path: PathLike, result: ScanResult, block: Block) -> None:
     check_type("path", path, *PATH_TYPES)
     check_type("result", result, ScanResult)
     check_type("block", block, Block)
-    read = filter(None, (*block.paths, *block.files, result.told.get(SEAMLINES, "")))
+    read = filter(None, (*block.paths, result.told.get(SEAMLINES, "")))
     check_writing({"output": (os.fspath(path), GEOPACKAGE)}, read)
     check_scanned(result.told, block)
     failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
@@ -90,15 +90,17 @@ def _write(
     return layer
 
 
-def read_seams(path: PathLike) -> tuple[TableRows, dict[str, str]]:
-    """The table of seams in a file that a scan wrote, here or in QGIS, with what it tells beside them, the seal among
-    it; ``file|layername=name`` where it is called otherwise. Raises SettingsError where there is none."""
-    file, _, name = os.fspath(path).partition("|layername=")
+def read_seams(given: ScanResult | PathLike) -> tuple[TableRows, Mapping[str, str]]:
+    """The table of seams of a scan, or of a file that one wrote, here or in QGIS, with what it tells beside them, the
+    seal among it; ``file|layername=name`` where it is called otherwise. Raises SettingsError where there is none."""
+    if isinstance(given, ScanResult):
+        return seam_rows(given), given.told
+    file, _, name = os.fspath(given).partition("|layername=")
     with gdal_silenced():
         opened = open_dataset(file, FEATURES)
         layer = opened and (opened.GetLayerByName(name or SEAMS) or (None if name else opened.GetLayer(0)))
         if layer is None or layer.GetLayerDefn().GetFieldIndex("kept_1") < 0:
-            raise SettingsError(messages.NO_LAYER_OF_SEAMS(path=path))
+            raise SettingsError(messages.NO_LAYER_OF_SEAMS(path=given))
         system, rows = layer.GetSpatialRef(), []
         for feature in layer:
             row: Row = {**feature.items()}

@@ -12,7 +12,7 @@ import inspect
 import json
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import groupby
 from pathlib import Path
@@ -27,15 +27,18 @@ REFERENCE, FIRST_STEPS, NOTEBOOK = PAGES / "reference.md", PAGES / "first_steps.
 RECIPES, COMMANDS = PAGES / "recipes.md", PAGES / "command_line.md"
 
 _IMPORT = re.compile(r"from \.(\S+) import (\w+) as \2$")
+_MEMBERS = "#: "
 _FENCE = re.compile(r"^```(python|text|shell)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 _HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 _SECTION = re.compile(r"^(Parameters)\n-+\n((?:.+(?:\n|$))+)", re.MULTILINE)
 _PARAMETER = re.compile(r"^(\S.*) : (.+)((?:\n {4}.*)*)", re.MULTILINE)
 _PICTURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n", re.MULTILINE)
+_ALIAS = re.compile(r"(?<![\w.])[A-Z]\w*")
 _HEAD = """\
 # Reference of the Python interface
 
 Made of the docstrings. Whatever is listed here is imported from `seam_inspector` itself; `help(name)` says the same.
+What `help` shows beside it serves the package alone, and may change.
 Arrays have their shape in brackets, names of lengths end in `_m` (metres on the ground) or `_px`, grey values are those
 of the file (DN).
 """
@@ -47,7 +50,10 @@ class Entry:
 
     name: str
     chapter: str
+    module: str
     node: ast.FunctionDef | ast.ClassDef
+    members: tuple[str, ...] = ()
+    """Those that are told of; all where it is empty."""
 
     @property
     def line(self) -> str:
@@ -63,8 +69,18 @@ def entries() -> list[Entry]:
         if line.startswith("# "):
             chapter = line[2:]
         elif match := _IMPORT.match(line):
-            found.append(Entry(match[2], chapter, _definition(match[1], match[2])))
+            found.append(Entry(match[2], chapter, match[1], _definition(match[1], match[2])))
+        elif line.startswith(_MEMBERS):
+            found[-1] = replace(found[-1], members=tuple(line.removeprefix(_MEMBERS).split()))
     return found
+
+
+@cache
+def unnamed_types() -> frozenset[str]:
+    """Names of the package's classes that the interface does not have, so that no page names them."""
+    files = [path for room in ("plugin", "python") for path in (REPOSITORY / room).rglob("*.py")]
+    classes = {name for path in files for name in re.findall(r"^class (\w+)", path.read_text("utf-8"), re.MULTILINE)}
+    return frozenset(classes - {entry.name for entry in entries()})
 
 
 def blocks(page: Path, language: str = "python") -> list[tuple[str, str]]:
@@ -134,36 +150,52 @@ def notebook() -> str:
 def _section(entry: Entry) -> Iterator[str]:
     yield f"### {entry.name}\n"
     if isinstance(entry.node, ast.FunctionDef):
-        yield f"```python\n{_signature(entry.node)}\n```\n"
+        yield f"```python\n{_signature(entry)}\n```\n"
     yield _docstring(entry.node)
     yield f"Example: {example(entry.name)}.\n"
     if isinstance(entry.node, ast.ClassDef):
-        rows = [*_members(entry.node, getattr(seam_inspector, entry.name))]
+        rows = [_row(*member) for member in members(entry)]
         if rows:
             yield "\n".join(["| name | type | what it is |", "|---|---|---|", *rows]) + "\n"
 
 
-def _members(node: ast.ClassDef, loaded: type) -> Iterator[str]:
-    """Fields with their defaults and words, then properties and methods, as rows of a table."""
-    for one, after in zip(node.body, [*node.body[1:], None]):
-        told = after.value.value if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant) else ""
+def members(entry: Entry) -> Iterator[tuple[str, str, str]]:
+    """Fields with their defaults and words, then properties and methods: how each is called, its type, and what its
+    docstring or the comment beside it says. Without those that are of a type that has no name here."""
+    for name, called, kind, words in _all_members(entry):
+        if (not entry.members or name in entry.members) and not unnamed_types() & {*re.findall(r"\w+", kind)}:
+            yield called, kind, words
+
+
+def _all_members(entry: Entry) -> Iterator[tuple[str, str, str, str]]:
+    loaded, body = getattr(seam_inspector, entry.name), entry.node.body
+    for one, after in zip(body, [*body[1:], None]):
+        words = after.value.value if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant) else ""
+        words = words or _comment(entry.module, one)
         if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name):
             default = getattr(loaded, one.target.id, None)
             shown = f" = {default!r}" if type(default) in (int, float, str, bool) and default != "" else ""
-            yield _row(one.target.id, ast.unparse(one.annotation) + shown, told)
+            yield one.target.id, one.target.id, _unfolded(ast.unparse(one.annotation), entry.module) + shown, words
         elif isinstance(one, ast.Assign) and isinstance(one.targets[0], ast.Name):
             name = one.targets[0].id
-            yield _row(name, repr(getattr(loaded, name).value), told)
-    for one in node.body:
+            yield name, name, repr(getattr(loaded, name).value), words
+    for one in body:
         if isinstance(one, ast.FunctionDef) and not one.name.startswith("_"):
             is_property = any("property" in ast.unparse(decorator) for decorator in one.decorator_list)
             names = [argument.arg for argument in (*one.args.args, *one.args.kwonlyargs) if argument.arg != "self"]
             called = one.name if is_property else f"{one.name}({', '.join(names)})"
-            yield _row(called, ast.unparse(one.returns) if one.returns else "", ast.get_docstring(one) or "")
+            kind = _unfolded(ast.unparse(one.returns), entry.module) if one.returns else ""
+            yield one.name, called, kind, ast.get_docstring(one) or ""
 
 
-def _row(name: str, kind: str, told: str) -> str:
-    return f"| `{name}` | `{_cell(kind)}` | {_cell(dedent(told).split(chr(10) * 2)[0])} |"
+def _comment(module: str, node: ast.stmt) -> str:
+    """What stands beside a field, with a capital letter and a full stop."""
+    words = _source(module).splitlines()[node.lineno - 1].partition("  # ")[2]
+    return f"{words[0].upper()}{words[1:].removesuffix('.')}." if words else ""
+
+
+def _row(called: str, kind: str, words: str) -> str:
+    return f"| `{called}` | `{_cell(kind)}` | {_cell(dedent(words).split(chr(10) * 2)[0])} |"
 
 
 def _cell(text: str) -> str:
@@ -171,17 +203,40 @@ def _cell(text: str) -> str:
     return _markdown(" ".join(text.split())).replace("|", "\\|")
 
 
-def _signature(node: ast.FunctionDef) -> str:
+def _signature(entry: Entry) -> str:
     """One argument a line where they are many; defaults that have a name as their values."""
+    node = entry.node
     arguments = ast.unparse(node.args)
     for name, parameter in inspect.signature(getattr(seam_inspector, node.name)).parameters.items():
         value = f"={parameter.default!r}"
         arguments = re.sub(rf"\b({name}: [^,=]+)=[\w.]*[A-Z]{{2}}\w*", rf"\g<1>{value}", arguments)
-    whole = f"{node.name}({arguments}) -> {ast.unparse(node.returns) if node.returns else 'None'}"
+    arguments = _unfolded(arguments, entry.module)
+    returned = _unfolded(ast.unparse(node.returns), entry.module) if node.returns else "None"
+    whole = f"{node.name}({arguments}) -> {returned}"
     if len(whole) <= 100:
         return whole
     parts = "".join(f"    {part},\n" for part in _split(arguments))
-    return f"{node.name}(\n{parts}) -> {ast.unparse(node.returns) if node.returns else 'None'}"
+    return f"{node.name}(\n{parts}) -> {returned}"
+
+
+def _unfolded(annotation: str, module: str) -> str:
+    """An annotation with what its names stand for, where they stand for several types or are names of tuples."""
+    return re.sub(r"None \| None\b", "None", _ALIAS.sub(lambda name: _meaning(name[0], module), annotation))
+
+
+def _meaning(name: str, module: str) -> str:
+    """What a name is in a module, if it is no class: as ``X | Y`` where it is a union."""
+    for node in _module(module).body:
+        if (
+            isinstance(node, ast.Assign) and isinstance(node.value, ast.Subscript)
+            and ast.unparse(node.targets[0]) == name
+        ):
+            meant = node.value.slice if ast.unparse(node.value.value) == "Union" else None
+            parts = meant.elts if isinstance(meant, ast.Tuple) else [node.value]
+            return " | ".join(_unfolded(ast.unparse(part).strip("'"), module) for part in parts)
+        if isinstance(node, ast.ImportFrom) and node.level and name in [alias.name for alias in node.names]:
+            return _meaning(name, ".".join([*module.split(".")[: -node.level], node.module or ""]))
+    return name
 
 
 def _split(arguments: str) -> Iterable[str]:
@@ -212,8 +267,13 @@ def _markdown(text: str) -> str:
 
 
 @cache
+def _source(module: str) -> str:
+    return (REPOSITORY / module.replace(".", "/")).with_suffix(".py").read_text("utf-8")
+
+
+@cache
 def _module(name: str) -> ast.Module:
-    return ast.parse((REPOSITORY / name.replace(".", "/")).with_suffix(".py").read_text("utf-8"))
+    return ast.parse(_source(name))
 
 
 def _definition(module: str, name: str) -> ast.FunctionDef | ast.ClassDef:

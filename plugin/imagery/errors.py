@@ -65,7 +65,7 @@ INFO, WARNING = Level.INFO, Level.WARNING
 
 @dataclass(frozen=True)
 class Message:
-    """One sentence for the user."""
+    """One sentence for the user, whose text ``str`` gives."""
 
     template: str
     """English text with ``{name}`` where a value goes."""

@@ -50,6 +50,10 @@ LUMINANCE = "luminance"
 
 PATH_TYPES = (str, os.PathLike)
 _NUMBERS: dict[type, tuple[type, str]] = {int: (Integral, "a whole number"), float: (Real, "a finite number")}
+_MADE_BY = {
+    "Block": "open_block", "WindowRequest": "Block.window", "WindowResult": "inspect_window", "ScanResult": "scan",
+    "AcceptanceRules": "limit_rules",
+}  # types that nobody makes by their names
 
 
 def check_type(name: str, value: object, *types: type) -> None:
@@ -58,7 +62,7 @@ def check_type(name: str, value: object, *types: type) -> None:
     is_endless = isinstance(value, Real) and not math.isfinite(value)
     is_truth = isinstance(value, bool) and bool not in types
     if is_endless or is_truth or not any(isinstance(value, kind) for kind, _ in allowed):
-        words = " / ".join(word for _, word in allowed)
+        words = " / ".join(f"{word} of {_MADE_BY[word]}(...)" if word in _MADE_BY else word for _, word in allowed)
         shown = reprlib.repr(value) if isinstance(value, (str, Real, type(None))) else type(value).__name__
         raise SettingsError(messages.NOT_OF_TYPE(name=name, value=shown, expected=words))
 

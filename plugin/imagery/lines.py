@@ -252,7 +252,7 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
     ``geometries``: WKB of each feature in the mosaic's CRS; points, None and empty ones are skipped. ``pixel_size``:
     the mosaic's, in map units; borders and lines up to half a pixel apart or over each other are taken as one.
 
-    Raises SeamlineError when the layer is empty, holds no seam, can't be read, or is of another size than the mosaic.
+    Raises SeamlineError when the layer holds no seam, can't be read, or is of another size than the mosaic.
     """
     lines, rings, owners = _read(geometries)
     if not lines and not rings:
@@ -287,21 +287,19 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
 def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np.ndarray], list[int]]:
     """Lines, polygon rings with the interior on their left, and the feature each ring belongs to (map units)."""
     lines: list[np.ndarray] = []
-    rings: list[tuple[int, np.ndarray]] = []
-    is_empty = True
+    rings: list[np.ndarray] = []
+    owners: list[int] = []
     for number, wkb in enumerate(geometries, start=1):
-        geometry = read_geometry(wkb, number) if wkb else None
-        if geometry is None or geometry.IsEmpty():
+        if not wkb:
             continue
-        is_empty = False
-        for part in simple_parts(geometry):
-            if is_polygon(part):
-                rings += [(number, ring) for ring in polygon_rings(part, number)]
-            elif part.GetPointCount() > 1:
-                lines.append(line_points(part))
-    if is_empty:
-        raise SeamlineError(messages.SEAMLINES_EMPTY())
-    return lines, [ring for _, ring in rings], [number for number, _ in rings]
+        for part in simple_parts(read_geometry(wkb, number)):
+            if is_line(part):
+                lines += [line_points(part)] if part.GetPointCount() > 1 else []
+            else:
+                of_part = list(polygon_rings(part, number))
+                rings += of_part
+                owners += [number] * len(of_part)
+    return lines, rings, owners
 
 
 def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:

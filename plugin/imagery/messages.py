@@ -27,8 +27,7 @@ COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitude
 BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")
 NOT_GEOREFERENCED = Message("{name} has no position on the map; georeference or orthorectify it first.")
 NO_REFERENCE_SYSTEM = Message(
-    "{name} has no coordinate reference system; set it in the layer's properties in QGIS, write it into the file, or "
-    "name it where the raster is opened (crs in Python).")
+    "{name} has no coordinate reference system (CRS); set it where the raster is opened, or write it into the file.")
 NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
 OTHER_SYSTEM_TAKEN = Message(
     "{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.", INFO)
@@ -53,12 +52,12 @@ NOT_OF_TYPE = Message("{name} is {value}; give {expected}.")
 WINDOW_NO_RECTANGLE = Message(
     "The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax "
     "as numbers, the smaller ones first.")
-WINDOW_OUTSIDE = Message("The window lies outside the mosaic; draw it on the mosaic.")
+WINDOW_OUTSIDE = Message("The window lies outside the mosaic; choose a place on it.")
 WINDOW_TOO_SMALL = Message(
-    "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger, or "
-    "use fewer levels where these ask for more than 64 px.")
+    "The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so take a larger one, "
+    "or use fewer levels where these ask for more than 64 px.")
 WINDOW_TOO_LARGE = Message(
-    "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; draw it smaller.")
+    "The window covers {width} x {height} px of the mosaic, but {most} million px are the most; take a smaller one.")
 WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so windows can't be placed on it on the map.")
 WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.", WARNING)
 WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}", WARNING)
@@ -75,10 +74,8 @@ WAVELET_NOT_ORTHOGONAL = Message(
     "use an orthogonal one such as coif3, db4 or sym8.")
 LEVELS_OUT_OF_RANGE = Message("{levels} levels were asked for; give {least} to {most}.")
 # seamlines
-SEAMLINES_EMPTY = Message("The seamline layer is empty; choose a layer with lines or polygons of the mosaic's seams.")
 SEAMLINES_NO_LINES = Message(
-    "The seamline layer holds no line and no polygon; choose the layer of the mosaic's seamlines or of its source "
-    "polygons.")
+    "The seamline layer holds no line and no polygon; give that of the mosaic's seamlines or of its source polygons.")
 SEAMLINES_APART = Message(
     "No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a "
     "pixel are bridged), or give the seams as lines.")
@@ -87,10 +84,11 @@ SEAMLINES_TOO_SHORT = Message(
 SEAMLINES_TOO_WIDE = Message(
     "The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.")
 SEAMLINES_BROKEN = Message(
-    "The geometry of feature {feature} in the seamline layer can't be read; repair the layer with 'Fix geometries'.")
+    "The geometry of feature {feature} in the seamline layer can't be read; repair it ('Fix geometries' or ogr2ogr "
+    "-makevalid).")
 SEAMLINES_NOT_FINITE = Message(
     "The seamline layer has coordinates that are not numbers in the mosaic's reference system; check the reference "
-    "systems of both and repair the layer with 'Fix geometries'.")
+    "systems of both and repair the layer ('Fix geometries' or ogr2ogr -makevalid).")
 # files that are written
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
 RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")

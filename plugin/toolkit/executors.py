@@ -7,8 +7,8 @@ import tempfile
 import time
 import zipfile
 from collections.abc import Iterator
-from concurrent.futures import Executor, Future
-from contextlib import contextmanager, suppress
+from concurrent.futures import BrokenExecutor, Executor, Future
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from threading import Event, Thread
 from typing import TYPE_CHECKING, Any, Callable, Union
@@ -28,6 +28,7 @@ ANSWER_SECONDS = 10.0  # to a scheduler, until it is known that it is one
 PATIENCE_SECONDS = 120.0  # without any worker: long enough for those that were lost to be started anew
 LOOK_SECONDS = 5.0  # between two looks at the cluster
 _CANCELLED_EVERY_SECONDS = 0.1  # is asked for
+_LOST = BrokenExecutor, concurrent.futures.CancelledError  # none of which is ours: who cancels gets no results
 _SILENT = OSError, asyncio.TimeoutError, concurrent.futures.TimeoutError
 _PREPARE = f"""
 import sys
@@ -53,52 +54,54 @@ def open_executor(
     Raises SettingsError for a cluster that can't be used, CancelledError, and WorkersLostError when nobody is left.
     """
     if crew and not isinstance(crew, Executor):
-        with _client_of(crew, is_cancelled) as client, _watched(client, is_cancelled) as opened:
+        with _cluster(crew, is_cancelled) as opened:
             yield opened
         return
-    with own_threads(crew or None) as opened:
-        try:
+    try:
+        with own_threads(crew or None) as opened:
             yield opened
-        except (RuntimeError, concurrent.futures.CancelledError) as error:
-            if isinstance(error, RuntimeError) and _takes_work(opened[0]):
-                raise
-            raise WorkersLostError(messages.EXECUTOR_LOST()) from None
-
-
-def _takes_work(executor: Executor) -> bool:
-    """Whether it was neither shut down nor broken, for which Python has the same error as for all else."""
-    with suppress(RuntimeError):
-        executor.submit(int)
-        return True
-    return False
+    except _LOST:
+        raise WorkersLostError(messages.EXECUTOR_LOST()) from None
 
 
 @contextmanager
-def _client_of(crew: Client | str, is_cancelled: Callable[[], bool]) -> Iterator[Client]:
-    """The client that is given, or one of the scheduler at an address."""
-    if not isinstance(crew, str):
-        if not hasattr(crew, "get_executor"):
-            raise SettingsError(messages.NO_EXECUTOR(given=type(crew).__name__))
-        if crew.status == "closed":
+def _cluster(crew: Client | str, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
+    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends."""
+    with ExitStack() as opened:
+        client = crew
+        if isinstance(client, str):
+            client = _client_at(client, is_cancelled)
+            opened.callback(client.close, ANSWER_SECONDS)
+        if not hasattr(client, "get_executor"):
+            raise SettingsError(messages.NO_EXECUTOR(given=type(client).__name__))
+        if client.status == "closed":
             raise WorkersLostError(messages.EXECUTOR_LOST())
-        yield crew
-        return
+        address = client.scheduler.address
+        try:
+            threads = _answer(lambda: _prepare(client, address), is_cancelled)
+        except _SILENT:
+            raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address)) from None
+        executor = opened.enter_context(_watched(client))
+        try:
+            yield executor, AHEAD * threads
+        except _LOST:
+            raise WorkersLostError(messages.WORKERS_LOST(address=address)) from None
+
+
+def _client_at(address: str, is_cancelled: Callable[[], bool]) -> Client:
+    """A client of the scheduler at an address."""
     try:
         from distributed import Client
     except ImportError:
         raise SettingsError(messages.DASK_MISSING()) from None
     try:
-        _answer(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(crew), ANSWER_SECONDS)), is_cancelled)
-        client = Client(crew, timeout=ANSWER_SECONDS)
+        _answer(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(address), ANSWER_SECONDS)), is_cancelled)
+        return Client(address, timeout=ANSWER_SECONDS)
     except (SettingsError, CancelledError):
         raise
     except Exception as error:  # whatever Dask makes of bytes that are none of its own
         why = str(error) or f"{ANSWER_SECONDS:.0f} s"
-        raise SettingsError(messages.SCHEDULER_SILENT(address=crew, error=why)) from None
-    try:
-        yield client
-    finally:
-        client.close(ANSWER_SECONDS)
+        raise SettingsError(messages.SCHEDULER_SILENT(address=address, error=why)) from None
 
 
 async def _check_scheduler(address: str) -> None:
@@ -145,14 +148,9 @@ def _answer(call: Callable[[], Any], is_cancelled: Callable[[], bool], seconds: 
 
 
 @contextmanager
-def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
-    """Dask gives the work of a lost worker to others; where none is left for long, all that waits ends."""
-    address = client.scheduler.address
-    try:
-        threads = _answer(lambda: _prepare(client, address), is_cancelled)
-    except _SILENT:
-        raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address)) from None
-    executor, ended, lost = client.get_executor(), Event(), Event()
+def _watched(client: Client) -> Iterator[Executor]:
+    """An executor that is shut down when the cluster has no workers for long, or its scheduler is gone."""
+    executor, ended = client.get_executor(), Event()
 
     def watch() -> None:
         seen = time.monotonic()
@@ -161,17 +159,12 @@ def _watched(client: Client, is_cancelled: Callable[[], bool]) -> Iterator[tuple
                 if client.sync(client.scheduler.ncores, callback_timeout=LOOK_SECONDS):
                     seen = time.monotonic()
             if client.status not in ("running", "connecting") or time.monotonic() - seen > PATIENCE_SECONDS:
-                lost.set()
                 executor.shutdown(wait=False)
                 return
 
     Thread(target=watch, name="seam-inspector-cluster", daemon=True).start()
     try:
-        yield executor, AHEAD * threads
-    except Exception as error:
-        if lost.is_set() or isinstance(error, concurrent.futures.CancelledError):  # else nobody has cancelled them
-            raise WorkersLostError(messages.WORKERS_LOST(address=address)) from None
-        raise
+        yield executor
     finally:
         ended.set()
         if client.status == "running":
@@ -203,12 +196,11 @@ def measuring_modules(plugin: Path) -> list[Path]:
 
 def _measuring_archive(folder: Path) -> str:
     """An importable zip of all that measures, for workers without this plugin, by the package's full name."""
-    plugin = Path(__file__).parent.parent
-    package = __package__.split(".")[:-1]
-    archive = folder / f"{package[0]}.zip"
+    plugin, (package, room, _) = Path(__file__).parent.parent, __package__.split(".")
+    archive = folder / f"{package}.zip"
     with zipfile.ZipFile(archive, "w") as file:
-        for depth in range(1, len(package) + 1):
-            file.writestr("/".join([*package[:depth], "__init__.py"]), "")
+        for name in (package, f"{package}/{room}"):
+            file.writestr(f"{name}/__init__.py", "")
         for module in measuring_modules(plugin):
-            file.write(module, "/".join([*package, *module.relative_to(plugin).parts]))
+            file.write(module, Path(package, room, module.relative_to(plugin)))
     return str(archive)

@@ -36,22 +36,24 @@ NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")
 TASK_FAILED = Message("{task} failed ({error}); please report this.")
 UNLOADED = Message("Seam Inspector was updated or turned off while this ran; start it again.")
 DASK_MISSING = Message(
-    "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty.")
+    "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]', or give no scheduler.")
 SCHEDULER_SILENT = Message(
-    "No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or leave it empty.")
+    "No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or give none.")
 DASK_VERSIONS = Message(
     "Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on "
     "the scheduler, the workers and here.")
 NO_EXECUTOR = Message(
     "{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.")
-EXECUTOR_LOST = Message("The executor was shut down or lost its workers; open a new one, then run this again.")
+EXECUTOR_LOST = Message(
+    "The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are "
+    "spawned needs the line if __name__ == '__main__': above its work.")
 SCHEDULER_WITHOUT_WORKERS = Message(
-    "The Dask scheduler at {address} has no workers, or none that answers; start some or leave it empty.")
+    "The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.")
 WORKERS_LOST = Message(
     "The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.")
 WORKERS_WITHOUT_PACKAGES = Message(
-    "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as "
-    "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.")
+    "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL's "
+    "python3-gdal), or give no scheduler.")
 # one or many windows
 OF_A_WINDOW = Message("Window {window}: {what}", INFO)
 OF_WINDOWS = Message("In {count} windows ({windows}), such as {window}: {what}", INFO)

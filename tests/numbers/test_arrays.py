@@ -8,6 +8,7 @@ import pytest
 from osgeo import gdal
 from seam_inspector import (
     ScanSettings,
+    SeamInspectorWarning,
     SettingsError,
     clip_curves,
     inspect_arrays,
@@ -69,6 +70,16 @@ def test_orthoimages_that_end_where_the_mosaic_leaves_them_tell_of_it_as_whole_o
     left[:, columns >= SIDE // 2 + margin_px], right[:, columns < SIDE // 2 - margin_px] = np.nan, np.nan
     ended = seam_profile(mosaic, [left, right], PIXEL_M)
     assert ended.kept[0] == pytest.approx(whole.kept[0], abs=0.1)
+
+
+def test_the_mosaic_and_its_copies_are_left_out_of_the_sources(images: tuple[np.ndarray, ...]) -> None:
+    left, right, mosaic = images
+    expected = seam_profile(mosaic, [left, right], PIXEL_M)
+    for other, words in ((mosaic, "is the mosaic itself"), (mosaic.copy(), "is a copy or an overview of it")):
+        with pytest.warns(SeamInspectorWarning, match=words) as warned:
+            profile = seam_profile(mosaic, [left, other, right], PIXEL_M)
+        assert profile == expected
+        assert warned[0].filename == __file__
 
 
 def test_types_and_masks_change_nothing_that_is_measured(images: tuple[np.ndarray, ...]) -> None:
@@ -144,7 +155,8 @@ def test_bands_have_names(images: tuple[np.ndarray, ...]) -> None:
         (lambda image: seam_profile(image, [image], PIXEL_M, np.full(image.shape[:2], np.nan)), "not whole numbers"),
         (lambda image: seam_profile(image, [image], PIXEL_M, np.full(image.shape[:2], "0")), "not whole numbers"),
         (lambda image: inspect_arrays(image, None, PIXEL_M), "sources is None"),
-        (lambda image: inspect_arrays(image, [image], PIXEL_M, settings=ScanSettings()), "give InspectionSettings"),
+        (lambda image: inspect_arrays(image, [255 - image], PIXEL_M, settings=ScanSettings()), "InspectionSettings"),
+        (lambda image: inspect_arrays(image, {}, PIXEL_M), "sources is empty"),
         (lambda image: seam_profile(image, [image], 0.0), "pixel_size_m is 0"),
         (lambda image: seam_profile(image, [image], True), "pixel_size_m is True"),
         (lambda image: seam_profile(DataArray(image[0]), [DataArray(image[0], first_x=2)], 1.0), "other coordinates x"),

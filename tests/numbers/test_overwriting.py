@@ -35,12 +35,11 @@ BELONGS = "which belongs to an input; choose another file"
 READ = {
     "open_block mosaic", "open_block sources", "open_block cells", "open_block neighbours", "scan seamlines",
     "load_acceptance_rules path", "mend seams", "decide sheets", "decide mosaics",
-    "inspect_windows executor", "scan executor", "mend executor",
 }  # fmt: skip
 """Paths that the interface takes to read, or tells."""
 WORDS = {
     "AcceptanceRules.limit check", "AcceptanceRules.rule check", "clip_curves wavelet", "measure_noise names",
-    "measure_noise wavelet", "mend which",
+    "measure_noise wavelet", "mend which", "Message.worded fill", "Message.worded translate",
 }  # fmt: skip
 """Texts that are no paths."""
 

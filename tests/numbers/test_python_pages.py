@@ -44,6 +44,12 @@ def shell(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, s
     return {**os.environ, "PATH": f"{place}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": home}
 
 
+def ran(
+    command: list[str | Path], folder: Path, shell: dict[str, str], timeout: float | None = None
+) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(command, cwd=folder, env=shell, capture_output=True, text=True, timeout=timeout, check=False)
+
+
 def is_script(code: str) -> bool:
     return "__main__" in code or "distributed" in code
 
@@ -55,9 +61,7 @@ def can_run(code: str) -> bool:
 def test_the_recipes_run_one_after_the_other(folder: Path, shell: dict[str, str]) -> None:
     codes = [code for _, code in RECIPES if not is_script(code) and can_run(code)]
     program = "\n".join(["import sys", *(f"sys.modules[{name!r}] = None" for name in ("qgis", "PyQt5")), *codes])
-    run = subprocess.run(
-        [sys.executable, "-c", program], cwd=folder, env=shell, capture_output=True, text=True, check=False
-    )
+    run = ran([sys.executable, "-c", program], folder, shell)
     assert run.returncode == 0, run.stderr
     assert "Traceback" not in run.stderr
     assert "False" not in run.stdout
@@ -69,16 +73,24 @@ def test_a_script_of_the_recipes_runs(folder: Path, shell: dict[str, str], tmp_p
         pytest.skip("Dask is not installed")
     script = tmp_path / "script.py"
     script.write_text(code, encoding="utf-8")
-    run = subprocess.run(
-        [sys.executable, script], cwd=folder, env=shell, capture_output=True, text=True, timeout=120, check=False
-    )
+    run = ran([sys.executable, script], folder, shell, timeout=120)
     assert run.returncode == 0, run.stderr
     assert re.fullmatch(r"\d+ m of seam\n", run.stdout)
 
 
+def test_a_script_that_its_processes_start_anew_is_told_what_it_lacks(
+    folder: Path, shell: dict[str, str], tmp_path: Path
+) -> None:
+    script = tmp_path / "script.py"
+    code = next(code for _, code in RECIPES if "spawn" in code)
+    script.write_text(code.replace('if __name__ == "__main__":\n    main()', "main()"), encoding="utf-8")
+    run = ran([sys.executable, script], folder, shell, timeout=120)
+    assert "needs the line if __name__ == '__main__': above its work" in run.stderr.splitlines()[-1]
+
+
 @pytest.mark.parametrize(("heading", "code"), python_pages.blocks(python_pages.COMMANDS, "shell"))
 def test_the_shell_of_the_page_runs(folder: Path, shell: dict[str, str], heading: str, code: str) -> None:
-    run = subprocess.run(["sh", "-c", code], cwd=folder, env=shell, capture_output=True, text=True, check=False)
+    run = ran(["sh", "-c", code], folder, shell)
     assert run.returncode == 0, run.stderr
     assert "Traceback" not in run.stderr
 
@@ -89,21 +101,20 @@ def test_a_table_or_page_of_something_else_stays(folder: Path, shell: dict[str, 
     notes.write_text("my,notes\n", encoding="utf-8")
     page.write_text("<p>mine</p>", encoding="utf-8")
     command = ["seam-inspector", "inspect", mosaic, *sources, "--at", "0", "0", "-o"]
-    codes = [
-        subprocess.run([*command, output], env=shell, capture_output=True, check=False).returncode
-        for output in (notes, tmp_path / "w.xlsx", table, table)
-    ]
+    codes = [ran([*command, path], folder, shell).returncode for path in (notes, tmp_path / "w.xlsx", table, table)]
     assert codes == [3, 3, 2, 2]  # the place lies outside, which is told in the table
     scan = ["seam-inspector", "scan", mosaic, *sources, "-o", f"{tmp_path}/seams.gpkg", "--report", page]
-    assert subprocess.run(scan, env=shell, capture_output=True, check=False).returncode == 3
+    assert ran(scan, folder, shell).returncode == 3
     assert (notes.read_text("utf-8"), page.read_text("utf-8")) == ("my,notes\n", "<p>mine</p>")
 
 
-def test_where_gdal_is_missing_nothing_is_rejected(shell: dict[str, str]) -> None:
-    code = f"import sys; sys.modules['osgeo'] = None; {COMMAND}"
-    run = subprocess.run([sys.executable, "-c", code], env=shell, capture_output=True, text=True, check=False)
-    assert (run.returncode, run.stderr.count("Traceback")) == (3, 0)
-    assert "osgeo" in run.stderr
+@pytest.mark.parametrize(("code", "ends"), [
+    (COMMAND, (3, "seam-inspector: osgeo is missing")),
+    ("from seam_inspector import open_block", (1, "ImportError: GDAL's Python bindings are missing")),
+])  # fmt: skip
+def test_where_gdal_is_missing_a_sentence_says_so(shell: dict[str, str], code: str, ends: tuple[int, str]) -> None:
+    run = ran([sys.executable, "-c", f"import sys; sys.modules['osgeo'] = None; {code}"], Path(), shell)
+    assert (run.returncode, run.stderr.splitlines()[-1][: len(ends[1])]) == ends
 
 
 def test_a_reader_who_goes_away_changes_no_decision(folder: Path, shell: dict[str, str], tmp_path: Path) -> None:
@@ -112,7 +123,7 @@ def test_a_reader_who_goes_away_changes_no_decision(folder: Path, shell: dict[st
     command = shlex.join(["seam-inspector", "scan", str(folder / "block" / "mosaic.tif"), *sources, "-o", "seams.gpkg"])
     for pipe in ("| true", "2>&1 | true"):
         script = f"{{ {command}; echo $? > code; }} {pipe}"
-        run = subprocess.run(["sh", "-c", script], cwd=tmp_path, env=shell, capture_output=True, text=True, check=True)
+        run = ran(["sh", "-c", script], tmp_path, shell)
         assert ((tmp_path / "code").read_text(), run.stderr.count("Error")) == ("1\n", 0)
 
 
@@ -123,7 +134,7 @@ def test_exit_codes_say_what_was_decided(folder: Path, shell: dict[str, str], tm
     mosaic, seams, report = str(folder / "block" / "mosaic.tif"), str(tmp_path / "seams.gpkg"), tmp_path / "report.html"
 
     def code(*arguments: str) -> int:
-        run = subprocess.run(["seam-inspector", *arguments], env=shell, capture_output=True, text=True, check=False)
+        run = ran(["seam-inspector", *arguments], tmp_path, shell)
         assert "Traceback" not in run.stderr
         return run.returncode
 

@@ -229,8 +229,7 @@ PICTURES_NOT_WRITTEN = Message(
 PICTURES_MISSING = Message(
     "Failures without a picture: {count}; the mosaic does not show them, or can't be read there.", WARNING)
 SEAMS_ELSEWHERE_UNKNOWN = Message(
-    "Without what a scan with orthoimages found on the ground (in Python: told=), seams that are in no row are "
-    "unknown: {names}.", INFO)
+    "Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.", INFO)
 SCAN_UNEXPLAINED = Message(
     "The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are "
     "not counted and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING)
@@ -238,7 +237,7 @@ SCAN_UNSEEN = Message(
     "The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
     "measured, the longest around {place}.", WARNING)
 SCAN_PARTLY = Message(
-    "Only {share:.0%} of the mosaic of {name} were scanned, those in the CORRIDOR; seams elsewhere are unknown.", INFO)
+    "Only {share:.0%} of the mosaic of {name} were scanned, those in its corridor; seams elsewhere are unknown.", INFO)
 SOURCES_NOT_GIVEN = Message(
     "The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not "
     "measured.",

@@ -38,6 +38,6 @@ GRAIN_MAY_HIDE = Message(
     "The curve rises, but noise coarser than a pixel (grain) can hide in this texture; measure smoother ground.", INFO
 )
 GRAIN_UNKNOWN = Message(
-    "The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a "
+    "The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; take a "
     "larger one.", INFO
 )

@@ -193,9 +193,6 @@ DETAILS_LIMITED = Message(
 SCAN_LEVELS = Message("The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.")
 DENSITY_UNKNOWN = Message("'{density}' is not a density of a scan; give one of: {known}.")
 SCAN_CELL = Message("The picture of losses can't have cells of {cell} pixels; give one of: {known}.")
-PIECE_LENGTH = Message("Length of a piece of seam (metres)", INFO)
-CORRIDOR = Message("Corridor (metres)", INFO)
-WORST_WINDOWS = Message("Windows of the worst places", INFO)
 SCAN_LENGTHS = Message("{name} is {value:g}; give {least} or more.")
 LOSS_NOT_TIFF = Message("The picture of losses is a GeoTIFF; give {path} the ending .tif.")
 SEAMS_WITHOUT_SEAL = Message(
@@ -219,7 +216,7 @@ NO_SOURCE_ON_MOSAIC = Message(
     "No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from."
 )
 NO_SOURCE_USABLE = Message(
-    "None of the orthoimages can be used, for the reasons in the log; fix that, or leave them all out to scan the "
+    "None of the orthoimages can be used, for the reasons told before; fix that, or leave them all out to scan the "
     "mosaic along its seamlines alone."
 )
 MOSAIC_NOT_READ = Message("Nothing of the mosaic {name} could be read, so nothing was measured: {why}")
@@ -263,11 +260,11 @@ SEAMS_NAMED_BY_DATE = Message(
     "field '{field}'.", INFO
 )
 SEAM_FEATURES_BROKEN = Message(
-    "Features of the seamline layer whose geometry can't be read, left out: {count}; repair the layer with 'Fix "
-    "geometries'.", WARNING
+    "Features of the seamline layer whose geometry can't be read, left out: {count}; repair it ('Fix geometries' or "
+    "ogr2ogr -makevalid).", WARNING
 )
 SEAM_FEATURES_ALL_BROKEN = Message(
-    "The geometry of no feature of the seamline layer can be read; repair the layer with 'Fix geometries'."
+    "The geometry of no feature of the seamline layer can be read; repair it ('Fix geometries' or ogr2ogr -makevalid)."
 )
 SEAM_LINES_CROSS = Message(
     "Lines of the seamline layer that cross themselves: {count}; they are measured as they are.", WARNING

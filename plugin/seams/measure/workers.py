@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Callable, TypeVar
 
-from ...imagery.errors import Message, SeamInspectorError, WorkersLostError
+from ...imagery.errors import Message, SeamInspectorError
 from . import messages
 
 _log = logging.getLogger("seam_inspector")
@@ -47,7 +47,7 @@ def in_order(
 
     ``together``: how many requests are handed out at once. ``failed`` makes the result of a request whose measurement
     raised an error that nobody foresaw. Stops when the run is cancelled, with the results that are ready by then, in a
-    fraction of a second even while a window is under way. Raises WorkersLostError when nobody is left to measure.
+    fraction of a second even while a window is under way. Raises BrokenExecutor when nobody is left to measure.
     """
     waiting: deque[tuple[list[Request], Future[list[Result]]]] = deque()
     requests = iter(requests)
@@ -55,7 +55,11 @@ def in_order(
         while some := list(islice(requests, together)):
             if workers.cancelled():
                 break
-            waiting.append((some, workers.executor.submit(_each, measure, some)))
+            try:
+                future = workers.executor.submit(_each, measure, some)
+            except RuntimeError as error:  # of one that was shut down, for which Python has no error of its own
+                raise BrokenExecutor(str(error)) from None
+            waiting.append((some, future))
             if len(waiting) >= workers.ahead:
                 yield from _ready(*waiting.popleft(), failed, workers.cancelled)
         while waiting:
@@ -84,7 +88,7 @@ def _ready(
     error = future.exception()
     if error is None:
         yield from future.result()
-    elif isinstance(error, Exception) and not isinstance(error, (WorkersLostError, BrokenExecutor)):
+    elif isinstance(error, Exception) and not isinstance(error, BrokenExecutor):
         reason = unforeseen(error)
         yield from (failed(request, reason) for request in requests)
     else:

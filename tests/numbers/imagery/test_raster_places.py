@@ -46,9 +46,9 @@ def test_a_reference_may_bring_the_system_that_a_file_lacks(make_raster: MakeRas
     image = orthoimage(SIZE)
     path = make_raster("bare.tif", image, system=None)
     assert describe(RasterRef(path)).wkt == ""
-    with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system; set it"):
+    with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system \(CRS\); set it"):
         describe_mosaic(RasterRef(path))
-    with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system; set it"):
+    with pytest.raises(RasterError, match=r"bare.tif has no coordinate reference system \(CRS\); set it"):
         clip_of(path, mosaic)
     assert describe_mosaic(RasterRef(path, wkt(UTM33))).wkt == wkt(UTM33)
     clip = clip_of(path, mosaic, system=wkt(UTM33))

@@ -202,8 +202,8 @@ def test_every_kind_of_polygon_is_read(text: str) -> None:
 @pytest.mark.parametrize(
     ("geometries", "sentence"),
     [
-        ([], "is empty"),
-        ([None, b"", wkb("LINESTRING EMPTY")], "is empty"),
+        ([], "holds no line"),
+        ([None, b"", wkb("LINESTRING EMPTY")], "holds no line"),
         ([wkb("POINT (1 1)"), wkb("MULTIPOINT (1 1, 2 2)")], "no line and no polygon"),
         ([line([(5, 5), (5, 5)])], "shorter than a pixel"),
         ([line([(15.2, 60.1), (15.20004, 60.10002)])], "shorter than a pixel"),

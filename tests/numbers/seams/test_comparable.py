@@ -61,7 +61,7 @@ def test_a_rectangle_that_is_no_window_gives_its_reason(make_raster: MakeRaster)
     block = block_of(mosaic_of(make_raster, orthoimage(SIZE)), make_raster("a.tif", orthoimage(SIZE)))
     request = window_request(block, 3, FAR_AWAY, InspectionSettings())
     result = inspect_window(request)
-    assert_not_comparable(result, "The window lies outside the mosaic; draw it on the mosaic.")
+    assert_not_comparable(result, "The window lies outside the mosaic; choose a place on it.")
     assert (result.window_id, result.window, result.clips, result.pairs) == (3, None, (), ())
     assert_not_comparable(inspect(block, PixelWindow(10, 10, 40, 100)), "covers 40 x 100 px of the mosaic")
 

@@ -95,7 +95,7 @@ def test_min_kept_moves_the_limit(paths: dict[str, str]) -> None:
     assert inspect(paths, "soft", MIN_KEPT=None).column("verdict") == ["significant"]
     for wrong in (0, 1):
         assert_refused(
-            "inspectwindows", "MIN_KEPT is .* between 0 and 1", WINDOWS=windows(WHOLE), MOSAIC=paths["soft"],
+            "inspectwindows", "min_kept is .* between 0 and 1", WINDOWS=windows(WHOLE), MOSAIC=paths["soft"],
             SOURCES=[paths["west"]], MIN_KEPT=wrong,
         )
 

@@ -267,7 +267,7 @@ def test_a_truncated_source_costs_its_own_ground_only(tmp_path: Path, feathered:
 
 
 @pytest.mark.parametrize(("lines", "words"), [
-    ([line((9000, 9000), (9500, 9500))], "lies on the mosaic"), ([], "is empty"),
+    ([line((9000, 9000), (9500, 9500))], "lies on the mosaic"), ([], "holds no line"),
 ])
 def test_seamlines_that_say_nothing(feathered: Files, lines: list[QgsGeometry], words: str) -> None:
     drawn = layer("LineString", lines)

@@ -7,14 +7,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from seam_inspector.plugin.imagery.errors import WorkersLostError
-from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
-from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.source_images import Source
-from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_windows
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
-from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
+from seam_inspector import PixelWindow, WindowRequest, WindowResult, WorkersLostError, open_block
+from seam_inspector.plugin.seams.measure.window.inspection import inspect_windows
 from seam_inspector.plugin.toolkit import executors
 from seam_inspector.plugin.toolkit.executors import open_executor
 
@@ -34,15 +28,10 @@ def cluster(tmp_path: Path) -> Iterator[str]:
 
 @pytest.fixture
 def requests(tmp_path: Path) -> list[WindowRequest]:
-    refs = [
-        RasterRef(write_raster(tmp_path / f"{number}.tif", orthoimage((SIDE, SIDE), seed=number)))
-        for number in range(2)
-    ]
-    block = Block(describe_mosaic(refs[0]), tuple(Source(ref, describe(ref).extent) for ref in refs[1:]))
-    return [
-        WindowRequest(number, block.mosaic, block.sources, PixelWindow(8 * number, 0, 256, 256), InspectionSettings())
-        for number in range(WINDOWS)
-    ]
+    paths = [write_raster(tmp_path / f"{seed}.tif", orthoimage((SIDE, SIDE), seed=seed)) for seed in (0, 1)]
+    block = open_block(*paths)
+    windows = (PixelWindow(8 * number, 0, 256, 256) for number in range(WINDOWS))
+    return [block.window(block.mosaic.grid.window_extent(window)) for window in windows]
 
 
 @pytest.fixture

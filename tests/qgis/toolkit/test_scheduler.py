@@ -82,7 +82,7 @@ def test_bad_rasters_cost_no_window_on_a_cluster(cluster: str, scene: Scene, tmp
     ("address", "words"),
     [
         ("tcp://127.0.0.1:9", r"scheduler answers at tcp://127\.0\.0\.1:9 .*; check the address .* 8786"),
-        ("nowhere", r"scheduler answers at nowhere .*; check the address .* 8786\), or leave it empty"),
+        ("nowhere", r"scheduler answers at nowhere .*; check the address .* 8786\), or give none"),
         ("udp://127.0.0.1:9", r"scheduler answers at udp://127\.0\.0\.1:9 "),
     ],
 )
@@ -161,13 +161,13 @@ def test_a_scheduler_without_workers_gets_a_sentence(scene: Scene) -> None:
 
     with LocalCluster(n_workers=0, processes=False, dashboard_address=":0") as empty:
         outcome = inspect(scene, SCHEDULER=empty.scheduler_address)
-    assert_sentence(outcome.complaint, "has no workers, or none that answers; start some or leave it empty")
+    assert_sentence(outcome.complaint, "has no workers, or none that answers; start some, or give no scheduler")
 
 
 def test_without_dask_a_scheduler_gets_a_sentence(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "distributed", None)
     outcome = inspect(scene, SCHEDULER="tcp://127.0.0.1:9")
-    assert_sentence(outcome.complaint, r"Dask is not installed; install 'dask\[distributed\]' or leave .* empty")
+    assert_sentence(outcome.complaint, r"Dask is not installed; install 'dask\[distributed\]', or give no scheduler")
     assert inspect(scene).complaint is None
 
 

@@ -1,7 +1,6 @@
 """How a whole mosaic is scanned."""
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from ....imagery import limits as imagery_limits
@@ -56,9 +55,6 @@ class ScanSettings:
             raise SettingsError(messages.DENSITY_UNKNOWN(density=self.density, known=", ".join(DENSITIES)))
         if self.cell_px not in CELLS_PX:
             raise SettingsError(messages.SCAN_CELL(cell=self.cell_px, known=", ".join(map(str, CELLS_PX))))
-        for name, value, least in (
-            (messages.PIECE_LENGTH(), self.piece_m, LEAST_PIECE_M), (messages.CORRIDOR(), self.corridor_m, 0.0),
-            (messages.WORST_WINDOWS(), self.worst_count, 0),
-        ):
-            if not least <= value < math.inf:
+        for name, least in (("piece_m", LEAST_PIECE_M), ("corridor_m", 0.0), ("worst_count", 0)):
+            if (value := getattr(self, name)) < least:
                 raise SettingsError(messages.SCAN_LENGTHS(name=name, value=value, least=f"{least:g}"))

@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -21,7 +21,7 @@ import numpy as np
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import files_written, unfinished_name
 from ....imagery.errors import CancelledError, Message
-from ....imagery.file_identity import refuse_overwriting
+from ....imagery.file_identity import check_is_file, refuse_overwriting
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
@@ -285,10 +285,11 @@ class Mending:
 
 
 @contextmanager
-def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending]:
-    """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where a
-    setting is out of its range, no file can be, or another one is under way there."""
+def mending(request: MendRequest, patches: str, mended: str, read: Iterable[str] = ()) -> Iterator[Mending]:
+    """A mending whose results so far are kept beside the mended mosaic until all is done. ``read``: further inputs.
+    Raises SettingsError where a setting is out of its range, no file can be, or another one is under way there."""
     request.settings.check()
+    check_is_file("patches", patches)
     given = [item for piece in request.pieces for item in (piece.piece.vertices, piece.piece.left, piece.piece.right)]
     given.append(np.array([piece.is_wanted for piece in request.pieces]))
     refs = request.mosaic.ref, *(source.ref for source in request.sources)
@@ -299,7 +300,7 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     outputs = {"mended": mended, **{os.path.basename(path): path for path in made}}
     place = request.mosaic.geotransform, request.mosaic.wkt
     fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)
-    refuse_overwriting(outputs, (path for ref in refs for path in ref.paths))
+    refuse_overwriting(outputs, (*read, *(path for ref in refs for path in ref.paths)))
     with journal_beside(Path(mended), JOURNAL_ENDING, fingerprint) as (journal, _):
         yield Mending(request, patches, mended, journal)
         journal.remove()

@@ -83,8 +83,8 @@ class SeamProfile:
     bins: tuple[ProfileBin, ...]
     """Bins by level, then by distance from the seam."""
     feather_width_px: float | None = None
-    """Full width of the feather, by where the mixture goes from 10 to 90 %, 320 px at most; 0 for a cut, None where it
-    was not looked for."""
+    """Full width of the feather, as of a linear one that goes as far from a mixture of 10 to one of 90 %, 320 px at
+    most; 0 for a cut, None where it was not looked for."""
     measure: Measure = Measure.BOTH
     """What ``kept`` was taken by."""
     by_energy: float | None = None

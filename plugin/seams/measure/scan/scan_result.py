@@ -38,7 +38,7 @@ LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
 
 @dataclass(frozen=True)
 class JudgedPiece:
-    """One feature of SEAMS."""
+    """A piece of seam with what it kept, or several that are too short by themselves: one feature of SEAMS."""
 
     piece: SeamPiece
     """Its course."""

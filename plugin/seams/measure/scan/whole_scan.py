@@ -142,11 +142,7 @@ class ScanRun:
 
 
 def scan(
-    block: Block,
-    settings: ScanSettings | None = None,
-    *,
-    seamlines: PathLike = "",
-    loss: PathLike = "",
+    block: Block, settings: ScanSettings | None = None, *, seamlines: PathLike = "", loss: PathLike = "",
     run: ScanRun | None = None,
 ) -> ScanResult:
     """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.

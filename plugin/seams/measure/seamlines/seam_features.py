@@ -191,7 +191,6 @@ def gathered(
     ``ambiguous``: names that fit several sources, which are as good as none. Raises SeamlineError when there is none.
     """
     lines = GatheredLines()
-    empty = True
     # A pixel wider: a line along the mosaic's edge has no width.
     xmin, ymin, xmax, ymax = grid.extent
     widened = xmin - grid.pixel_width, ymin - grid.pixel_height, xmax + grid.pixel_width, ymax + grid.pixel_height
@@ -203,16 +202,12 @@ def gathered(
                 geometry = seamlines.read_geometry(wkb, number)
             if geometry.IsEmpty():
                 continue
-            empty = False
             if extents_meet(_extent(geometry), widened):
                 _gather(lines, geometry, number, _words(attributes, fields, ambiguous), fields.names_by_date)
             else:
                 lines.elsewhere += 1
         except SeamlineError:
-            empty = False
             lines.broken += 1
-    if empty:
-        raise SeamlineError(imagery_messages.SEAMLINES_EMPTY())
     if lines.lines or lines.rings:
         return lines
     if lines.elsewhere:

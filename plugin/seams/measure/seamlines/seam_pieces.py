@@ -71,7 +71,7 @@ def cut_in_pieces(seams: Iterable[SidedSeam], piece_m: float, grid: Grid) -> lis
     it. A seam shorter than half a piece is one piece. Raises SettingsError when ``piece_m`` is not a positive number.
     """
     if not (math.isfinite(piece_m) and piece_m > 0):
-        raise SettingsError(messages.SCAN_LENGTHS(name="PIECE", value=piece_m, least="0.01"))
+        raise SettingsError(messages.SCAN_LENGTHS(name="piece_m", value=piece_m, least="0.01"))
     scale = np.array([grid.metres_x, grid.metres_y])
     pieces = []
     for seam_id, seam in enumerate(seams, start=1):

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from numbers import Real
@@ -58,11 +58,6 @@ class Block:
         grid, (xmin, _, _, ymax) = self.mosaic.grid, self.sheet.extent
         return PixelWindow(round(grid.column_at(xmin)), round(grid.row_at(ymax)), self.sheet.columns, self.sheet.rows)
 
-    @property
-    def files(self) -> tuple[str, ...]:
-        """All files of the mosaic and of the sources that take part."""
-        return tuple(path for ref in (self.mosaic.ref, *(source.ref for source in self.sources)) for path in ref.paths)
-
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Sources whose footprint meets the window, wholly or in part."""
         return sources_in(self.sources, self.mosaic.grid.window_extent(window))
@@ -111,13 +106,13 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
 
     ``mosaic``: a north-up raster with a reference system. ``sources``: rasters in any reference system, each opened for
     its footprint; without any the block can be scanned along given seamlines only. ``cells``: a vector file of polygons
-    that name in a field which source each part of the mosaic was cut from, as ``file.gpkg|layername=cells`` where it
-    has several layers. ``keep_copies``: whether copies of the mosaic among the sources take part, though they hide
-    every loss; without it they are looked for, and doubtful ones take part and are told. ``crs``: the reference system
-    of all rasters (WKT, such as ``EPSG:2180``, its number, or what rasterio and pyproj have), whatever their files
-    name; empty or None: what they name. ``nodata``: a value of pixels that are no measurements, in all bands and of all
-    rasters, beside those that the files name. ``neighbours``: sheets of the same mosaic on its pixel grid, those
-    around or all; what they show within 2048 px of its border, or a block more, is looked at, not counted.
+    that name in a field which source each part of the mosaic was cut from: its first layer, or
+    ``file.gpkg|layername=cells``. ``keep_copies``: whether copies of the mosaic among the sources take part, though
+    they hide every loss; without it they are looked for, and doubtful ones take part and are told. ``crs``: the
+    reference system of all rasters (WKT, such as ``EPSG:2180``, its number, or what rasterio and pyproj have), whatever
+    their files name; empty or None: what they name. ``nodata``: a value of pixels that are no measurements, in all
+    bands and of all rasters, beside those that the files name. ``neighbours``: sheets of the same mosaic on its pixel
+    grid, those around or all; what they show within 2048 px of its border, or a block more, is looked at, not counted.
 
     What is left out (sources that can't be opened, copies of the mosaic), and files that name another system than
     ``crs``, are told by a SeamInspectorWarning each. Raises RasterError when the mosaic can't be used, SettingsError
@@ -136,15 +131,20 @@ def open_block(  # noqa: PLR0913 - keywords of a notebook
     known = read_cells(os.fspath(cells), raster) if cells else ()
     table = [os.fspath(cells).partition("|")[0]] if cells else []
     paths = (sheet.ref.path, *neighbours, *(ref.path for ref in refs), *table)
-    block, notices = make_block(raster, refs, (), known) if refs else (Block(raster, (), tuple(known)), [])
-    if not keep_copies:
-        block, of_copies = without_copies(block)
-        notices += of_copies
-    for notice in [*raster.notices, *notices]:
-        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
-    if refs and not block.sources:
-        raise SettingsError(messages.NO_SOURCE_USABLE())
+    block = usable_block(Block(raster, (), tuple(known)), refs, keep_copies)
     return replace(block, paths=paths, sheet=sheet if neighbours else None)
+
+
+def usable_block(alone: Block, sources: Sequence[RasterRef], keep_copies: bool = False, calls: int = 2) -> Block:
+    """A mosaic with the sources that can be used. What is left out is told by a SeamInspectorWarning each, as of a
+    caller so many ``calls`` up. Raises SettingsError when none of those that are given can be used."""
+    block, notices = make_block(alone.mosaic, sources, (), alone.cells) if sources else (alone, [])
+    block, of_copies = (block, []) if keep_copies else without_copies(block)
+    for notice in (*alone.mosaic.notices, *notices, *of_copies):
+        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=1 + calls)
+    if sources and not block.sources:
+        raise SettingsError(messages.NO_SOURCE_USABLE())
+    return block
 
 
 def paths_of(name: str, given: Iterable[PathLike] | PathLike) -> list[str]:

@@ -97,7 +97,7 @@ class InspectionSettings:
         """Raise SettingsError when a value is out of its range."""
         imagery_limits.check_settings(self, InspectionSettings)
         check_decomposition(self.wavelet, self.levels)
-        for name, limit in (("MAX_RATIO", self.max_ratio), ("MIN_KEPT", self.min_kept)):
+        for name, limit in (("max_ratio", self.max_ratio), ("min_kept", self.min_kept)):
             if not 0 < limit < 1:
                 raise SettingsError(messages.LIMIT_OUT_OF_RANGE(name=name, limit=limit))
         if self.reference not in REFERENCES:

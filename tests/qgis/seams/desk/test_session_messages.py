@@ -36,7 +36,7 @@ def test_bad_inputs_are_told_in_one_sentence(desk: Desk) -> None:
     desk.messages.clear()
     desk.session.place_windows()
     desk.wait()
-    assert_sentence(desk.messages.pop(), "seamline layer is empty")
+    assert_sentence(desk.messages.pop(), "seamline layer holds no line")
 
 
 def test_a_file_that_cant_be_written_to_is_told_and_stops_the_run(desk: Desk) -> None:
