@@ -41,11 +41,11 @@ def change(module: str, name: str, value: float) -> None:
             statement.value = constant
         return compile(tree, self.path, "exec")
 
-    SourceFileLoader.get_code = changed_code  # type: ignore[method-assign]
+    SourceFileLoader.get_code = changed_code  # type: ignore[method-assign, assignment]
 
 
-def judged(folder: Path) -> list[tuple[str, str, float | None, float | None, float | None]]:
-    """Verdict, main cause, kept_1 and its interval of all windows of a folder."""
+def judged(folder: Path) -> list[list]:
+    """Verdict, main cause, kept_1 and its interval, null where there is none, of all windows of a folder."""
     from osgeo import gdal
     from seam_inspector.plugin.imagery.grids import PixelWindow
     from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
@@ -59,7 +59,7 @@ def judged(folder: Path) -> list[tuple[str, str, float | None, float | None, flo
         place = PixelWindow(margin, margin, side, side)
         reading = reading_of(inspected_files(window.as_posix(), place, InspectionSettings()))
         figures = (value if value == value else None for value in (reading.kept, reading.low, reading.high))
-        judgements.append((reading.verdict, reading.cause, *figures))
+        judgements.append([reading.verdict, reading.cause, *figures])
     return judgements
 
 
