@@ -99,6 +99,10 @@ MORE_ALONG_THE_SEAM = Message(
     "Along the seam the mosaic has {low:.0f} to {high:.0f} % of its sources' detail: add those that it was made from.",
     INFO
 )
+SAME_ALONG_THE_SEAM = Message(
+    "Both orthoimages show the very same pixels along the seam, and not farther off: they were changed there, or are "
+    "parts of a single image. Ask for the orthoimages as they were before the mosaic was made."
+)
 MAY_BE_SIGNIFICANT = Message(
     "It is unclear whether the loss is significant, as {low:.0f} to {high:.0f} % may be left; measure more of the "
     "seam, or judge it by eye.", INFO

@@ -41,6 +41,22 @@ def test_a_seam_is_judged_by_what_it_kept(
     assert (result.visibility > 1) == (verdict is Verdict.SIGNIFICANT)
 
 
+@pytest.mark.parametrize("noise", [0.0, 1.2])
+def test_orthoimages_that_hold_the_mosaics_pixels_along_a_seam_say_nothing_of_it(
+    make_raster: MakeRaster, sources: list[np.ndarray], noise: float
+) -> None:
+    """Both were changed where the mosaic lost detail, so that nothing seems to be lost."""
+    image = blended(sources, 40)
+    beside = np.abs(np.arange(SIDE) + 0.5 - BORDER) < 22
+    changed = [
+        as_bytes(np.where(beside, image + noise * np.random.default_rng(seed).normal(size=image.shape), source))
+        for seed, source in enumerate(sources[:2])
+    ]
+    judgement = inspected(make_raster, image, changed).judgement
+    assert judgement.verdict is Verdict.NOT_COMPARABLE
+    assert judgement.reason is not None and judgement.reason.template == seams_messages.SAME_ALONG_THE_SEAM.template
+
+
 def test_the_papers_rule_and_the_seam_can_differ(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
     """A strip is thin in a window; the paper's verdict stands beside the other, to the letter."""
     image = blended(sources, 40)

@@ -6,7 +6,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from scipy import ndimage
+from seam_inspector import ScanSettings, open_block, scan
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.seam_totals import PieceState
 from seam_inspector.plugin.seams.measure.judgement.causes import Cause
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 
@@ -118,3 +120,21 @@ def test_a_feather_is_seen_beside_even_ground(make_raster: MakeRaster, seed: int
     result = inspect(block_of(mosaic_of(make_raster, planes[0]), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
     assert result.judgement.verdict is Verdict.SIGNIFICANT
     assert result.profile.kept[0] == pytest.approx(0.55, abs=0.07)
+
+
+@pytest.mark.parametrize("lean", [0.3, 0.8])
+def test_a_cut_where_a_compressed_orthoimage_ends_lost_nothing(make_raster: MakeRaster, lean: float) -> None:
+    """The codec's squares at its end hold what lies beyond, which is no detail of the ground."""
+    strong, weak = (110 + amplitude * texture(SHAPE, 0.8, seed) for amplitude, seed in ((25, 1), (10, 2)))
+    ends, everywhere = COLUMNS < 160 + lean * ROWS, np.ones(SHAPE, bool)
+
+    def compressed(name: str, plane: np.ndarray, valid: np.ndarray) -> str:
+        options = ["COMPRESS=JPEG", "JPEG_QUALITY=90", "PHOTOMETRIC=YCBCR", "TILED=YES"]
+        pixels = np.stack([np.clip(plane, 1, 255) * valid] * 3).astype(np.uint8)
+        return make_raster(f"{name}.tif", pixels, valid=valid, options=options)
+
+    mosaic = compressed("mosaic", np.where(ends, weak, strong), everywhere)
+    sources = compressed("ending", weak, ends), compressed("whole", strong, everywhere)
+    pieces = scan(open_block(mosaic, sources), ScanSettings(piece_m=10.0)).pieces
+    assert sum(piece.piece.length_m for piece in pieces) > 40
+    assert not [piece for piece in pieces if piece.state is PieceState.FAILED]

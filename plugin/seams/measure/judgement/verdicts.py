@@ -75,7 +75,8 @@ def judge_profile(
     ``significant`` where the best estimate of kept_1 is at most ``min_kept`` and some loss is certain (its
     interval ends below the limit, or half-way to 1 unless it is wide), ``reduced`` where it is surely below 1 or the
     whole ``is_blurred``, else ``preserved``; none where the interval says nothing, or holds all that there was although
-    so little is kept. ``explained``: share of the pixels that the sources explain.
+    so little is kept, or where both sources are the same along the seam. ``explained``: share of the pixels that the
+    sources explain.
     """
     if profile.low > MAX_KEPT_LOW:
         return Verdict.NOT_COMPARABLE, messages.MORE_ALONG_THE_SEAM(low=100 * profile.low, high=100 * profile.high)
@@ -87,6 +88,8 @@ def judge_profile(
         return Verdict.REDUCED, messages.MAY_BE_SIGNIFICANT(low=100 * profile.low, high=100 * profile.high)
     if profile.high >= 1 and (is_wide or (kept is not None and kept <= min_kept)):
         return Verdict.NOT_COMPARABLE, messages.INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
+    if profile.is_between_copies:
+        return Verdict.NOT_COMPARABLE, messages.SAME_ALONG_THE_SEAM()
     if profile.high < 1 or is_blurred:
         return Verdict.REDUCED, None
     if explained < MIN_EXPLAINED:  # that seam is sound, but there is another one

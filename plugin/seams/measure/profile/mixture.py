@@ -304,6 +304,8 @@ class MixedStrips:
         carried = self._both_sides(fitted.carried * followed_energy(whole[:, 0], fitted.other, _SHOWN))
         self.carried = carried[strip_bins(0)].sum(axis=0) / np.maximum(in_strip(self.plain)[0], 1e-12)
         """(count,): share of its sources' finest detail that the mosaic has in the strip, of either."""
+        self.apart = self._apart(whole[:, 0])
+        """(count,): what the two sources differ by in the strip, as a share of what they do farther off."""
         unsure = fitted.unsure[:, np.newaxis]
         more, less = (mixed_energy(whole, np.clip(other + way * unsure, 0, 1)) for way in (1, -1))
         self._unsure = np.abs(in_strip(self._both_sides(more - less))[0]) / 2 / np.maximum(in_strip(plain)[0], 1e-12)
@@ -328,6 +330,15 @@ class MixedStrips:
             if area > longest[piece]:
                 widths[piece], longest[piece] = feather_width_px(self._other[number]), area
         return widths
+
+    def _apart(self, products: np.ndarray) -> np.ndarray:
+        """See ``apart``; ``products`` of the finest level, (n, SLOTS, PRODUCTS)."""
+        ss, so, oo = (self._both_sides(products[..., product]) for product in _SHOWN)
+        near, far = (
+            _ratio((ss - 2 * so + oo)[bins].sum(axis=0), (ss + oo)[bins].sum(axis=0), 1.0)
+            for bins in (strip_bins(0), slice(_FAR, None))
+        )
+        return _ratio(near, far, 1.0)
 
     def shares(self) -> np.ndarray:
         """Shares of the other source, (bins, count): the mean of both sides, NaN where there is nothing."""

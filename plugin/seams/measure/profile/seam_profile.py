@@ -17,6 +17,7 @@ WIDEST_FEATHER_PX = 2 * EDGES_PX[MIXED_BINS] / (1 - 2 * UNMIXED_SHARE)
 """Full width of a feather that does not end where one is looked for."""
 BAND_KEPT = 0.9
 """The band along a seam is where less than this is kept."""
+MIN_APART = 0.2  # honest pairs have 0.6 or more; 0.05 where both hold the mosaic's pixels, with noise of 1.2 DN on them
 MIN_STRIP_PX = 1000  # pixels of a strip; a seam of some 60 px
 
 
@@ -97,6 +98,14 @@ class SeamProfile:
     """Energy of the finest detail that the seams took, DN squared: over all distances."""
     energy: tuple[float, ...] = ()
     """Energy of the sources' detail in the strip, a pixel, DN squared, levels 1..R: what there is to be lost."""
+    apart: float = 1.0
+    """What the two sources' finest detail differs by in the strip, as a share of what it does farther off."""
+
+    @property
+    def is_between_copies(self) -> bool:
+        """Whether both sources are the same along the seam alone, though no two exposures have the same noise: what
+        the seam lost may be lost in them as well."""
+        return self.apart < MIN_APART
 
     @property
     def is_of_the_ground(self) -> bool:

@@ -117,6 +117,7 @@ class SeamSums:
                     left_by_mixture=float(more_left[0, number] / whole[number]),
                     lost=float(lost[number]),
                     energy=tuple((plain / np.maximum(area, 1))[:, number].tolist()),
+                    apart=float(mixed.apart[number]),
                 )
             strips.append(StripProfile(profile, float(area[0, number]), float(fit[number]), float(texture[number])))
         return strips

@@ -113,6 +113,8 @@ def judge_piece(
     # What little is left where detail was brushed away resembles no source.
     elif figures.strip.fit < MIN_FIT and figures.strip.texture >= MIN_TEXTURE:
         why = messages.PIECE_NOT_EXPLAINED()
+    elif profile.is_between_copies and (profile.kept[0] or 0) > STANDARD_LEAST_KEPT:
+        why = messages.SAME_ALONG_THE_SEAM()
     else:
         verdict, why = judge_profile(profile)
         if verdict is Verdict.NOT_COMPARABLE and profile.low <= MAX_KEPT_LOW:
