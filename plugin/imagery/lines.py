@@ -287,19 +287,17 @@ def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Se
 def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np.ndarray], list[int]]:
     """Lines, polygon rings with the interior on their left, and the feature each ring belongs to (map units)."""
     lines: list[np.ndarray] = []
-    rings: list[np.ndarray] = []
-    owners: list[int] = []
+    rings: list[tuple[int, np.ndarray]] = []
     for number, wkb in enumerate(geometries, start=1):
-        if not wkb:
+        geometry = read_geometry(wkb, number) if wkb else None
+        if geometry is None or geometry.IsEmpty():
             continue
-        for part in simple_parts(read_geometry(wkb, number)):
-            if is_line(part):
-                lines += [line_points(part)] if part.GetPointCount() > 1 else []
-            else:
-                of_part = list(polygon_rings(part, number))
-                rings += of_part
-                owners += [number] * len(of_part)
-    return lines, rings, owners
+        for part in simple_parts(geometry):
+            if is_polygon(part):
+                rings += [(number, ring) for ring in polygon_rings(part, number)]
+            elif part.GetPointCount() > 1:
+                lines.append(line_points(part))
+    return lines, [ring for _, ring in rings], [number for number, _ in rings]
 
 
 def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:

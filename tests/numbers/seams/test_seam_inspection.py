@@ -54,7 +54,7 @@ def test_orthoimages_that_hold_the_mosaics_pixels_along_a_seam_say_nothing_of_it
     ]
     judgement = inspected(make_raster, image, changed).judgement
     assert judgement.verdict is Verdict.NOT_COMPARABLE
-    assert judgement.reason is not None and judgement.reason.template == seams_messages.SAME_ALONG_THE_SEAM.template
+    assert templates([judgement.reason]) == [seams_messages.SAME_ALONG_THE_SEAM.template]
 
 
 def test_the_papers_rule_and_the_seam_can_differ(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:

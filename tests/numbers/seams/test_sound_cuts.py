@@ -126,7 +126,7 @@ def test_a_feather_is_seen_beside_even_ground(make_raster: MakeRaster, seed: int
 def test_a_cut_where_a_compressed_orthoimage_ends_lost_nothing(make_raster: MakeRaster, lean: float) -> None:
     """The codec's squares at its end hold what lies beyond, which is no detail of the ground."""
     strong, weak = (110 + amplitude * texture(SHAPE, 0.8, seed) for amplitude, seed in ((25, 1), (10, 2)))
-    ends, everywhere = COLUMNS < 160 + lean * ROWS, np.ones(SHAPE, bool)
+    ends, everywhere = 160 + lean * ROWS > COLUMNS, np.ones(SHAPE, bool)
 
     def compressed(name: str, plane: np.ndarray, valid: np.ndarray) -> str:
         options = ["COMPRESS=JPEG", "JPEG_QUALITY=90", "PHOTOMETRIC=YCBCR", "TILED=YES"]
