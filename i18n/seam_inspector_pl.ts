@@ -11471,12 +11471,12 @@
     </message>
     <message>
         <source>The windows by their verdicts; the numbers are theirs.</source>
-        <translation>Okna według werdyktów, z ich numerami.</translation>
+        <translation>Okna według ocen, z ich numerami.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>Both orthoimages show the very same pixels along the seam, and not farther off: they were changed there, or are parts of a single image. Ask for the orthoimages as they were before the mosaic was made.</source>
-        <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania mozaiki.</translation>
+        <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
     </message>
 </context>
 </TS>
