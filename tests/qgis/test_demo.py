@@ -70,7 +70,7 @@ def test_an_algorithms_own_error_is_shown(repository: Path, folder: Path, tmp_pa
     saved(layer("LineString", []), folder / "seamlines.gpkg")
     finished = demo(repository, folder, tmp_path / "out")
     assert finished.returncode != 0
-    assert "The seamline layer is empty" in finished.stdout
+    assert "The seamline layer holds no line and no polygon" in finished.stdout
     assert "placewindows failed." in finished.stderr
     assert "Traceback" not in finished.stderr
 

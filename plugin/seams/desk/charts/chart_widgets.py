@@ -9,22 +9,23 @@ from typing import TYPE_CHECKING
 from qgis.core import Qgis, QgsApplication
 from qgis.PyQt.QtCore import QEvent, QPointF, QRectF, QSize, pyqtSignal
 from qgis.PyQt.QtGui import QMouseEvent, QPainter, QPaintEvent
-from qgis.PyQt.QtWidgets import QFileDialog, QSizePolicy, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QFileDialog, QSizePolicy, QToolButton, QToolTip, QWidget
 
 from ....imagery.atomic_files import replacing
 from ....imagery.errors import SettingsError
 from ....toolkit.charts.chart_painter import ChartPainter, chart_image, paper_font
 from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.theme import chart_style
-from ....toolkit.desk.widgets import check_chosen_file
+from ....toolkit.desk.widgets import check_chosen_file, plain_tip
 from ....toolkit.painting import painting
-from ....toolkit.translation import filled, sentence, tr
+from ....toolkit.translation import filled, formatted, sentence, tr
 from ...charts.curves_painter import Chart, LegendedCurves
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import ProfileBin
 
+_NEAR_PX = 12  # that a point is pointed at from
 _LEAST_PX = 150  # of height: in less, neither curves nor the limit and the interval can be told apart
 _DIMMED = 0.35  # how much is left of a chart that is disabled
 
@@ -53,9 +54,23 @@ class ChartWidget(QWidget):
 
 
 class CurvesChart(ChartWidget):
-    """Shows a ``Chart``."""
+    """Shows a ``Chart``; a tip says the value of the point under the mouse."""
 
     chart: Chart | None = None  # what is seen
+
+    def event(self, event: QEvent) -> bool:
+        painter, chart = self.painter(), self.chart
+        if event.type() == QEvent.Type.ToolTip and painter is not None and chart is not None and painter.places:
+            at = QPointF(event.pos())
+            (index, component), place = min(painter.places.items(), key=lambda item: (item[1] - at).manhattanLength())
+            if (place - at).manhattanLength() <= _NEAR_PX:
+                curve = chart.curves[index]
+                is_detail = component < len(curve.detail)
+                level = filled(tr("level {number}"), number=component + 1) if is_detail else tr("background")
+                words = f"{curve.label}, {level}: {formatted(curve.values[component], '.3g')}"
+                QToolTip.showText(event.globalPos(), plain_tip(words), self)
+                return True
+        return super().event(event)
 
     def painter(self) -> LegendedCurves | None:
         if self.chart is None:

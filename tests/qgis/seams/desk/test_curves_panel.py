@@ -7,11 +7,13 @@ from pathlib import Path
 
 import pytest
 from qgis.core import QgsProject, QgsVectorLayer
-from qgis.PyQt.QtGui import QColor, QPalette
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog
+from qgis.PyQt.QtCore import QEvent, QPoint
+from qgis.PyQt.QtGui import QColor, QHelpEvent, QPalette
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QToolTip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.charts.curves_painter import LegendedCurves
+from seam_inspector.plugin.seams.desk.charts.chart_widgets import CurvesChart
 from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict, judge
@@ -183,6 +185,15 @@ def test_one_window_shows_mosaic_sources_and_limit(session: CurvesSession, panel
     x, y = round(placed.x_of(-0.2)), round(placed.y_of(placed.limit))
     assert QColor(PAPER.limit) in [picture.pixelColor(x, y + away) for away in (-1, 0, 1)]
     assert panel._status.text() == "Window 12"
+
+
+def test_a_tip_says_the_value_of_the_point_under_the_mouse(session: CurvesSession, panel: CurvesPanel) -> None:
+    select_one(session)
+    chart = panel.findChild(CurvesChart)
+    place = chart.painter().places[0, 0].toPoint()
+    for at, is_near in ((place, True), (place + QPoint(0, 40), False)):
+        QApplication.sendEvent(chart, QHelpEvent(QEvent.Type.ToolTip, at, chart.mapToGlobal(at)))
+        assert (QToolTip.text() == "mosaic.tif, level 1: 0.016") == is_near
 
 
 def test_of_many_sources_as_many_stand_in_the_legend_as_there_is_room_for(
