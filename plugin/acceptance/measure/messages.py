@@ -131,20 +131,21 @@ WITHOUT_DETAIL = Message(
     "judged.", INFO)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
-    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
-    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured.", WARNING)
+    "What would decide it: a scan with pieces of {piece:.0f} m, with which some {share:.0%} of the metres would be "
+    "measured and {least:.0%} are required.", WARNING)
 WOULD_LOOK_THERE = Message(
-    "What would decide it: an operator's look at {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
-    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure; the field 'reason' of the seams "
-    "says why.", WARNING)
+    "What would decide it: an operator's look at {wanted:.0f} of the {lacking:.0f} m that were not measured; whoever "
+    "signs decides by that. A scan of these orthoimages can't: no pieces short enough to show a failure would measure "
+    "enough, for the reasons in the field 'reason' of the seams.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
     "orthoimages beside them to the scan.", WARNING)
 WOULD_LOOK = Message(
-    "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING)
+    "What would decide it: an operator's look, by which whoever signs decides, since all seams lie on ground without "
+    "detail.", WARNING)
 WOULD_TELL_APART = Message(
     "What would decide it: an operator's look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: "
-    "{count}).", WARNING)
+    "{count}); whoever signs decides by that.", WARNING)
 WOULD_SHORTEN = Message(
     "What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the "
     "failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.", WARNING)
@@ -165,8 +166,8 @@ WOULD_GIVE_MOSAICS = Message(
     "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
     "layers of others out.", WARNING)
 WOULD_MEASURE_ROWS = Message(
-    "What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured, or an "
-    "operator's look at them; the field 'reason' of the seams says why each was not measured.", WARNING)
+    "What would decide it: an operator's look at the rows of pieces longer than {limit:.0f} m that were not measured; "
+    "whoever signs decides by that. The field 'reason' of the seams says why each was not measured.", WARNING)
 WOULD_CUT = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a "
     "longer piece may pass although a part of it failed.", WARNING)
