@@ -120,8 +120,11 @@ class Decision:
     """Accepted, rejected or undecided."""
     why: Message
     """Its reasons: all rules that were kept, those that were broken, or what is open."""
+    foremost: Message
+    """Likewise, of what is open only the one that would decide first."""
     sentences: tuple[Message, ...]
-    """The decision with its reasons first, then what would decide it where it is undecided, then what it rests on."""
+    """The decision with its foremost reasons, where it is undecided what would decide it and what else is open, then
+    what it rests on."""
     rules: AcceptanceRules
     """The rules by which it was taken."""
     delivery: Delivery

@@ -48,6 +48,7 @@ PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptm
 ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
 REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
 UNDECIDED = Message("Undecided by '{rules}': {why}.", INFO)
+OPEN_BESIDES = Message("Open besides: {why}.", WARNING)
 AND = Message("{why}; {also}", INFO)
 LIMITS_ARE = Message("the limits are {limits}", INFO)
 WITH = Message("{first}, {also}", INFO)
@@ -91,6 +92,9 @@ SEAMS_LACK = Message("{metres:.0f} m of seam are missing", INFO)
 SOURCES_ARE_MOSAIC = Message(
     "some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: "
     "{names}", INFO)
+SOURCES_LACK = Message(
+    "orthoimages that the seamlines name were not given to the scan ({names}), so seams beside them are not measured",
+    INFO)
 SEAMS_UNSEEN = Message(
     "parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not "
     "counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
@@ -150,6 +154,8 @@ WOULD_SHORTEN = Message(
     "What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the "
     "failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.", WARNING)
 WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
+WOULD_COMPLETE_SAMPLE = Message(
+    "What would decide it: as many measured pieces as the plan needs, drawn from the whole lot.", WARNING)
 WOULD_GIVE_ORTHOIMAGES = Message(
     "What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.",
     WARNING)

@@ -150,7 +150,8 @@ class Ruling:
     def _would_measure(self, has_sources: bool) -> Message:
         """A length of pieces that would measure as much as is wanted and hides no failure; else what remains."""
         least, lacking = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m
-        wanted, run = max(least * self.figures.judged_m - self.figures.measured_m, 0.0), self.rules.rule(LONGEST_FAILURE)
+        wanted = max(least * self.figures.judged_m - self.figures.measured_m, 0.0) or lacking
+        run = self.rules.rule(LONGEST_FAILURE)
         if not has_sources:
             return messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
         typical, longest = self._typical_m(), (run.limit if run else 0.0) / 2 or math.inf

@@ -70,7 +70,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         title=record.title,
         head=[*head_rows(record.head)],
         verdict=_verdict(decision, parts),
-        advice=sentence(decision.sentences[1]) if is_undecided and len(decision.sentences) > 1 else "",
+        advice=sentence(decision.sentences[1]) if is_undecided else "",
         failing=failing_sentence(decision),
         judged=_judged_bands(record.mosaics),
         figures=_key_figures(decision),
@@ -105,7 +105,7 @@ def _verdict(decision: Decision, parts: Sequence[tuple[str, str, str, bool]]) ->
     others = " ".join(f"{_capital(name)}: {word}." for name, word, _, _ in parts[-2:])
     has_findings = any(speaks_against for _, _, _, speaks_against in parts[1:])
     state = "open" if has_findings and decision.accepted else OUTCOME_STATES[decision.outcome]
-    return state, seams, f"{_capital(sentence(decision.why))}.", others
+    return state, seams, f"{_capital(sentence(decision.foremost))}.", others
 
 
 def _capital(words: str) -> str:
