@@ -16,7 +16,7 @@ from ...toolkit.charts.figure_files import new_figure, svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
-from ..measure.acceptance_rules import KEPT
+from ..measure.acceptance_rules import KEPT, MEASURED_SHARE
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
@@ -201,19 +201,20 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
 
-def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str, str, str, int, str, bool]]:
+def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str, str, str, int, str, bool, str]]:
     """The limit of a piece first, then the rules that decide: name, value, limit, which of the notes tells where that
-    comes from, result, and whether it is a reason not to accept the delivery."""
+    comes from, result, whether it is a reason not to accept the delivery, and why it can't be told."""
     limit = decision.rules.least_kept
     yield (
         tr(CHECKS[KEPT].title), share_beside(decision.whole.least_kept, limit),
         filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)),
-        1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False,
+        1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False, "",
     )
     for outcome in decision.outcomes:
         yield (
             tr(CHECKS[outcome.check].title), outcome_value(outcome), outcome_limit(outcome),
             1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
+            _capital(sentence(outcome.sentence)) if outcome.passed is None and outcome.check != MEASURED_SHARE else "",
         )  # fmt: skip
 
 

@@ -69,7 +69,7 @@ def test_ground_that_no_orthoimage_explains_leaves_it_open_by_its_area(seams: st
 
 
 def test_an_orthoimage_that_is_named_and_was_not_given_is_the_first_reason() -> None:
-    """Of 100 pieces 20 lie beside it, where the mosaic follows no orthoimage; nothing else is in the headline."""
+    """It lies beside 20 of 100 pieces, where the mosaic follows no orthoimage; nothing else is in the headline."""
     scan = said(seams="given", not_given="cam2_101", unexplained="0.13", unexplained_border="30.0")
     pieces = seam([0.97] * 80 + [None] * 20)
     decision = decide(replace(delivery(pieces), layers=(DeliveredLayer("a", True, 0.0, scan),)), rules())

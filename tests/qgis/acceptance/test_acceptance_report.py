@@ -100,3 +100,15 @@ def test_every_size_of_delivery_fits(tmp_path: Path, sheets: int, each: int) -> 
     assert len(shown) == min(sheets * each, MOST_ROWS)
     assert ("The longest 300 of 320" in page.words) == (sheets * each > MOST_ROWS)
     assert (tmp_path / "report.html").stat().st_size < 2_000_000
+
+
+def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
+    """Three pieces without a break failed, and the middle one may have passed."""
+    plain = decided(failed=[(0, 3), (0, 4), (0, 5)])
+    pieces = [*plain.delivery.pieces]
+    pieces[4] = replace(pieces[4], kept_1=0.69, kept_low=0.6, kept_high=0.79)
+    page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
+    rules = {row[0]: row[3] for row in page.rows if len(row) == 4}
+    assert rules["longest failure without a break"].startswith("can't be told")
+    assert "but it may be 25.0 to 75.0 m by the intervals of its pieces" in rules["longest failure without a break"]
+    assert rules["share of the seams that failed"] == "failed"
