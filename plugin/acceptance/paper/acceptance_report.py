@@ -161,13 +161,26 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
 
 def _unmeasured(decision: Decision) -> str:
     """Why pieces were not measured, in the scan's words, with the metres of each; those of most metres first."""
-    metres_of: dict[str, tuple[str, float]] = {}
+    alike: dict[str, list[DeliveredPiece]] = {}
     for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
-        reason = piece.reason or tr("no reason is given")
-        first, length = metres_of.get(alike := _NUMBER.sub("", reason), (reason, 0.0))
-        metres_of[alike] = first, length + piece.length_m
-    most = sorted(metres_of.values(), key=lambda pair: -pair[1])[:_MOST_REASONS]
-    return "; ".join(f"{metres(length)}: {reason.rstrip('.')}" for reason, length in most)
+        alike.setdefault(_NUMBER.sub("", piece.reason), []).append(piece)
+    reasons = sorted(
+        ((sum(piece.length_m for piece in pieces), _same_words([piece.reason for piece in pieces]))
+         for pieces in alike.values()), key=lambda reason: -reason[0],
+    )  # fmt: skip
+    rest = sum(length for length, _ in reasons[_MOST_REASONS:])
+    most = [*reasons[:_MOST_REASONS], *([(rest, tr("other reasons"))] if rest else [])]
+    return "; ".join(f"{metres(length)}: {reason.rstrip('.') or tr('no reason is given')}" for length, reason in most)
+
+
+def _same_words(texts: Sequence[str]) -> str:
+    """Texts that differ in their numbers as one, with the smallest and the largest of these."""
+    def size(number: str) -> float:
+        return float(number.replace(",", "."))
+
+    ends = [(min(numbers, key=size), max(numbers, key=size)) for numbers in zip(*map(_NUMBER.findall, texts))]
+    ranges = iter([least if least == most else f"{least}\u2013{most}" for least, most in ends])
+    return _NUMBER.sub(lambda _: next(ranges), texts[0])
 
 
 def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
