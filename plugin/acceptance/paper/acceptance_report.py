@@ -113,13 +113,14 @@ def _capital(words: str) -> str:
 
 
 def _judged_bands(mosaics: Sequence[Raster]) -> str:
-    """The bands that the detail was judged in, and those that were not; empty where no mosaic is given."""
+    """The bands whose luminance was judged, or the band, and those that were not; empty where no mosaic is given."""
     if not mosaics:
         return ""
     names = mosaics[0].band_names
     judged = [name for name in ("red", "green", "blue") if name in names] if mosaics[0].has_luminance else names[:1]
     others = [band_title(name) for name in names if name not in judged]
-    words = filled(tr("Judged in the bands: {bands}"), bands=", ".join(map(band_title, judged)))
+    words = tr("Judged in the luminance of the bands {bands}") if len(judged) > 1 else tr("Judged in the band {bands}")
+    words = filled(words, bands=", ".join(map(band_title, judged)))
     return words + (filled(tr("; not judged: {bands}"), bands=", ".join(others)) if others else "") + "."
 
 

@@ -116,8 +116,10 @@ def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
 
 def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: Path) -> None:
     """Four kinds of reasons, of which three have room; the numbers are those of all pieces of a kind."""
-    reasons = ["Between 41 and 133 %.", "Between 60 and 140 %.", "This piece is 5.0 m long.", "This piece is 0.2 m long.",
-               "This piece is 3.5 m long.", "No ground.", "No ground.", "Blurred."]
+    reasons = [
+        "Between 41 and 133 %.", "Between 60 and 140 %.", "This piece is 5.0 m long.", "This piece is 0.2 m long.",
+        "This piece is 3.5 m long.", "No ground.", "No ground.", "Blurred.",
+    ]
     plain = decided()
     pieces = [
         replace(piece, kept_1=None, kept_low=None, kept_high=None, reason=reasons[number]) if number < len(reasons)
@@ -129,3 +131,11 @@ def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: P
         "75.0 m: This piece is 0.2\u20135.0 m long; 50.0 m: Between 41\u201360 and 133\u2013140 %; "
         "50.0 m: No ground; 25.0 m: other reasons"
     )
+
+
+def test_the_cover_says_what_was_judged_and_what_was_not(tmp_path: Path) -> None:
+    mosaic = ground(tmp_path / "mosaic.tif")
+    page = page_of(tmp_path, record_of(decided(), mosaics=(mosaic,)))
+    assert "Judged in the luminance of the bands red, green, blue." in page.words
+    assert "sharpness of the mosaic as a whole" in page.words
+    assert "damage in one colour alone" in page.words
