@@ -85,20 +85,29 @@ class AcceptanceRules:
         rule = self.rule(check)
         return None if rule is None else rule.limit
 
+    @property
+    def unlimited(self) -> list[str]:
+        """Checks without a limit, where no sample decides instead."""
+        checks = (FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE)
+        return [check for check in checks if self.sampling is None and self.rule(check) is None]
+
     def rule(self, check: str) -> AcceptanceRule | None:
         """Rule of a check; None where there is none."""
         return next((rule for rule in self.rules if rule.check == check), None)
 
 
 def limits_in_words(rules: AcceptanceRules) -> Message:
-    """The limits that there are."""
+    """The limits that there are, and those that there are not."""
     parts = [messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))]
-    for check, words in (
-        (FAILED_SHARE, messages.LIMIT_OF_SHARE), (LONGEST_FAILURE, messages.LIMIT_OF_RUN),
-        (MEASURED_SHARE, messages.LIMIT_OF_MEASURED),
+    for check, words, without in (
+        (FAILED_SHARE, messages.LIMIT_OF_SHARE, messages.NO_LIMIT_OF_SHARE),
+        (LONGEST_FAILURE, messages.LIMIT_OF_RUN, messages.NO_LIMIT_OF_RUN),
+        (MEASURED_SHARE, messages.LIMIT_OF_MEASURED, messages.NO_LIMIT_OF_MEASURED),
     ):  # fmt: skip
         if (limit := rules.limit(check)) is not None:
             parts.append(words(limit=Stated(limit)))
+        elif check in rules.unlimited:
+            parts.append(without())
     if (sampling := rules.sampling) is not None:
         parts.append(messages.SAMPLED_BY_LQ(lq=float(sampling.lq)) if sampling.lq else (
             messages.SAMPLED_BY_AQL(level=sampling.inspection_level, aql=float(sampling.aql))))

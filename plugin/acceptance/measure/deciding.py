@@ -38,9 +38,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     )  # fmt: skip
     unknown = unknown_runs(delivery.pieces, states, delivery.unit_m)
     of_sheets = pieces_of_sheets(delivery, pieces)
-    whole, *sheets = (
-        metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()]
-    )
+    whole, *sheets = (metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()])
     failed_again_m, measured_again_m = (
         counted_again(pieces, delivery.files.shared, which) for which in ((PieceState.FAILED,), MEASURED)
     )
@@ -164,10 +162,7 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
     if whole.no_detail_m:
         yield messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m)
     if whole.not_measured_m:
-        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m)
-    worst = (whole.failed_m + whole.not_measured_m) / whole.judged_m if whole.judged_m else 0.0
-    share = rules.rule(FAILED_SHARE)
-    if share is not None and share.passes(whole.failed_share or 0.0) and not share.passes(worst):
-        yield messages.MAY_HIDE(worst=worst, limit=Stated(share.limit))
+        worst = (whole.failed_m + whole.not_measured_m) / whole.judged_m
+        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m, worst=worst)
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))

@@ -41,9 +41,7 @@ def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
     side of the limit; m. Each is as likely to keep less than the least as its own interval says."""
     unclear = [decided for decided in pieces if decided.is_unclear]
     chances = [_failing_chance(decided, least_kept) for decided in unclear]
-    squares = (
-        decided.piece.length_m**2 * chance * (1 - chance) for decided, chance in zip(unclear, chances)
-    )
+    squares = (decided.piece.length_m**2 * chance * (1 - chance) for decided, chance in zip(unclear, chances))
     return NORMAL_95 * math.fsum(squares) ** 0.5
 
 

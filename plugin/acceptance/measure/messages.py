@@ -4,8 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 # an index of sheets
-SHEETS_WITHOUT_NAMES = Message(
-    "The layer of sheets does not name them; it needs one of the fields {fields}.")
+SHEETS_WITHOUT_NAMES = Message("The layer of sheets does not name them; it needs one of the fields {fields}.")
 SHEETS_ELSEWHERE = Message(
     "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system.")
 SHEET_WITHOUT_NAME = Message("Sheet no. {number} has no name in the field {field}; fill it in.")
@@ -22,8 +21,7 @@ RULES_DECIDE_NOTHING = Message(
     "{name} has no rule to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'.")
 RULES_LIMIT_MISSING = Message("{place} in {name}: the check '{check}' needs '{key}'; give it.")
 RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is at most 1; write 2 % as 0.02.")
-RULES_QUALITY_UNKNOWN = Message(
-    "{place} in {name}: the {key} '{value}' is not in the standard; known are {known}.")
+RULES_QUALITY_UNKNOWN = Message("{place} in {name}: the {key} '{value}' is not in the standard; known are {known}.")
 RULES_AND_PARAMETER = Message(
     "{parameter} is {value}, and the rules in {name} are given, too; leave it at its default, or leave the rules out.")
 TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
@@ -39,8 +37,7 @@ WINDOW_SIDE_TOO_SHORT = Message(
     "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
 SEAM_OFF_MOSAIC = Message(
     "A piece of the sample does not lie on the mosaic; give that of all sheets, and check the reference systems.")
-PLANNED_BY_STANDARD = Message(
-    "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
+PLANNED_BY_STANDARD = Message("{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
 SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING)
 PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
@@ -56,6 +53,9 @@ LIMIT_OF_KEPT = Message("at least {limit:.0%} kept", INFO)
 LIMIT_OF_SHARE = Message("at most {limit:.2%} failed", INFO)
 LIMIT_OF_RUN = Message("at most {limit:.1f} m without a break", INFO)
 LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
+NO_LIMIT_OF_SHARE = Message("no limit on the share that failed", INFO)
+NO_LIMIT_OF_RUN = Message("no limit on metres without a break", INFO)
+NO_LIMIT_OF_MEASURED = Message("no limit on the share measured", INFO)
 SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql:g}", INFO)
 SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq:g} %", INFO)
 SHARE_FAILED = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
@@ -123,12 +123,9 @@ COUNTED_AGAIN = Message(
     "{metres:.1f} measured metres repeat what another scan measured, since the scanned mosaics overlap. If each place "
     "counted once, {share:.2%} would have failed.", WARNING)
 NOT_MEASURED = Message(
-    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING)
-MAY_HIDE = Message(
-    "What was not measured is assumed to be as good as the rest. If all of it failed, {worst:.1%} would fail, and "
-    "{limit:.1%} may.", WARNING)
-UNCLEAR = Message(
-    "{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO)
+    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed. If all of "
+    "it failed, {worst:.1%} would fail.", WARNING)
+UNCLEAR = Message("{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO)
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "

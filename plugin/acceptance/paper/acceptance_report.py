@@ -230,6 +230,10 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str
             1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
             _capital(sentence(outcome.sentence)) if outcome.passed is None and outcome.check != MEASURED_SHARE else "",
         )  # fmt: skip
+    for check in map(CHECKS.__getitem__, decision.rules.unlimited):
+        figure = check.figure(decision.whole)
+        value = NOTHING if figure is None else formatted(check.scale * figure, f".{check.decimals}f") + check.unit
+        yield tr(check.title), value, tr("no limit"), 0, tr("does not decide"), False, ""
 
 
 def _sheet_row(figures: MetreFigures, word: str) -> list[str]:

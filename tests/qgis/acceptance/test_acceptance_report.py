@@ -10,6 +10,7 @@ from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, 
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
 
+from tests.numbers.acceptance.deliveries import rules
 from tests.numbers.acceptance.made_decisions import decided
 from tests.pages import Outline, outline
 from tests.qgis.acceptance.papers import ground, record_of, scanned_with
@@ -34,12 +35,12 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
         "Failures", "How it was measured",
     )]
     assert places == sorted(places)
-    rules = {row[0]: row[1:] for row in page.rows if len(row) == 4}
-    assert rules["share of the seams that failed"][0] == f"{share:.2f}\u00a0%"
-    assert rules["share of the seams that failed"][1].startswith("at most 2\u00a0%")
-    assert rules["share of the seams that failed"][2] == "failed"
-    assert rules["longest failure without a break"][0] == f"{longest:.1f}\u00a0m"
-    assert rules["longest failure without a break"][2] == "passed"
+    ruled = {row[0]: row[1:] for row in page.rows if len(row) == 4}
+    assert ruled["share of the seams that failed"][0] == f"{share:.2f}\u00a0%"
+    assert ruled["share of the seams that failed"][1].startswith("at most 2\u00a0%")
+    assert ruled["share of the seams that failed"][2] == "failed"
+    assert ruled["longest failure without a break"][0] == f"{longest:.1f}\u00a0m"
+    assert ruled["longest failure without a break"][2] == "passed"
     row = ["sheet_1", "Rejected", "1000.0 m", "100.0 %", f"{longest:.1f} m", f"{longest / 10:.2f} %",
            f"{longest:.1f} m", "2 / 40", "0.0 m"]
     rows = [[cell.replace("\u00a0", " ") for cell in cells] for cells in page.rows]
@@ -108,10 +109,10 @@ def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
     pieces = [*plain.delivery.pieces]
     pieces[4] = replace(pieces[4], kept_1=0.69, kept_low=0.6, kept_high=0.79)
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
-    rules = {row[0]: row[3] for row in page.rows if len(row) == 4}
-    assert rules["longest failure without a break"].startswith("can't be told")
-    assert "but it may be 25.0 to 75.0 m by the intervals of its pieces" in rules["longest failure without a break"]
-    assert rules["share of the seams that failed"] == "failed"
+    ruled = {row[0]: row[3] for row in page.rows if len(row) == 4}
+    assert ruled["longest failure without a break"].startswith("can't be told")
+    assert "but it may be 25.0 to 75.0 m by the intervals of its pieces" in ruled["longest failure without a break"]
+    assert ruled["share of the seams that failed"] == "failed"
 
 
 def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: Path) -> None:
@@ -139,3 +140,11 @@ def test_the_cover_says_what_was_judged_and_what_was_not(tmp_path: Path) -> None
     assert "Judged in the luminance of the bands red, green, blue." in page.words
     assert "sharpness of the mosaic as a whole" in page.words
     assert "damage in one colour alone" in page.words
+
+
+def test_what_has_no_limit_stands_among_the_rules(tmp_path: Path) -> None:
+    """An eighth of the seams failed, without a rule on that."""
+    lenient = decide(decided(failed=[(0, place) for place in range(0, 40, 8)]).delivery, rules(share=None, run=50.0))
+    page = page_of(tmp_path, record_of(lenient))
+    assert "Seams: Accepted" in page.words
+    assert ["share of the seams that failed", "12.50\u00a0%", "no limit", "does not decide"] in page.rows
