@@ -649,7 +649,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="243"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -3512,7 +3512,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -3655,7 +3655,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -5043,7 +5043,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="347"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -6585,47 +6585,47 @@
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="130"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="131"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="225"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="225"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -7328,7 +7328,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -8496,12 +8496,12 @@
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
@@ -8511,67 +8511,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="305"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="305"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="260"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8889,7 +8889,7 @@
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
@@ -9715,7 +9715,7 @@
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="280"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="284"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -10139,37 +10139,37 @@
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="191"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
         <source>; looked at: {share} of the mosaic</source>
         <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
         <source>; around {places}</source>
         <translation>; przy {places}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="195"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -10416,42 +10416,42 @@
         <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="105"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="125"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>of these may keep enough (95 %)</source>
         <translation>z nich może zachować dość (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="315"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="315"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -10806,10 +10806,6 @@
         <translation>Zachowane w najgorszym odcinku, według odległości od linii</translation>
     </message>
     <message>
-        <source>kept by its pieces, one after the other: {pieces}</source>
-        <translation>zachowane przez kolejne odcinki: {pieces}</translation>
-    </message>
-    <message>
         <source>in a width of</source>
         <translation>na szerokości</translation>
     </message>
@@ -11024,22 +11020,22 @@
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="202"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -11470,17 +11466,17 @@
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
         <source>other reasons</source>
         <translation>inne powody</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="123"/>
         <source>Judged in the luminance of the bands {bands}</source>
         <translation>Oceniano luminancję kanałów {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="123"/>
         <source>Judged in the band {bands}</source>
         <translation>Oceniano kanał {bands}</translation>
     </message>
@@ -11509,14 +11505,34 @@
         <translation>{metres:.1f} z {all:.1f} m linii mozaikowania nie dało się zmierzyć; nie liczą się ani jako zgodne, ani jako niezgodne. Gdyby wszystkie były niezgodne, niezgodnych byłoby {worst:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
+    </message>
+    <message>
+        <source>kept by its pieces, from north to south: {pieces}</source>
+        <translation>zachowane w kolejnych odcinkach, z północy na południe: {pieces}</translation>
+    </message>
+    <message>
+        <source>kept by its pieces, from south to north: {pieces}</source>
+        <translation>zachowane w kolejnych odcinkach, z południa na północ: {pieces}</translation>
+    </message>
+    <message>
+        <source>kept by its pieces, from west to east: {pieces}</source>
+        <translation>zachowane w kolejnych odcinkach, z zachodu na wschód: {pieces}</translation>
+    </message>
+    <message>
+        <source>kept by its pieces, from east to west: {pieces}</source>
+        <translation>zachowane w kolejnych odcinkach, ze wschodu na zachód: {pieces}</translation>
+    </message>
+    <message>
+        <source>only one orthoimage is shown: the other ends here, or was not given</source>
+        <translation>pokazano tylko jeden ortoobraz: drugi się tu kończy albo nie został podany</translation>
     </message>
 </context>
 </TS>

@@ -21,13 +21,13 @@ STANDARD_MEASURED_SHARE = 0.9  # of the metres: with less the rest could turn an
 STANDARD_AQL = "1.0"
 STANDARD_SEED = 2859  # the same delivery gives the same sample
 
-
 KEPT, FAILED_SHARE, LONGEST_FAILURE = "kept", "failed_share", "longest_failure"
 MEASURED_SHARE, SAMPLING = "measured_share", "sampling"
 CHECKS = (KEPT, FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, SAMPLING)
 OWN_LIMIT = "Seam Inspector's own"
 
 KEY_OF_LIMIT = {KEPT: "least", MEASURED_SHARE: "least", FAILED_SHARE: "most", LONGEST_FAILURE: "most"}
+_OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 @dataclass(frozen=True)
@@ -142,9 +142,6 @@ def limit_rules(
     ))  # fmt: skip
     rules = AcceptanceRules("", min_kept, source(min_kept, STANDARD_KEPT), ruled)
     return replace(rules, name=str(limits_in_words(rules)))
-
-
-_OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 def ready_files() -> dict[str, Path]:

@@ -201,10 +201,9 @@ class Defect:
         return sum(decided.piece.length_m for decided in self.pieces if decided.is_unclear)
 
     @property
-    def band_width_m(self) -> float | None:
-        """Width of its widest band; None where none is known."""
-        widths = [decided.piece.band_width_m for decided in self.pieces]
-        return max((width for width in widths if width is not None), default=None)
+    def widest(self) -> DeliveredPiece:
+        """The piece with the widest band that is known."""
+        return max((decided.piece for decided in self.pieces), key=lambda piece: piece.band_width_m or 0.0)
 
     @property
     def cause(self) -> str:

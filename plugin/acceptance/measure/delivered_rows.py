@@ -85,7 +85,9 @@ def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer
             continue
         piece = _piece(row, line, layer.sheet)
         pieces.append(piece)
-        impossible += _is_no_share(row, piece)
+        # Where the scan has no verdict its interval is wide, and any number may stand.
+        is_share = piece.kept_1 is not None or _number(row.get("kept_1")) is None
+        impossible += not (is_share or piece.verdict == NO_VERDICT)
     total = _number(layer.notes.get(seam_totals.METRES))
     if impossible:
         notices.append(messages.KEPT_IMPOSSIBLE(count=impossible, name=layer.sheet))
@@ -112,11 +114,6 @@ def _seal(layer: ScannedLayer, totals: seam_totals.RowTotals, pieces: Sequence[D
         extent = extent_of([pieces[0].vertices])
         is_same = reference_systems.same_coordinates(layer.wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
     return Seal.WHOLE if is_same and is_sealed else Seal.BROKEN
-
-
-def _is_no_share(row: SeamRow, piece: DeliveredPiece) -> bool:
-    """Whether its ``kept_1`` can't be; where the scan has no verdict its interval is wide, and any number may stand."""
-    return _number(row.get("kept_1")) is not None and piece.kept_1 is None and piece.verdict != NO_VERDICT
 
 
 def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:

@@ -72,16 +72,15 @@ def lacking(
 def _without_orthoimages(delivery: Delivery, whole: MetreFigures, least: float) -> Iterator[Doubt]:
     """Why too little was measured where orthoimages lack; those that are named come first."""
     border = SeenGround.of_delivery(delivery).border_m
-    seen, reasons = whole.measured_m / ((whole.judged_m + border) or 1.0), list[Message]()
+    seen, advice = whole.measured_m / ((whole.judged_m + border) or 1.0), messages.WOULD_GIVE_ORTHOIMAGES
     names = [name for layer in delivery.layers for name in layer.settings.get("not_given", "").split(", ") if name]
     if names and seen < least:
-        reasons.append(messages.SOURCES_LACK(names=_first_names([*dict.fromkeys(names)])))
+        yield messages.SOURCES_LACK(names=_first_names([*dict.fromkeys(names)])), advice
     for layer in delivery.layers:
         if (share := SeenGround.of_settings(layer.settings).unexplained) > 1 - least:
-            reasons.append(messages.MOSAIC_LACKS(name=layer.name, share=share, limit=1 - least))
+            yield messages.MOSAIC_LACKS(name=layer.name, share=share, limit=1 - least), advice
     if border and seen < least:
-        reasons.append(messages.SEAMS_UNSEEN(metres=border, value=seen, limit=least))
-    yield from ((reason, messages.WOULD_GIVE_ORTHOIMAGES) for reason in reasons)
+        yield messages.SEAMS_UNSEEN(metres=border, value=seen, limit=least), advice
 
 
 def _not_looked_at(

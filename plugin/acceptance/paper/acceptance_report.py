@@ -21,7 +21,7 @@ from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
-from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
+from .defect_files import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
 from .paper_head import head_rows
 from .words import (
@@ -52,6 +52,7 @@ OUTCOME_STATES = {
 """How the decision looks on the page."""
 _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
+_BAND_KEPT = 0.9  # the scan's band: less is kept in it
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
 
 
@@ -270,20 +271,32 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
     sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
+    across, up = np.subtract(defect.pieces[-1].piece.middle, defect.pieces[0].piece.middle)
+    ends = {"west": across, "east": -across, "south": up, "north": -up}
     cause, remark = tr(defect.cause) if defect.cause else "", "; ".join(defect.remarks)
     return {
         "number": defect.run.number,
         "sheets": ", ".join(defect.run.sheets),
         "length": metres(defect.run.length_m),
         "kept": kept,
+        "begins": max(ends, key=ends.__getitem__) if len(defect.pieces) > 1 else "",
         "pieces": ", ".join(share_beside(decided.piece.kept_1, least_kept) for decided in defect.pieces),
         "unclear": filled(tr("{length} unclear"), length=metres(defect.unclear_m)) if defect.unclear_m else "",
-        "band": "" if defect.band_width_m is None else f"{shown_number(defect.band_width_m, 1)}\u00a0m",
+        "band": _band_words(defect.widest),
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
         "place": [formatted(along, ".1f") for along in defect.run.place],
     }
+
+
+def _band_words(piece: DeliveredPiece) -> str:
+    """Width of a piece's band; a lower bound where its curve does not come back as far as it is known."""
+    if piece.band_width_m is None:
+        return ""
+    beyond = [step.kept for step in piece.profile[1:] if step.far_m > piece.profile[0].far_m]
+    is_open = bool(beyond) and max(beyond) < _BAND_KEPT
+    return filled(tr("at least {least}") if is_open else "{least}", least=metres(piece.band_width_m))
 
 
 def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
@@ -312,6 +325,7 @@ def _pictures(
                 "profile": svg_text(_profile_figure(piece, least_kept)) if piece.profile else "",
                 "around": encoded(picture.around, "JPEG"),
                 "columns": picture.around.shape[1],
+                "has_lone_image": sum(panel.kind == IMAGE_PANEL for panel in picture.panels) == 1,
                 "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),
                     across=across),
                 "panels": [

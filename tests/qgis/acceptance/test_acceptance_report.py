@@ -4,11 +4,19 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
-from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
+from seam_inspector.plugin.acceptance.paper.defect_files import (
+    IMAGE_PANEL,
+    MOSAIC_PANEL,
+    DefectPicture,
+    DefectPictures,
+    ProofPanel,
+)
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
+from seam_inspector.plugin.imagery.seam_totals import KeptBeside
 
 from tests.numbers.acceptance.deliveries import rules
 from tests.numbers.acceptance.made_decisions import decided
@@ -85,7 +93,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     assert [caption.replace("\u00a0", " ") for caption in page.captions[1:]] == ["200.1 m across", "The mosaic"] * 2
     words = " ".join(page.words.split())
     assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
-    assert "kept by its pieces, one after the other: 45 %, 45 %" in words
+    assert "kept by its pieces, from south to north: 45 %, 45 %" in words
     assert "mosaic.tif" in page.words
 
 
@@ -148,3 +156,24 @@ def test_what_has_no_limit_stands_among_the_rules(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(lenient))
     assert "Seams: Accepted" in page.words
     assert ["share of the seams that failed", "12.50\u00a0%", "no limit", "does not decide"] in page.rows
+
+
+def test_a_band_wider_than_its_curve_is_known_and_a_lone_orthoimage_are_told(tmp_path: Path) -> None:
+    """The first failure's curve does not come back to 90 %, the second one's does; one image ends at the seam."""
+    plain = decided(failed=[(0, 3), (0, 20)])
+    pieces = [*plain.delivery.pieces]
+    for number, farthest in ((3, 0.8), (20, 1.0)):
+        steps = (KeptBeside(0, 1, 0.45), KeptBeside(0, 1, 0.45), KeptBeside(1, 9, farthest))
+        pieces[number] = replace(pieces[number], profile=steps, band_width_m=10.0)
+    record = record_of(
+        decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules), mosaics=(ground(tmp_path / "mosaic.tif"),)
+    )
+    pixels = np.zeros((8, 8, 3), np.uint8)
+    panels = [ProofPanel(kind, "a.tif", pixels) for kind in (MOSAIC_PANEL, IMAGE_PANEL, IMAGE_PANEL)]
+    pictures = {number: DefectPicture(pixels, 10.0, True, tuple(panels[: 4 - number])) for number in (1, 2)}
+    save_acceptance_report(tmp_path / "report.html", record, pictures)
+    words = outline((tmp_path / "report.html").read_text(encoding="utf-8")).words.replace("\u00a0", " ")
+    first, second = words.split("least kept")[-2:]
+    assert "band width at least 10.0 m" in first
+    assert "band width 10.0 m" in second
+    assert ("only one orthoimage" in first, "only one orthoimage" in second) == (False, True)
