@@ -649,7 +649,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="245"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -3512,7 +3512,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -3655,7 +3655,7 @@
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="300"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -5043,7 +5043,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="362"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -6585,47 +6585,47 @@
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="133"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="136"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="225"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="252"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
@@ -7328,7 +7328,7 @@
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
@@ -8496,12 +8496,12 @@
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
@@ -8511,67 +8511,67 @@
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="254"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="162"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Jej ortoobrazy cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="262"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -8889,7 +8889,7 @@
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="134"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
@@ -9715,7 +9715,7 @@
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="284"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="285"/>
         <source>{length} unclear</source>
         <translation>niejasne: {length}</translation>
     </message>
@@ -10139,37 +10139,37 @@
         <translation>nie wchodzi w skład ortofotomapy wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
         <source>seams given and found</source>
         <translation>linie mozaikowania podane i znalezione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
         <source>ground that matches no orthoimage</source>
         <translation>teren nieodpowiadający żadnemu ortoobrazowi</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
         <source>no data within the mosaic&apos;s outline</source>
         <translation>brak danych w obrębie obrysu ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>; looked at: {share} of the mosaic</source>
         <translation>; obejrzano: {share} ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>{share} of the ground with texture</source>
         <translation>{share} tego, co ma teksturę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>; around {places}</source>
         <translation>; przy {places}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
         <source>not stated in the layers of seams</source>
         <translation>warstwy linii tego nie podają</translation>
     </message>
@@ -10416,42 +10416,42 @@
         <translation>Linie mozaikowania {name} wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="106"/>
         <source>Seams: {verdict}</source>
         <translation>Linie mozaikowania: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="153"/>
         <source>seams that were not measured</source>
         <translation>linie mozaikowania, których nie zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="158"/>
         <source>{count} {count:finding|findings}</source>
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="125"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="126"/>
         <source>; not judged: {bands}</source>
         <translation>; nie oceniono: {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>of these may keep enough (95 %)</source>
         <translation>z nich może zachować dość (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
         <source>{across} across</source>
         <translation>szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
         <source>a part of it, {across} across</source>
         <translation>fragment szerokości {across}</translation>
     </message>
@@ -11020,22 +11020,22 @@
         <translation>Przerwano: nie ma ani raportu, ani XML, a usterki mogą nie mieć obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>given: {judged}, found: {seen}</source>
         <translation>podane: {judged}, znalezione: {seen}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>found: {judged}</source>
         <translation>znalezione: {judged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
         <source>; found and not given: {unseen}, given and not found: {unchanged}</source>
         <translation>; znalezione, a niepodane: {unseen}, podane, a nieznalezione: {unchanged}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="204"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="205"/>
         <source>; borders without a measured seam: {unseen}</source>
         <translation>; granice bez zmierzonej linii: {unseen}</translation>
     </message>
@@ -11466,17 +11466,17 @@
         <translation>Co by rozstrzygnęło: tyle zmierzonych odcinków, ile wymaga plan, wylosowanych z całej partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="175"/>
         <source>other reasons</source>
         <translation>inne powody</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
         <source>Judged in the luminance of the bands {bands}</source>
         <translation>Oceniano luminancję kanałów {bands}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
         <source>Judged in the band {bands}</source>
         <translation>Oceniano kanał {bands}</translation>
     </message>
@@ -11505,12 +11505,12 @@
         <translation>{metres:.1f} z {all:.1f} m linii mozaikowania nie dało się zmierzyć; nie liczą się ani jako zgodne, ani jako niezgodne. Gdyby wszystkie były niezgodne, niezgodnych byłoby {worst:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>no limit</source>
         <translation>bez progu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>does not decide</source>
         <translation>nie rozstrzyga</translation>
     </message>
@@ -11531,8 +11531,8 @@
         <translation>zachowane w kolejnych odcinkach, ze wschodu na zachód: {pieces}</translation>
     </message>
     <message>
-        <source>only one orthoimage is shown: the other ends here, or was not given</source>
-        <translation>pokazano tylko jeden ortoobraz: drugi się tu kończy albo nie został podany</translation>
+        <source>the cut or an orthoimage is not shown, since an orthoimage ends here or was not given</source>
+        <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy albo nie został podany</translation>
     </message>
 </context>
 </TS>

@@ -21,7 +21,7 @@ from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
 from .decision_map import MAP_PX, STATE_COLOURS, decision_map
-from .defect_files import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, DefectPicture
+from .defect_files import CUT_PANEL, MOSAIC_PANEL, DefectPicture
 from .inspection_record import InspectionRecord, file_name, how_measured
 from .paper_head import head_rows
 from .words import (
@@ -52,6 +52,7 @@ OUTCOME_STATES = {
 """How the decision looks on the page."""
 _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
+_PANELS = 4  # of a failure: mosaic, cut, two orthoimages
 _BAND_KEPT = 0.9  # the scan's band: less is kept in it
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
 
@@ -325,7 +326,7 @@ def _pictures(
                 "profile": svg_text(_profile_figure(piece, least_kept)) if piece.profile else "",
                 "around": encoded(picture.around, "JPEG"),
                 "columns": picture.around.shape[1],
-                "has_lone_image": sum(panel.kind == IMAGE_PANEL for panel in picture.panels) == 1,
+                "lacks_panels": 1 < len(picture.panels) < _PANELS,
                 "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),
                     across=across),
                 "panels": [
