@@ -62,10 +62,11 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     if sure or ((lacks or changed) and outcome is AcceptanceOutcome.ACCEPTED):
         outcome = AcceptanceOutcome.UNDECIDED
     doubts = [*sure, *(() if outcome is AcceptanceOutcome.REJECTED else lacks)]
-    reasons = _reasons(outcomes, outcome, doubts, changed)
-    limits = [messages.LIMITS_ARE(limits=limits_in_words(rules))] if rules.is_of_file else []
+    reasons, always = _reasons(outcomes, outcome, doubts), [reason for reason, _ in changed]
+    if rules.is_of_file:
+        always.append(messages.LIMITS_ARE(limits=limits_in_words(rules)))
     besides = reasons[1:] if outcome is AcceptanceOutcome.UNDECIDED else []
-    foremost = _joined([*reasons[: len(reasons) - len(besides)], *limits])
+    foremost = _joined([*reasons[: len(reasons) - len(besides)], *always])
     has_sources = any(states_in(layer.settings.get(SOURCE_FILES, "")) for layer in delivery.layers)
     by_rules = ruling.advice(outcomes, delivery.is_part, has_sources)
     advice = [*(advice for _, advice in doubts), by_rules, *(advice for _, advice in changed)]
@@ -80,7 +81,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
         *(() if lot is None else lot[2]),
     )
     return Decision(
-        outcome, _joined([*reasons, *limits]), foremost, sentences, rules, delivery, tuple(outcomes), whole,
+        outcome, _joined([*reasons, *always]), foremost, sentences, rules, delivery, tuple(outcomes), whole,
         tuple(sheets), tuple(sheet_outcomes), pieces, runs, unknown, None if lot is None else lot[0],
     )  # fmt: skip
 
@@ -126,15 +127,13 @@ def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
     return replace(outcome, value=None, passed=None, sentence=messages.RUN_NOT_IN_SAMPLE())
 
 
-def _reasons(
-    outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, doubts: Sequence[Doubt], unsealed: Sequence[Doubt]
-) -> list[Message]:
-    """All rules that were kept, those that were broken, or what is open; at the end which layers are unsealed."""
+def _reasons(outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, doubts: Sequence[Doubt]) -> list[Message]:
+    """All rules that were kept, those that were broken, or what is open."""
     wanted = {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(outcome)
     given = [rule for rule in outcomes if rule.passed is wanted]
     if wanted is None:  # what would decide it is of the first
         given.sort(key=lambda rule: (rule.check != MEASURED_SHARE, rule.check == FAILED_SHARE))
-    reasons = [reason for reason, _ in doubts] + [rule.sentence for rule in given] + [reason for reason, _ in unsealed]
+    reasons = [reason for reason, _ in doubts] + [rule.sentence for rule in given]
     return [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
 
 

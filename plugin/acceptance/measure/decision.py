@@ -121,7 +121,7 @@ class Decision:
     why: Message
     """Its reasons: all rules that were kept, those that were broken, or what is open."""
     foremost: Message
-    """Likewise, of what is open only the one that would decide first."""
+    """Likewise, of what is open only what would decide it first; and which layers are not as their scan left them."""
     sentences: tuple[Message, ...]
     """The decision with its foremost reasons, where it is undecided what would decide it and what else is open, then
     what it rests on."""

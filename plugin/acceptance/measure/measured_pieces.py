@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
@@ -62,7 +62,7 @@ def measured_with(pieces: Sequence[DecidedPiece], least_kept: float, piece_m: fl
     its seam. What scans measured at 2 and 4 times the length lay within 0.06 of that (Brighton, a generated block, the
     same half smooth; JPEG 60 and 75).
     """
-    whole = Counter[object]()
+    whole: dict[object, float] = defaultdict(float)
     for piece in (decided.piece for decided in pieces):
         whole[piece.seam] += piece.length_m if piece.seam_id else math.inf
     measured = total = 0.0

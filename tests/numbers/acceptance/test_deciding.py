@@ -177,12 +177,11 @@ def test_layers_that_lack_seams_are_not_accepted() -> None:
     made = replace(delivery(seam([0.95] * 40)), layers=(layer,))
     decision = decide(made, rules())
     assert decision.outcome is UNDECIDED
-    assert str(decision.sentences[0]) == "Undecided by 'contract': 40 m of seam are missing."
-    assert str(decision.sentences[2]) == "Open besides: layers of seams were changed since their scan: 1 (north)."
+    assert "40 m of seam are missing" in str(decision.sentences[0])
     lost = decide(replace(made, pieces=tuple(seam([0.4] * 40))), rules())
     assert lost.outcome is REJECTED
     for opened in (decision, lost, decide(replace(made, layers=(replace(layer, lacking_m=0.0),)), rules())):
-        assert str(opened.why).endswith("layers of seams were changed since their scan: 1 (north)")
+        assert str(opened.sentences[0]).endswith(" layers of seams were changed since their scan: 1 (north).")
         assert opened.outcome is not ACCEPTED
     whole = decide(replace(made, layers=(replace(layer, seal=Seal.WHOLE, lacking_m=0.0),)), rules())
     assert whole.outcome is ACCEPTED
