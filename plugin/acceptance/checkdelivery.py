@@ -97,7 +97,6 @@ class CheckDelivery(SeamInspectorAlgorithm):
         from .checked_layer import write_checked
         from .measure.delivered_files import build_mosaic, checked_sheets, fitting
 
-
         def tell(share: float) -> None:
             if not run.goes_on(share):
                 raise CancelledError(messages.CHECK_STOPPED())

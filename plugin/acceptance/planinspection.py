@@ -95,8 +95,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         rule = stated.sampling_rule(run)
         plan = None if rule is None else rule_plan(size, rule)
         count = min(run.whole(COUNT), size) if plan is None else plan.sample_size
-        drawn = stratified_sample([piece.sheet for piece in lot], count, run.whole(SEED))
-        sample = [lot[place] for place in drawn]
+        sample = [lot[place] for place in stratified_sample([piece.sheet for piece in lot], count, run.whole(SEED))]
         run.tell(plan_sentence(plan) if plan else messages.PLANNED_BY_COUNT(size=len(sample), lot=size))
         if plan is not None and len(sample) < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))

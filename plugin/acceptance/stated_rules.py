@@ -15,17 +15,6 @@ from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, sentence, tr
 from .measure import acceptance_rules as limits
 from .measure import messages
-from .measure.acceptance_rules import (
-    FAILED_SHARE,
-    LONGEST_FAILURE,
-    MEASURED_SHARE,
-    AcceptanceRule,
-    AcceptanceRules,
-    SamplingRule,
-    limits_in_words,
-    load_acceptance_rules,
-    ready_files,
-)
 from .measure.sampling_plans import AQLS, DEFAULT_LEVEL, DEFAULT_LQ, INSPECTION_LEVELS, LIMITING_QUALITIES, word_of
 
 READY_RULES, RULES = "READY_RULES", "RULES"
@@ -55,7 +44,7 @@ _ORIGINS = {
 """Origins of the defaults: docs/acceptance/rules.md."""
 
 
-def stated_rules(run: Run) -> AcceptanceRules:
+def stated_rules(run: Run) -> limits.AcceptanceRules:
     """Raises SettingsError for limits that can't be, and for a parameter beside rules that are given."""
     given = _given(run)
     path, ready = (run.text(RULES) if run.parameters.get(RULES) else ""), run.word(READY_RULES)
@@ -67,7 +56,7 @@ def stated_rules(run: Run) -> AcceptanceRules:
     for parameter, value in given.items():
         if value != DEFAULTS[parameter]:
             raise SettingsError(messages.RULES_AND_PARAMETER(parameter=parameter, value=value, name=name))
-    return in_users_language(load_acceptance_rules(Path(path) if path else ready_files()[ready]))
+    return in_users_language(limits.load_acceptance_rules(Path(path) if path else limits.ready_files()[ready]))
 
 
 def standard_quality(run: Run, name: str) -> str:
@@ -76,12 +65,13 @@ def standard_quality(run: Run, name: str) -> str:
     return word_of(run.raster_value(name), known) or usual
 
 
-def sampling_rule(run: Run, source: str = "") -> SamplingRule | None:
+def sampling_rule(run: Run, source: str = "") -> limits.SamplingRule | None:
     """The plan of a standard that a run asks for; None where it asks for none."""
     plan = run.word(PLAN)
     if plan == ISOLATED:
-        return SamplingRule("", "", source, standard_quality(run, LQ))
-    return SamplingRule(standard_quality(run, AQL), run.word(INSPECTION_LEVEL), source) if plan == ISO2859 else None
+        return limits.SamplingRule("", "", source, standard_quality(run, LQ))
+    level = run.word(INSPECTION_LEVEL)
+    return limits.SamplingRule(standard_quality(run, AQL), level, source) if plan == ISO2859 else None
 
 
 def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
@@ -97,11 +87,14 @@ def _given(run: Run) -> dict[str, Any]:
     }  # fmt: skip
 
 
-_CHECKS = {MAX_SHARE: (FAILED_SHARE, 100), MAX_RUN: (LONGEST_FAILURE, 1), MIN_MEASURED: (MEASURED_SHARE, 100)}
+_CHECKS = {
+    MAX_SHARE: (limits.FAILED_SHARE, 100), MAX_RUN: (limits.LONGEST_FAILURE, 1),
+    MIN_MEASURED: (limits.MEASURED_SHARE, 100),
+}
 """What each limit is of, and how many of the parameter's units are one of the rule's."""
 
 
-def _of_parameters(run: Run, given: dict[str, Any]) -> AcceptanceRules:
+def _of_parameters(run: Run, given: dict[str, Any]) -> limits.AcceptanceRules:
     def source(name: str) -> str:
         if given[name] != DEFAULTS[name]:
             return filled(tr("stated for this decision ({parameter})"), parameter=name)
@@ -110,11 +103,11 @@ def _of_parameters(run: Run, given: dict[str, Any]) -> AcceptanceRules:
 
     sampling = None if given[PLAN] == ALL else sampling_rule(run, source(PLAN))
     ruled = tuple(
-        AcceptanceRule(check, given[name] / scale, source(name)) for name, (check, scale) in _CHECKS.items()
+        limits.AcceptanceRule(check, given[name] / scale, source(name)) for name, (check, scale) in _CHECKS.items()
         if sampling is None or name == MIN_MEASURED
     )
-    rules = AcceptanceRules("", given[MIN_KEPT], source(MIN_KEPT), ruled, sampling)
-    return replace(rules, name=sentence(limits_in_words(rules)))
+    rules = limits.AcceptanceRules("", given[MIN_KEPT], source(MIN_KEPT), ruled, sampling)
+    return replace(rules, name=sentence(limits.limits_in_words(rules)))
 
 
 LOT_SIZE, SEED = "LOT_SIZE", "SEED"

@@ -21,13 +21,13 @@ STANDARD_MEASURED_SHARE = 0.9  # of the metres: with less the rest could turn an
 STANDARD_AQL = "1.0"
 STANDARD_SEED = 2859  # the same delivery gives the same sample
 
-
 KEPT, FAILED_SHARE, LONGEST_FAILURE = "kept", "failed_share", "longest_failure"
 MEASURED_SHARE, SAMPLING = "measured_share", "sampling"
 CHECKS = (KEPT, FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, SAMPLING)
 OWN_LIMIT = "Seam Inspector's own"
 
 KEY_OF_LIMIT = {KEPT: "least", MEASURED_SHARE: "least", FAILED_SHARE: "most", LONGEST_FAILURE: "most"}
+_OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 @dataclass(frozen=True)
@@ -85,20 +85,29 @@ class AcceptanceRules:
         rule = self.rule(check)
         return None if rule is None else rule.limit
 
+    @property
+    def unlimited(self) -> list[str]:
+        """Checks without a limit, where no sample decides instead."""
+        checks = (FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE)
+        return [check for check in checks if self.sampling is None and self.rule(check) is None]
+
     def rule(self, check: str) -> AcceptanceRule | None:
         """Rule of a check; None where there is none."""
         return next((rule for rule in self.rules if rule.check == check), None)
 
 
 def limits_in_words(rules: AcceptanceRules) -> Message:
-    """The limits that there are."""
+    """The limits that there are, and those that there are not."""
     parts = [messages.LIMIT_OF_KEPT(limit=Stated(rules.least_kept))]
-    for check, words in (
-        (FAILED_SHARE, messages.LIMIT_OF_SHARE), (LONGEST_FAILURE, messages.LIMIT_OF_RUN),
-        (MEASURED_SHARE, messages.LIMIT_OF_MEASURED),
+    for check, words, without in (
+        (FAILED_SHARE, messages.LIMIT_OF_SHARE, messages.NO_LIMIT_OF_SHARE),
+        (LONGEST_FAILURE, messages.LIMIT_OF_RUN, messages.NO_LIMIT_OF_RUN),
+        (MEASURED_SHARE, messages.LIMIT_OF_MEASURED, messages.NO_LIMIT_OF_MEASURED),
     ):  # fmt: skip
         if (limit := rules.limit(check)) is not None:
             parts.append(words(limit=Stated(limit)))
+        elif check in rules.unlimited:
+            parts.append(without())
     if (sampling := rules.sampling) is not None:
         parts.append(messages.SAMPLED_BY_LQ(lq=float(sampling.lq)) if sampling.lq else (
             messages.SAMPLED_BY_AQL(level=sampling.inspection_level, aql=float(sampling.aql))))
@@ -133,9 +142,6 @@ def limit_rules(
     ))  # fmt: skip
     rules = AcceptanceRules("", min_kept, source(min_kept, STANDARD_KEPT), ruled)
     return replace(rules, name=str(limits_in_words(rules)))
-
-
-_OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
 
 
 def ready_files() -> dict[str, Path]:

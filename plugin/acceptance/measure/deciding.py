@@ -10,7 +10,7 @@ from ...imagery.errors import Message, Stated
 from ...imagery.file_identity import states_in
 from ...imagery.seam_totals import SOURCE_FILES, PieceState
 from . import messages
-from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, AcceptanceRules, limits_in_words
+from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRules, limits_in_words
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, RuleOutcome
 from .delivery import Delivery, Seal
 from .doubts import Doubt, against_any, lacking, layer_sentences, unsealed
@@ -38,9 +38,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     )  # fmt: skip
     unknown = unknown_runs(delivery.pieces, states, delivery.unit_m)
     of_sheets = pieces_of_sheets(delivery, pieces)
-    whole, *sheets = (
-        metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()]
-    )
+    whole, *sheets = (metre_figures(name, some, runs, unknown) for name, some in [("", pieces), *of_sheets.items()])
     failed_again_m, measured_again_m = (
         counted_again(pieces, delivery.files.shared, which) for which in ((PieceState.FAILED,), MEASURED)
     )
@@ -64,22 +62,27 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     if sure or ((lacks or changed) and outcome is AcceptanceOutcome.ACCEPTED):
         outcome = AcceptanceOutcome.UNDECIDED
     doubts = [*sure, *(() if outcome is AcceptanceOutcome.REJECTED else lacks)]
-    why = _why(rules, outcomes, outcome, doubts, changed)
+    reasons, always = _reasons(outcomes, outcome, doubts), [reason for reason, _ in changed]
+    if rules.is_of_file:
+        always.append(messages.LIMITS_ARE(limits=limits_in_words(rules)))
+    besides = reasons[1:] if outcome is AcceptanceOutcome.UNDECIDED else []
+    foremost = _joined([*reasons[: len(reasons) - len(besides)], *always])
     has_sources = any(states_in(layer.settings.get(SOURCE_FILES, "")) for layer in delivery.layers)
     by_rules = ruling.advice(outcomes, delivery.is_part, has_sources)
     advice = [*(advice for _, advice in doubts), by_rules, *(advice for _, advice in changed)]
-    first_advice = [words for words in advice if words is not None][:1]
+    first_advice = [*filter(None, advice), messages.WOULD_COMPLETE_SAMPLE][:1]
     sentences = (
-        _HEADLINES[outcome](rules=rules.name, why=why),
+        _HEADLINES[outcome](rules=rules.name, why=foremost),
         *(first_advice if outcome is AcceptanceOutcome.UNDECIDED else ()),
+        *([messages.OPEN_BESIDES(why=_joined(besides))] if besides else ()),
         *layer_sentences(delivery),
         *_figures(whole, runs, rules),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot[2]),
     )
     return Decision(
-        outcome, why, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), pieces,
-        runs, unknown, None if lot is None else lot[0],
+        outcome, _joined([*reasons, *always]), foremost, sentences, rules, delivery, tuple(outcomes), whole,
+        tuple(sheets), tuple(sheet_outcomes), pieces, runs, unknown, None if lot is None else lot[0],
     )  # fmt: skip
 
 
@@ -124,18 +127,18 @@ def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
     return replace(outcome, value=None, passed=None, sentence=messages.RUN_NOT_IN_SAMPLE())
 
 
-def _why(
-    rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, doubts: Sequence[Doubt],
-    unsealed: Sequence[Doubt],
-) -> Message:
-    """All rules that were kept, those that were broken, or what is open; at the end which layers are unsealed."""
+def _reasons(outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, doubts: Sequence[Doubt]) -> list[Message]:
+    """All rules that were kept, those that were broken, or what is open."""
     wanted = {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(outcome)
-    reasons = [reason for reason, _ in doubts] + [rule.sentence for rule in outcomes if rule.passed is wanted]
-    reasons += [reason for reason, _ in unsealed]
-    if rules.is_of_file:
-        reasons.append(messages.LIMITS_ARE(limits=limits_in_words(rules)))
-    once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
-    return reduce(lambda first, also: messages.AND(why=first, also=also), once)
+    given = [rule for rule in outcomes if rule.passed is wanted]
+    if wanted is None:  # what would decide it is of the first
+        given.sort(key=lambda rule: (rule.check != MEASURED_SHARE, rule.check == FAILED_SHARE))
+    reasons = [reason for reason, _ in doubts] + [rule.sentence for rule in given]
+    return [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
+
+
+def _joined(reasons: Sequence[Message]) -> Message:
+    return reduce(lambda first, also: messages.AND(why=first, also=also), reasons)
 
 
 def _sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
@@ -158,10 +161,7 @@ def _figures(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
     if whole.no_detail_m:
         yield messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m)
     if whole.not_measured_m:
-        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m)
-    worst = (whole.failed_m + whole.not_measured_m) / whole.judged_m if whole.judged_m else 0.0
-    share = rules.rule(FAILED_SHARE)
-    if share is not None and share.passes(whole.failed_share or 0.0) and not share.passes(worst):
-        yield messages.MAY_HIDE(worst=worst, limit=Stated(share.limit))
+        worst = (whole.failed_m + whole.not_measured_m) / whole.judged_m
+        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m, worst=worst)
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))

@@ -120,8 +120,11 @@ class Decision:
     """Accepted, rejected or undecided."""
     why: Message
     """Its reasons: all rules that were kept, those that were broken, or what is open."""
+    foremost: Message
+    """Likewise, of what is open only what would decide it first; and which layers are not as their scan left them."""
     sentences: tuple[Message, ...]
-    """The decision with its reasons first, then what would decide it where it is undecided, then what it rests on."""
+    """The decision with its foremost reasons, where it is undecided what would decide it and what else is open, then
+    what it rests on."""
     rules: AcceptanceRules
     """The rules by which it was taken."""
     delivery: Delivery
@@ -198,10 +201,9 @@ class Defect:
         return sum(decided.piece.length_m for decided in self.pieces if decided.is_unclear)
 
     @property
-    def band_width_m(self) -> float | None:
-        """Width of its widest band; None where none is known."""
-        widths = [decided.piece.band_width_m for decided in self.pieces]
-        return max((width for width in widths if width is not None), default=None)
+    def widest(self) -> DeliveredPiece:
+        """The piece with the widest band that is known."""
+        return max((decided.piece for decided in self.pieces), key=lambda piece: piece.band_width_m or 0.0)
 
     @property
     def cause(self) -> str:

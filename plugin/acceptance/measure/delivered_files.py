@@ -135,17 +135,14 @@ def _opened(sheet: OrderedSheet) -> tuple[Raster | None, tuple[Message, ...]]:
     return (raster, ()) if raster.has_place else (None, (messages.FILE_WITHOUT_PLACE(),))
 
 
-def _form_of(raster: Raster) -> OrderedForm:
-    """What a file is."""
-    pixel_m = round(raster.ground_sample_distance, 6)
-    return OrderedForm(pixel_m, raster.wkt, len(raster.band_names), raster.data_type)
-
-
 def _as_most(rasters: Sequence[Raster], form: OrderedForm) -> OrderedForm:
     """The form with what it leaves open filled in by what most files have."""
     if not rasters:
         return form
-    forms = [_form_of(raster) for raster in rasters]
+    forms = [
+        OrderedForm(round(raster.ground_sample_distance, 6), raster.wkt, len(raster.band_names), raster.data_type)
+        for raster in rasters
+    ]
     most = {name: Counter(getattr(each, name) for each in forms).most_common(1)[0][0] for name in _OPEN}
     return replace(form, **{name: getattr(form, name) or value for name, value in most.items()})
 

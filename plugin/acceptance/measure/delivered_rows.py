@@ -10,42 +10,13 @@ from typing import Any
 import numpy as np
 from osgeo import ogr
 
+from ...imagery import reference_systems, seam_totals
 from ...imagery.errors import Message, RasterError, SeamInspectorWarning, SettingsError
 from ...imagery.file_identity import states_in, states_text
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.lines import vertex_stations
-from ...imagery.reference_systems import (
-    is_geographic,
-    same_coordinates,
-    same_system,
-    system_name,
-    transform_points,
-    utm_wkt,
-)
-from ...imagery.seam_totals import (
-    METRES,
-    MOSAIC_FILES,
-    MOST_KEPT,
-    SOURCE_FILES,
-    STRETCH,
-    SYSTEM,
-    PieceState,
-    RowTotals,
-    possible,
-    profile_of,
-)
 from . import messages
-from .delivery import (
-    NUMBERS,
-    TEXTS,
-    DeliveredLayer,
-    DeliveredPiece,
-    Delivery,
-    Seal,
-    extent_of,
-    in_order,
-    metres_in_unit,
-)
+from .delivery import NUMBERS, TEXTS, DeliveredLayer, DeliveredPiece, Delivery, Seal, extent_of, in_order, unit_metres
 from .measured_pieces import NO_VERDICT
 
 _SAME_PLACE = 1e-9  # of coordinates, millimetres: a system that a file holds in other words
@@ -84,10 +55,10 @@ def read_layers(scanned: Sequence[ScannedLayer]) -> tuple[Delivery, list[Message
     if not any(pieces):
         raise SettingsError(messages.LAYERS_EMPTY())
     wkt = _common_system(scanned, pieces)
-    if is_geographic(scanned[0].wkt) and not is_geographic(wkt):
-        notices.append(messages.PLACES_IN(system=system_name(wkt)))
+    if reference_systems.is_geographic(scanned[0].wkt) and not reference_systems.is_geographic(wkt):
+        notices.append(messages.PLACES_IN(system=reference_systems.system_name(wkt)))
     placed = [piece for layer, of_layer in zip(scanned, pieces) for piece in _placed(of_layer, layer, wkt)]
-    unit_m = metres_in_unit((piece.vertices for piece in placed), wkt)
+    unit_m = unit_metres((piece.vertices for piece in placed), wkt)
     measured = (
         piece if piece.length_m else replace(piece, length_m=unit_m * float(vertex_stations(piece.vertices)[-1]))
         for piece in placed
@@ -101,21 +72,23 @@ def read_layers(scanned: Sequence[ScannedLayer]) -> tuple[Delivery, list[Message
 
 def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer, list[Message]]:
     """A layer's pieces, with lines as it has them, whether it is as its scan left it, and what is doubtful."""
-    totals, pieces, notices = RowTotals(), list[DeliveredPiece](), list[Message]()
+    totals, pieces, notices = seam_totals.RowTotals(), list[DeliveredPiece](), list[Message]()
     count = without_line = impossible = lot_size = 0
     for row, line in layer.rows:
         count += 1
         totals.add(row, line)
         lot_size = max(lot_size, int(_number(row.get("lot_size")) or 0))
-        if _text(row.get("level")) == STRETCH:
+        if _text(row.get("level")) == seam_totals.STRETCH:
             continue
         if not is_line(line):
             without_line += 1
             continue
         piece = _piece(row, line, layer.sheet)
         pieces.append(piece)
-        impossible += _is_no_share(row, piece)
-    total = _number(layer.notes.get(METRES))
+        # Where the scan has no verdict its interval is wide, and any number may stand.
+        is_share = piece.kept_1 is not None or _number(row.get("kept_1")) is None
+        impossible += not (is_share or piece.verdict == NO_VERDICT)
+    total = _number(layer.notes.get(seam_totals.METRES))
     if impossible:
         notices.append(messages.KEPT_IMPOSSIBLE(count=impossible, name=layer.sheet))
     if without_line:
@@ -130,22 +103,17 @@ def _read(layer: ScannedLayer) -> tuple[Sequence[DeliveredPiece], DeliveredLayer
     ), notices
 
 
-def _seal(layer: ScannedLayer, totals: RowTotals, pieces: Sequence[DeliveredPiece]) -> Seal:
+def _seal(layer: ScannedLayer, totals: seam_totals.RowTotals, pieces: Sequence[DeliveredPiece]) -> Seal:
     if not layer.is_sealed:
         return Seal.NOT_ASKED
     if (is_sealed := totals.is_sealed_by(layer.notes)) is None:
         return Seal.MISSING
-    system = layer.notes.get(SYSTEM, "")
+    system = layer.notes.get(seam_totals.SYSTEM, "")
     is_same = layer.wkt == system
     if layer.wkt and system and pieces:
         extent = extent_of([pieces[0].vertices])
-        is_same = same_coordinates(layer.wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
+        is_same = reference_systems.same_coordinates(layer.wkt, system, extent, _SAME_PLACE * max(map(abs, extent)))
     return Seal.WHOLE if is_same and is_sealed else Seal.BROKEN
-
-
-def _is_no_share(row: SeamRow, piece: DeliveredPiece) -> bool:
-    """Whether its ``kept_1`` can't be; where the scan has no verdict its interval is wide, and any number may stand."""
-    return _number(row.get("kept_1")) is not None and piece.kept_1 is None and piece.verdict != NO_VERDICT
 
 
 def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
@@ -155,22 +123,23 @@ def _piece(row: SeamRow, line: np.ndarray, sheet: str) -> DeliveredPiece:
     sample = _number(row.get("sample"))
     return DeliveredPiece(**{
         **values, "number": 0, "sheet": _text(row.get("sheet")) or sheet, "seam_id": _text(row.get("seam_id")),
-        "length_m": max(values["length_m"] or 0.0, 0.0), "kept_1": possible(values["kept_1"], MOST_KEPT),
+        "length_m": max(values["length_m"] or 0.0, 0.0),
+        "kept_1": seam_totals.possible(values["kept_1"], seam_totals.MOST_KEPT),
         "vertices": line, "sample_number": None if sample is None else int(sample),
-        "profile": profile_of(_text(row.get("profile"))),
-        "has_detail": _text(row.get("state")) != PieceState.NO_DETAIL.value,
+        "profile": seam_totals.profile_of(_text(row.get("profile"))),
+        "has_detail": _text(row.get("state")) != seam_totals.PieceState.NO_DETAIL.value,
     })  # fmt: skip
 
 
 def _common_system(scanned: Sequence[ScannedLayer], pieces: Sequence[Sequence[DeliveredPiece]]) -> str:
     """The first system that is not in degrees; the UTM zone of the first piece where all are."""
     systems = [layer.wkt for layer in scanned]
-    flat = next((wkt for wkt in systems if not (wkt and is_geographic(wkt))), None)
+    flat = next((wkt for wkt in systems if not (wkt and reference_systems.is_geographic(wkt))), None)
     if flat is not None:
         return flat
     number, first = next((number, of_layer[0]) for number, of_layer in enumerate(pieces) if of_layer)
     middle = _placed([first], scanned[number], _DEGREES)[0].middle
-    return utm_wkt(*middle)
+    return reference_systems.utm_wkt(*middle)
 
 
 _DEGREES = "EPSG:4326"
@@ -178,11 +147,11 @@ _DEGREES = "EPSG:4326"
 
 def _placed(pieces: Sequence[DeliveredPiece], layer: ScannedLayer, wkt: str) -> Sequence[DeliveredPiece]:
     """Pieces of a layer in another reference system."""
-    if not pieces or same_system(layer.wkt, wkt):
+    if not pieces or reference_systems.same_system(layer.wkt, wkt):
         return pieces
     lines = [piece.vertices for piece in pieces]
     try:
-        moved = transform_points(np.concatenate(lines), layer.wkt, wkt)
+        moved = reference_systems.transform_points(np.concatenate(lines), layer.wkt, wkt)
     except RasterError:
         raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
     parts = np.split(moved, np.cumsum([len(line) for line in lines[:-1]]))
@@ -249,7 +218,7 @@ def united_settings(layers: Sequence[DeliveredLayer]) -> dict[str, str]:
         if name not in _SUMMED:
             values = list(dict.fromkeys(values))
         settings[name] = ", ".join(values)
-        if name in (MOSAIC_FILES, SOURCE_FILES) and len(values) > 1:
+        if name in (seam_totals.MOSAIC_FILES, seam_totals.SOURCE_FILES) and len(values) > 1:
             settings[name] = states_text([file for value in values for file in states_in(value)])
     return settings
 

@@ -73,7 +73,7 @@ def extent_of(lines: Iterable[np.ndarray]) -> Extent:
     return xmin, ymin, xmax, ymax
 
 
-def metres_in_unit(lines: Iterable[np.ndarray], wkt: str) -> float:
+def unit_metres(lines: Iterable[np.ndarray], wkt: str) -> float:
     """Metres on the ground in a unit of a reference system, where lines of (n, 2) lie.
 
     Raises SettingsError where that is nowhere.
@@ -183,8 +183,8 @@ class Delivery:
 
     @cached_property
     def unit_m(self) -> float:
-        """Metres on the ground in a unit of the coordinates. Raises SettingsError as ``metres_in_unit``."""
-        return metres_in_unit((piece.vertices for piece in self.pieces), self.wkt)
+        """Metres on the ground in a unit of the coordinates. Raises SettingsError as ``unit_metres``."""
+        return unit_metres((piece.vertices for piece in self.pieces), self.wkt)
 
     @property
     def lacking_m(self) -> float:

@@ -58,14 +58,8 @@ def lacking(
     for layer in delivery.layers:
         if names := layer.settings.get("may_be_copies"):
             yield messages.SOURCES_ARE_MOSAIC(names=names), messages.WOULD_GIVE_ORIGINALS
-    least, border = rules.limit(MEASURED_SHARE) or 0.0, SeenGround.of_delivery(delivery).border_m
-    if border and (seen := whole.measured_m / (whole.judged_m + border)) < least:
-        yield messages.SEAMS_UNSEEN(metres=border, value=seen, limit=least), messages.WOULD_GIVE_ORTHOIMAGES
+    yield from _without_orthoimages(delivery, whole, rules.limit(MEASURED_SHARE) or 0.0)
     grounds = {layer.name: SeenGround.of_settings(layer.settings) for layer in delivery.layers}
-    for name, ground in grounds.items():
-        if ground.unexplained > 1 - least:
-            reason = messages.MOSAIC_LACKS(name=name, share=ground.unexplained, limit=1 - least)
-            yield reason, messages.WOULD_GIVE_ORTHOIMAGES
     for reason in [*unseen_seams(delivery, whole, rules)][:1]:
         yield reason, messages.WOULD_GIVE_SEAMS
     for layer in delivery.layers:
@@ -73,6 +67,20 @@ def lacking(
             place = layer.settings.get("unread_at", "")
             yield messages.MOSAIC_PARTLY_READ(name=layer.name, share=unread, place=place), messages.WOULD_SEE_SHEETS
     yield from _not_looked_at(delivery, sheets, rules)
+
+
+def _without_orthoimages(delivery: Delivery, whole: MetreFigures, least: float) -> Iterator[Doubt]:
+    """Why too little was measured where orthoimages lack; those that are named come first."""
+    border = SeenGround.of_delivery(delivery).border_m
+    seen, advice = whole.measured_m / ((whole.judged_m + border) or 1.0), messages.WOULD_GIVE_ORTHOIMAGES
+    names = [name for layer in delivery.layers for name in layer.settings.get("not_given", "").split(", ") if name]
+    if names and seen < least:
+        yield messages.SOURCES_LACK(names=_first_names([*dict.fromkeys(names)])), advice
+    for layer in delivery.layers:
+        if (share := SeenGround.of_settings(layer.settings).unexplained) > 1 - least:
+            yield messages.MOSAIC_LACKS(name=layer.name, share=share, limit=1 - least), advice
+    if border and seen < least:
+        yield messages.SEAMS_UNSEEN(metres=border, value=seen, limit=least), advice
 
 
 def _not_looked_at(

@@ -4,8 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 # an index of sheets
-SHEETS_WITHOUT_NAMES = Message(
-    "The layer of sheets does not name them; it needs one of the fields {fields}.")
+SHEETS_WITHOUT_NAMES = Message("The layer of sheets does not name them; it needs one of the fields {fields}.")
 SHEETS_ELSEWHERE = Message(
     "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system.")
 SHEET_WITHOUT_NAME = Message("Sheet no. {number} has no name in the field {field}; fill it in.")
@@ -22,8 +21,7 @@ RULES_DECIDE_NOTHING = Message(
     "{name} has no rule to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'.")
 RULES_LIMIT_MISSING = Message("{place} in {name}: the check '{check}' needs '{key}'; give it.")
 RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is at most 1; write 2 % as 0.02.")
-RULES_QUALITY_UNKNOWN = Message(
-    "{place} in {name}: the {key} '{value}' is not in the standard; known are {known}.")
+RULES_QUALITY_UNKNOWN = Message("{place} in {name}: the {key} '{value}' is not in the standard; known are {known}.")
 RULES_AND_PARAMETER = Message(
     "{parameter} is {value}, and the rules in {name} are given, too; leave it at its default, or leave the rules out.")
 TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
@@ -39,8 +37,7 @@ WINDOW_SIDE_TOO_SHORT = Message(
     "A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.")
 SEAM_OFF_MOSAIC = Message(
     "A piece of the sample does not lie on the mosaic; give that of all sheets, and check the reference systems.")
-PLANNED_BY_STANDARD = Message(
-    "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
+PLANNED_BY_STANDARD = Message("{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO)
 SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING)
 PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
@@ -48,6 +45,7 @@ PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptm
 ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
 REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
 UNDECIDED = Message("Undecided by '{rules}': {why}.", INFO)
+OPEN_BESIDES = Message("Open besides: {why}.", INFO)
 AND = Message("{why}; {also}", INFO)
 LIMITS_ARE = Message("the limits are {limits}", INFO)
 WITH = Message("{first}, {also}", INFO)
@@ -55,6 +53,9 @@ LIMIT_OF_KEPT = Message("at least {limit:.0%} kept", INFO)
 LIMIT_OF_SHARE = Message("at most {limit:.2%} failed", INFO)
 LIMIT_OF_RUN = Message("at most {limit:.1f} m without a break", INFO)
 LIMIT_OF_MEASURED = Message("at least {limit:.1%} measured", INFO)
+NO_LIMIT_OF_SHARE = Message("no limit on the share that failed", INFO)
+NO_LIMIT_OF_RUN = Message("no limit on metres without a break", INFO)
+NO_LIMIT_OF_MEASURED = Message("no limit on the share measured", INFO)
 SAMPLED_BY_AQL = Message("sampled at level {level}, AQL {aql:g}", INFO)
 SAMPLED_BY_LQ = Message("sampled as an isolated lot, LQ {lq:g} %", INFO)
 SHARE_FAILED = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
@@ -91,6 +92,9 @@ SEAMS_LACK = Message("{metres:.0f} m of seam are missing", INFO)
 SOURCES_ARE_MOSAIC = Message(
     "some images given as orthoimages are the mosaic, or were made from others, so they hide what it lost: "
     "{names}", INFO)
+SOURCES_LACK = Message(
+    "orthoimages that the seamlines name were not given to the scan ({names}), so seams beside them are not measured",
+    INFO)
 SEAMS_UNSEEN = Message(
     "parts of the mosaic match no orthoimage, and {metres:.0f} m of border around them may be seams that are not "
     "counted: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
@@ -119,36 +123,36 @@ COUNTED_AGAIN = Message(
     "{metres:.1f} measured metres repeat what another scan measured, since the scanned mosaics overlap. If each place "
     "counted once, {share:.2%} would have failed.", WARNING)
 NOT_MEASURED = Message(
-    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING)
-MAY_HIDE = Message(
-    "What was not measured is assumed to be as good as the rest. If all of it failed, {worst:.1%} would fail, and "
-    "{limit:.1%} may.", WARNING)
-UNCLEAR = Message(
-    "{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO)
+    "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed. If all of "
+    "it failed, {worst:.1%} would fail.", WARNING)
+UNCLEAR = Message("{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO)
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
     "judged.", INFO)
 # what would decide what is undecided
 WOULD_MEASURE = Message(
-    "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Scan with "
-    "pieces of {piece:.0f} m, with which some {share:.0%} would be measured.", WARNING)
+    "What would decide it: a scan with pieces of {piece:.0f} m, with which some {share:.0%} of the metres would be "
+    "measured and {least:.0%} are required.", WARNING)
 WOULD_LOOK_THERE = Message(
-    "What would decide it: an operator's look at {wanted:.0f} of the {lacking:.0f} m that were not measured. Pieces of "
-    "{piece:.0f} m would measure some {share:.0%}, and longer ones can hide a failure; the field 'reason' of the seams "
-    "says why.", WARNING)
+    "What would decide it: an operator's look at {wanted:.0f} of the {lacking:.0f} m that were not measured; whoever "
+    "signs decides by that. A scan of these orthoimages can't: no pieces short enough to show a failure would measure "
+    "enough, for the reasons in the field 'reason' of the seams.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
     "orthoimages beside them to the scan.", WARNING)
 WOULD_LOOK = Message(
-    "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING)
+    "What would decide it: an operator's look, by which whoever signs decides, since all seams lie on ground without "
+    "detail.", WARNING)
 WOULD_TELL_APART = Message(
     "What would decide it: an operator's look at the pieces whose intervals include the limit ({metres:.0f} m, pieces: "
-    "{count}).", WARNING)
+    "{count}); whoever signs decides by that.", WARNING)
 WOULD_SHORTEN = Message(
     "What would decide it: a scan with shorter pieces. Failures end within pieces, so with pieces of {piece:.0f} m the "
     "failed length is known only to {within:.0f} m, and {allowed:.0f} m may fail.", WARNING)
 WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
+WOULD_COMPLETE_SAMPLE = Message(
+    "What would decide it: as many measured pieces as the plan needs, drawn from the whole lot.", WARNING)
 WOULD_GIVE_ORTHOIMAGES = Message(
     "What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.",
     WARNING)
@@ -165,8 +169,8 @@ WOULD_GIVE_MOSAICS = Message(
     "What would decide it: all mosaics of the delivery given to the decision, each sheet or a VRT of all; leave the "
     "layers of others out.", WARNING)
 WOULD_MEASURE_ROWS = Message(
-    "What would decide it: measuring the rows of pieces longer than {limit:.0f} m that were not measured, or an "
-    "operator's look at them; the field 'reason' of the seams says why each was not measured.", WARNING)
+    "What would decide it: an operator's look at the rows of pieces longer than {limit:.0f} m that were not measured; "
+    "whoever signs decides by that. The field 'reason' of the seams says why each was not measured.", WARNING)
 WOULD_CUT = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m or less, half of the longest failure that is allowed: a "
     "longer piece may pass although a part of it failed.", WARNING)

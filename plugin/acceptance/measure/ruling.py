@@ -148,18 +148,17 @@ class Ruling:
         return float(np.median([decided.piece.length_m for decided in self.pieces]))
 
     def _would_measure(self, has_sources: bool) -> Message:
-        """The shortest pieces that would measure as much as is wanted, where they are short enough for the rules."""
+        """A length of pieces that would measure as much as is wanted and hides no failure; else what remains."""
         least, lacking = self.rules.limit(MEASURED_SHARE) or 0.0, self.figures.not_measured_m
-        wanted = max(least * self.figures.judged_m - self.figures.measured_m, 0.0)
+        wanted = max(least * self.figures.judged_m - self.figures.measured_m, 0.0) or lacking
+        run = self.rules.rule(LONGEST_FAILURE)
         if not has_sources:
             return messages.WOULD_MEASURE_ALONE(wanted=wanted, lacking=lacking)
-        longest = MOST_OF_RUN * (self.rules.limit(LONGEST_FAILURE) or math.inf)
-        typical = self._typical_m()
-        lengths = [times * typical for times in (2, 4) if times * typical <= longest] or [typical]
-        shares = {length: measured_with(self.pieces, self.rules.least_kept, length) for length in lengths}
-        enough = [length for length, share in shares.items() if share >= min(least + _SPARE, 1.0)]
-        piece = min(enough, default=lengths[-1])
-        share = shares[piece]
-        return messages.WOULD_MEASURE(wanted=wanted, lacking=lacking, piece=piece, share=share) if enough else (
-            messages.WOULD_LOOK_THERE(wanted=wanted, lacking=lacking, piece=piece, share=share)
-        )
+        typical, longest = self._typical_m(), (run.limit if run else 0.0) / 2 or math.inf
+        for piece in (min(round(times * typical), longest) for times in (2, 4)):
+            share = measured_with(self.pieces, self.rules.least_kept, piece)
+            if piece > typical and share >= min(least + _SPARE, 1.0):
+                return messages.WOULD_MEASURE(piece=Stated(piece), share=share, least=Stated(least))
+        if run is not None and not run.passes(self.figures.longest_unknown_m):
+            wanted = lacking  # no row of it may be a failure
+        return messages.WOULD_LOOK_THERE(wanted=wanted, lacking=lacking)

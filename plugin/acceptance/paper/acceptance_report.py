@@ -16,7 +16,7 @@ from ...toolkit.charts.figure_files import new_figure, svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
-from ..measure.acceptance_rules import KEPT
+from ..measure.acceptance_rules import KEPT, MEASURED_SHARE
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures
 from ..measure.delivery import DeliveredPiece
 from ..measure.seen_ground import SeenGround
@@ -52,6 +52,8 @@ OUTCOME_STATES = {
 """How the decision looks on the page."""
 _PALE = "59"  # opacity of a sheet's colour
 _PROFILE_INCHES = (2.2, 1.75)  # beside the pictures of a failure
+_PANELS = 4  # of a failure: mosaic, cut, two orthoimages
+_BAND_KEPT = 0.9  # the scan's band: less is kept in it
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
 
 
@@ -70,7 +72,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         title=record.title,
         head=[*head_rows(record.head)],
         verdict=_verdict(decision, parts),
-        advice=sentence(decision.sentences[1]) if is_undecided and len(decision.sentences) > 1 else "",
+        advice=sentence(decision.sentences[1]) if is_undecided else "",
         failing=failing_sentence(decision),
         judged=_judged_bands(record.mosaics),
         figures=_key_figures(decision),
@@ -105,7 +107,7 @@ def _verdict(decision: Decision, parts: Sequence[tuple[str, str, str, bool]]) ->
     others = " ".join(f"{_capital(name)}: {word}." for name, word, _, _ in parts[-2:])
     has_findings = any(speaks_against for _, _, _, speaks_against in parts[1:])
     state = "open" if has_findings and decision.accepted else OUTCOME_STATES[decision.outcome]
-    return state, seams, f"{_capital(sentence(decision.why))}.", others
+    return state, seams, f"{_capital(sentence(decision.foremost))}.", others
 
 
 def _capital(words: str) -> str:
@@ -113,13 +115,14 @@ def _capital(words: str) -> str:
 
 
 def _judged_bands(mosaics: Sequence[Raster]) -> str:
-    """The bands that the detail was judged in, and those that were not; empty where no mosaic is given."""
+    """The bands whose luminance was judged, or the band, and those that were not; empty where no mosaic is given."""
     if not mosaics:
         return ""
     names = mosaics[0].band_names
     judged = [name for name in ("red", "green", "blue") if name in names] if mosaics[0].has_luminance else names[:1]
     others = [band_title(name) for name in names if name not in judged]
-    words = filled(tr("Judged in the bands: {bands}"), bands=", ".join(map(band_title, judged)))
+    words = tr("Judged in the luminance of the bands {bands}") if len(judged) > 1 else tr("Judged in the band {bands}")
+    words = filled(words, bands=", ".join(map(band_title, judged)))
     return words + (filled(tr("; not judged: {bands}"), bands=", ".join(others)) if others else "") + "."
 
 
@@ -161,13 +164,26 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
 
 def _unmeasured(decision: Decision) -> str:
     """Why pieces were not measured, in the scan's words, with the metres of each; those of most metres first."""
-    metres_of: dict[str, tuple[str, float]] = {}
+    alike: dict[str, list[DeliveredPiece]] = {}
     for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
-        reason = piece.reason or tr("no reason is given")
-        first, length = metres_of.get(alike := _NUMBER.sub("", reason), (reason, 0.0))
-        metres_of[alike] = first, length + piece.length_m
-    most = sorted(metres_of.values(), key=lambda pair: -pair[1])[:_MOST_REASONS]
-    return "; ".join(f"{metres(length)}: {reason.rstrip('.')}" for reason, length in most)
+        alike.setdefault(_NUMBER.sub("", piece.reason), []).append(piece)
+    reasons = sorted(
+        ((sum(piece.length_m for piece in pieces), _same_words([piece.reason for piece in pieces]))
+         for pieces in alike.values()), key=lambda reason: -reason[0],
+    )  # fmt: skip
+    rest = sum(length for length, _ in reasons[_MOST_REASONS:])
+    most = [*reasons[:_MOST_REASONS], *([(rest, tr("other reasons"))] if rest else [])]
+    return "; ".join(f"{metres(length)}: {reason.rstrip('.') or tr('no reason is given')}" for length, reason in most)
+
+
+def _same_words(texts: Sequence[str]) -> str:
+    """Texts that differ in their numbers as one, with the smallest and the largest of these."""
+    def size(number: str) -> float:
+        return float(number.replace(",", "."))
+
+    ends = [(min(numbers, key=size), max(numbers, key=size)) for numbers in zip(*map(_NUMBER.findall, texts))]
+    ranges = iter([least if least == most else f"{least}\u2013{most}" for least, most in ends])
+    return _NUMBER.sub(lambda _: next(ranges), texts[0])
 
 
 def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
@@ -201,20 +217,25 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
 
-def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str, str, str, int, str, bool]]:
+def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[tuple[str, str, str, int, str, bool, str]]:
     """The limit of a piece first, then the rules that decide: name, value, limit, which of the notes tells where that
-    comes from, result, and whether it is a reason not to accept the delivery."""
+    comes from, result, whether it is a reason not to accept the delivery, and why it can't be told."""
     limit = decision.rules.least_kept
     yield (
         tr(CHECKS[KEPT].title), share_beside(decision.whole.least_kept, limit),
         filled(tr("at least {least} in each piece"), least=share_beside(limit, limit)),
-        1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False,
+        1 + sources.index(decision.rules.kept_source), tr("says which pieces fail"), False, "",
     )
     for outcome in decision.outcomes:
         yield (
             tr(CHECKS[outcome.check].title), outcome_value(outcome), outcome_limit(outcome),
             1 + sources.index(outcome.source), outcome_word(outcome), outcome.passed is not True,
+            _capital(sentence(outcome.sentence)) if outcome.passed is None and outcome.check != MEASURED_SHARE else "",
         )  # fmt: skip
+    for check in map(CHECKS.__getitem__, decision.rules.unlimited):
+        figure = check.figure(decision.whole)
+        value = NOTHING if figure is None else formatted(check.scale * figure, f".{check.decimals}f") + check.unit
+        yield tr(check.title), value, tr("no limit"), 0, tr("does not decide"), False, ""
 
 
 def _sheet_row(figures: MetreFigures, word: str) -> list[str]:
@@ -251,20 +272,32 @@ def _defect_text(defect: Defect, least_kept: float) -> dict[str, Any]:
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
     sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
+    across, up = np.subtract(defect.pieces[-1].piece.middle, defect.pieces[0].piece.middle)
+    ends = {"west": across, "east": -across, "south": up, "north": -up}
     cause, remark = tr(defect.cause) if defect.cause else "", "; ".join(defect.remarks)
     return {
         "number": defect.run.number,
         "sheets": ", ".join(defect.run.sheets),
         "length": metres(defect.run.length_m),
         "kept": kept,
+        "begins": max(ends, key=ends.__getitem__) if len(defect.pieces) > 1 else "",
         "pieces": ", ".join(share_beside(decided.piece.kept_1, least_kept) for decided in defect.pieces),
         "unclear": filled(tr("{length} unclear"), length=metres(defect.unclear_m)) if defect.unclear_m else "",
-        "band": "" if defect.band_width_m is None else f"{shown_number(defect.band_width_m, 1)}\u00a0m",
+        "band": _band_words(defect.widest),
         "visibility": jnd_words(piece.visibility),
         "words": "; ".join(filter(None, (cause, remark))),
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
         "place": [formatted(along, ".1f") for along in defect.run.place],
     }
+
+
+def _band_words(piece: DeliveredPiece) -> str:
+    """Width of a piece's band; a lower bound where its curve does not come back as far as it is known."""
+    if piece.band_width_m is None:
+        return ""
+    beyond = [step.kept for step in piece.profile[1:] if step.far_m > piece.profile[0].far_m]
+    is_open = bool(beyond) and max(beyond) < _BAND_KEPT
+    return filled(tr("at least {least}") if is_open else "{least}", least=metres(piece.band_width_m))
 
 
 def _unknown_rows(decision: Decision) -> Iterator[list[str]]:
@@ -293,6 +326,7 @@ def _pictures(
                 "profile": svg_text(_profile_figure(piece, least_kept)) if piece.profile else "",
                 "around": encoded(picture.around, "JPEG"),
                 "columns": picture.around.shape[1],
+                "lacks_panels": 1 < len(picture.panels) < _PANELS,
                 "shown": filled(tr("{across} across") if picture.is_whole else tr("a part of it, {across} across"),
                     across=across),
                 "panels": [

@@ -7,13 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Callable
 
-from qgis.core import (
-    QgsFeatureSink,
-    QgsProcessingException,
-    QgsProcessingUtils,
-    QgsProviderRegistry,
-    QgsWkbTypes,
-)
+from qgis.core import QgsFeatureSink, QgsProcessingException, QgsProcessingUtils, QgsProviderRegistry, QgsWkbTypes
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.open_raster import describe_mosaic

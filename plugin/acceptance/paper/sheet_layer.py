@@ -23,16 +23,12 @@ class _DecidedSheet:
     findings: str  # what is wrong with its file; empty where that was not looked at
 
 
-def _word(sheet: _DecidedSheet) -> str | None:
-    if not sheet.figures.piece_count:
-        return _NO_SEAMS
-    return sheet.outcome.value if sheet.outcome else None
-
-
 _NO_SEAMS = "no_seams"
 SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
     Column("sheet", "text", lambda sheet: sheet.figures.name),
-    Column("verdict", "text", _word),
+    Column("verdict", "text", lambda sheet: (
+        (sheet.outcome.value if sheet.outcome else None) if sheet.figures.piece_count else _NO_SEAMS
+    )),
     Column("length", "real", lambda sheet: rounded(sheet.figures.total_m)),
     Column("measured", "real", lambda sheet: rounded(sheet.figures.measured_m)),
     Column("failed", "real", lambda sheet: rounded(sheet.figures.failed_m)),

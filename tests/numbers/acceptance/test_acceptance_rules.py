@@ -31,8 +31,8 @@ def test_a_decision_by_a_file_says_its_limits_whatever_it_is_called(tmp_path: Pa
     run = {"check": "longest_failure", "most": 1000.0, "source": "contract"}
     name = "at least 70 % kept, at most 2 % failed, at most 50 m without a break, at least 90 % measured"
     for rule, words in (
-        (run, "at most 1000 m without a break"),
-        (SHARE, "at most 100% failed"),
+        (run, "no limit on the share that failed, at most 1000 m without a break"),
+        (SHARE, "at most 100% failed, no limit on metres without a break"),
     ):
         rules = load_acceptance_rules(written(tmp_path, name=name, rules=[KEPT, rule]))
         limits = f"the limits are at least 70% kept, {words}, at least 90% measured."

@@ -103,8 +103,26 @@ def test_too_little_measured_is_undecided_and_says_what_would_decide_it() -> Non
     files = {SOURCE_FILES: states_text([("/a.tif", FileState(1, 1, "d"))])}
     wide = [replace(item, kept_low=0.48, kept_high=1.2, verdict="not_comparable") for item in seam([0.76] * 10)]
     made = replace(delivery(wide), layers=(DeliveredLayer("a", Seal.WHOLE, 0.0, files),))
-    assert "with pieces of 20 m, with which some 100% would be measured" in text_of(decide(made, rules()))
-    assert "Pieces of 10 m would measure some 0%, and longer ones" in text_of(decide(made, rules(run=10.0)))
+    assert "with pieces of 20 m, with which some 100% of the metres would be measured" in text_of(decide(made, rules()))
+    whole_seams = [replace(piece, seam_id=str(piece.number)) for piece in wide]
+    wider = [replace(piece, kept_low=0.42, kept_high=1.45) for piece in wide]  # enough only in pieces of 40 m
+    by_look = "an operator's look at 100 of the 100 m that were not measured; whoever signs decides by that"
+    for pieces, run in ((wide, 10.0), (whole_seams, 50.0), (wider, 50.0)):
+        words = text_of(decide(replace(made, pieces=tuple(pieces)), rules(run=run)))
+        assert by_look in words
+        assert "a scan with pieces" not in words
+    assert "with pieces of 40 m" in text_of(decide(replace(made, pieces=tuple(wider)), rules(run=80.0)))
+
+
+def test_no_piece_is_advised_where_forecasts_are_below_what_is_required() -> None:
+    """40 m of 200 hold nothing to measure, and longer pieces would measure 80 %, where 90 % are required."""
+    files = {SOURCE_FILES: states_text([("/a.tif", FileState(1, 1, "d"))])}
+    wide = [replace(piece, kept_low=0.48, kept_high=1.2, verdict="not_comparable") for piece in seam([0.76] * 10)]
+    blank = seam([None] * 4, seam_id="2", start=(0, 90), number=10)
+    made = delivery(wide, blank, seam([0.9] * 6, seam_id="3", start=(0, 190), number=14))
+    decision = decide(replace(made, layers=(DeliveredLayer("a", Seal.WHOLE, 0.0, files),)), rules())
+    assert "What would decide it: an operator's look at 140 of the 140 m" in str(decision.sentences[1])
+    assert sum("What would decide it" in str(sentence) for sentence in decision.sentences) == 1
 
 
 def test_what_was_measured_rejects_where_the_rest_could_not_save_it() -> None:
@@ -198,7 +216,7 @@ def test_a_piece_that_is_longer_than_a_failure_may_be_hides_it(piece: float, lim
     if not accepted:
         assert f"pieces are up to {piece:.1f} m long, which can hide a longer one" in str(decision.sentences[0])
         assert "pieces of 25 m or less" in text_of(decision)
-        assert "measuring the rows" not in text_of(decision)
+        assert "look at the rows" not in text_of(decision)
 
 
 @pytest.mark.parametrize(
@@ -305,7 +323,7 @@ def test_a_row_of_pieces_without_a_measurement_may_be_a_failure(
         (rule,) = (outcome for outcome in decision.outcomes if outcome.check == LONGEST_FAILURE)
         assert (rule.passed, rule.high) == (None, longest)
         assert decision.unknown_runs[0].place == pytest.approx((2000 + longest / 2, 0))
-        assert "measuring the rows of pieces longer than 50 m" in text_of(decision)
+        assert "look at the rows of pieces longer than 50 m" in text_of(decision)
 
 
 def test_how_much_of_what_failed_may_keep_enough_is_a_number() -> None:

@@ -61,10 +61,26 @@ def test_a_border_that_nothing_explains_counts_as_if_it_failed(hidden: str, acce
 
 @pytest.mark.parametrize("seams", ["given", "found"])
 def test_ground_that_no_orthoimage_explains_leaves_it_open_by_its_area(seams: str) -> None:
-    layer = DeliveredLayer("a", True, 0.5, said(seams=seams, unexplained="0.5"))
+    layer = DeliveredLayer("a", True, 0.0, said(seams=seams, unexplained="0.5"))
     decision = decide(replace(delivery(seam(SOUND)), layers=(layer,)), rules())
     assert decision.outcome is AcceptanceOutcome.UNDECIDED
-    assert "50% of the mosaic of a match no orthoimage" in str(decision.sentences[0])
+    assert "50% of the mosaic of a match no orthoimage" in str(decision.why)
+    assert "What would decide it: a scan with the orthoimages that are missing" in str(decision.sentences[1])
+
+
+def test_an_orthoimage_that_is_named_and_was_not_given_is_the_first_reason() -> None:
+    """It lies beside 20 of 100 pieces, where the mosaic follows no orthoimage; nothing else is in the headline."""
+    scan = said(seams="given", not_given="cam2_101", unexplained="0.13", unexplained_border="30.0")
+    pieces = seam([0.97] * 80 + [None] * 20)
+    decision = decide(replace(delivery(pieces), layers=(DeliveredLayer("a", True, 0.0, scan),)), rules())
+    assert str(decision.sentences[0]) == (
+        "Undecided by 'contract': orthoimages that the seamlines name were not given to the scan (cam2_101), so seams "
+        "beside them are not measured."
+    )
+    assert "What would decide it: a scan with the orthoimages that are missing" in str(decision.sentences[1])
+    assert str(decision.sentences[2]).startswith("Open besides: 13% of the mosaic of a match no orthoimage")
+    assert str(decision.why).startswith(str(decision.foremost))
+    assert decided(said(not_given="cam2_101")).accepted  # enough was measured without it
 
 
 def test_an_orthoimage_that_may_be_a_copy_leaves_it_open() -> None:

@@ -4,12 +4,22 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
-from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
+from seam_inspector.plugin.acceptance.paper.defect_files import (
+    CUT_PANEL,
+    IMAGE_PANEL,
+    MOSAIC_PANEL,
+    DefectPicture,
+    DefectPictures,
+    ProofPanel,
+)
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
+from seam_inspector.plugin.imagery.seam_totals import KeptBeside
 
+from tests.numbers.acceptance.deliveries import rules
 from tests.numbers.acceptance.made_decisions import decided
 from tests.pages import Outline, outline
 from tests.qgis.acceptance.papers import ground, record_of, scanned_with
@@ -34,12 +44,12 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
         "Failures", "How it was measured",
     )]
     assert places == sorted(places)
-    rules = {row[0]: row[1:] for row in page.rows if len(row) == 4}
-    assert rules["share of the seams that failed"][0] == f"{share:.2f}\u00a0%"
-    assert rules["share of the seams that failed"][1].startswith("at most 2\u00a0%")
-    assert rules["share of the seams that failed"][2] == "failed"
-    assert rules["longest failure without a break"][0] == f"{longest:.1f}\u00a0m"
-    assert rules["longest failure without a break"][2] == "passed"
+    ruled = {row[0]: row[1:] for row in page.rows if len(row) == 4}
+    assert ruled["share of the seams that failed"][0] == f"{share:.2f}\u00a0%"
+    assert ruled["share of the seams that failed"][1].startswith("at most 2\u00a0%")
+    assert ruled["share of the seams that failed"][2] == "failed"
+    assert ruled["longest failure without a break"][0] == f"{longest:.1f}\u00a0m"
+    assert ruled["longest failure without a break"][2] == "passed"
     row = ["sheet_1", "Rejected", "1000.0 m", "100.0 %", f"{longest:.1f} m", f"{longest / 10:.2f} %",
            f"{longest:.1f} m", "2 / 40", "0.0 m"]
     rows = [[cell.replace("\u00a0", " ") for cell in cells] for cells in page.rows]
@@ -84,7 +94,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     assert [caption.replace("\u00a0", " ") for caption in page.captions[1:]] == ["200.1 m across", "The mosaic"] * 2
     words = " ".join(page.words.split())
     assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
-    assert "kept by its pieces, one after the other: 45 %, 45 %" in words
+    assert "kept by its pieces, from south to north: 45 %, 45 %" in words
     assert "mosaic.tif" in page.words
 
 
@@ -100,3 +110,72 @@ def test_every_size_of_delivery_fits(tmp_path: Path, sheets: int, each: int) -> 
     assert len(shown) == min(sheets * each, MOST_ROWS)
     assert ("The longest 300 of 320" in page.words) == (sheets * each > MOST_ROWS)
     assert (tmp_path / "report.html").stat().st_size < 2_000_000
+
+
+def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
+    """Three pieces without a break failed, and the middle one may have passed."""
+    plain = decided(failed=[(0, 3), (0, 4), (0, 5)])
+    pieces = [*plain.delivery.pieces]
+    pieces[4] = replace(pieces[4], kept_1=0.69, kept_low=0.6, kept_high=0.79)
+    page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
+    rows = zip(page.rows, page.rows[1:])
+    below = {row[0]: after for row, after in rows if len(row) == 4 and row[3] == "can't be told"}
+    assert [*below] == ["longest failure without a break"]
+    (why,) = below["longest failure without a break"]
+    assert why.endswith("but it may be 25.0 to 75.0 m by the intervals of its pieces.")
+
+
+def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: Path) -> None:
+    """Four kinds of reasons, of which three have room; the numbers are those of all pieces of a kind."""
+    reasons = [
+        "Between 41 and 133 %.", "Between 60 and 140 %.", "This piece is 5.0 m long.", "This piece is 0.2 m long.",
+        "This piece is 3.5 m long.", "No ground.", "No ground.", "Blurred.",
+    ]
+    plain = decided()
+    pieces = [
+        replace(piece, kept_1=None, kept_low=None, kept_high=None, reason=reasons[number]) if number < len(reasons)
+        else piece for number, piece in enumerate(plain.delivery.pieces)
+    ]
+    page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
+    row = next(row for row in page.rows if row[0] == "seams that were not measured")
+    assert row[2].replace("\u00a0", " ") == (
+        "75.0 m: This piece is 0.2\u20135.0 m long; 50.0 m: Between 41\u201360 and 133\u2013140 %; "
+        "50.0 m: No ground; 25.0 m: other reasons"
+    )
+
+
+def test_the_cover_says_what_was_judged_and_what_was_not(tmp_path: Path) -> None:
+    mosaic = ground(tmp_path / "mosaic.tif")
+    page = page_of(tmp_path, record_of(decided(), mosaics=(mosaic,)))
+    assert "Judged in the luminance of the bands red, green, blue." in page.words
+    assert "sharpness of the mosaic as a whole" in page.words
+    assert "damage in one colour alone" in page.words
+
+
+def test_what_has_no_limit_stands_among_the_rules(tmp_path: Path) -> None:
+    """An eighth of the seams failed, without a rule on that."""
+    lenient = decide(decided(failed=[(0, place) for place in range(0, 40, 8)]).delivery, rules(share=None, run=50.0))
+    page = page_of(tmp_path, record_of(lenient))
+    assert "Seams: Accepted" in page.words
+    assert ["share of the seams that failed", "12.50\u00a0%", "no limit", "does not decide"] in page.rows
+
+
+def test_a_band_wider_than_its_curve_is_known_and_panels_that_lack_are_told(tmp_path: Path) -> None:
+    """The first failure's curve does not come back to 90 %, the second one's does; one image ends at the seam."""
+    plain = decided(failed=[(0, 3), (0, 20)])
+    pieces = [*plain.delivery.pieces]
+    for number, farthest in ((3, 0.8), (20, 1.0)):
+        steps = (KeptBeside(0, 1, 0.45), KeptBeside(0, 1, 0.45), KeptBeside(1, 9, farthest))
+        pieces[number] = replace(pieces[number], profile=steps, band_width_m=10.0)
+    record = record_of(
+        decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules), mosaics=(ground(tmp_path / "mosaic.tif"),)
+    )
+    pixels = np.zeros((8, 8, 3), np.uint8)
+    panels = [ProofPanel(kind, "a.tif", pixels) for kind in (MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL, IMAGE_PANEL)]
+    pictures = {number: DefectPicture(pixels, 10.0, True, tuple(panels[: 5 - number])) for number in (1, 2)}
+    save_acceptance_report(tmp_path / "report.html", record, pictures)
+    words = outline((tmp_path / "report.html").read_text(encoding="utf-8")).words.replace("\u00a0", " ")
+    first, second = words.split("least kept")[-2:]
+    assert "band width at least 10.0 m" in first
+    assert "band width 10.0 m" in second
+    assert ["the cut or an orthoimage is not shown" in words for words in (first, second)] == [False, True]

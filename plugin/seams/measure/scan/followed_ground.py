@@ -163,9 +163,9 @@ class FollowedGround:
 
     @property
     def _around_lacking_m(self) -> float:
-        """Length of its border with what follows a source: as much seam may be there. By the sides of units, whose
-        staircases are 4 / pi times as long as lines of any direction (Cauchy)."""
-        lacks, followed = self._lacking, self._units >= 0
+        """Length of its border with what follows a source: as much seam may be there, where none is known. By the sides
+        of units, whose staircases are 4 / pi times as long as lines of any direction (Cauchy)."""
+        lacks, followed = self._lacking & ~self._at_seam, self._units >= 0
         sides = sum(
             np.count_nonzero(first[:-1] & other[1:]) for first, other in
             ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))

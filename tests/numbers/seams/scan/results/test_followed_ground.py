@@ -66,6 +66,19 @@ def test_scatter_is_not_unexplained_and_what_holds_a_piece_is() -> None:
     assert ground_of(units).unexplained == pytest.approx(100 / units.size, rel=0.05)
 
 
+def test_borders_of_ground_without_an_orthoimage_count_where_no_seam_is_known() -> None:
+    """A part of 60 by 40 units, along three sides of which seams are given."""
+    units = np.zeros((200, 200), int)
+    units[50:90, 60:120] = LACKING
+    corners = [(60, 90), (60, 50), (120, 50), (120, 90)]
+    around, beside_seams = (
+        float(ground_of(units, lines).told["unexplained_border"]) for lines in ([], [corners])
+    )
+    unit_m = UNIT_PX * GSD
+    assert around == pytest.approx(np.pi / 4 * 200 * unit_m, abs=0.1)
+    assert beside_seams == pytest.approx(np.pi / 4 * 60 * unit_m, rel=0.2)
+
+
 def test_what_was_not_read_is_told() -> None:
     units = halves(200, 200)
     units[:, 50:] = NOT_LOOKED
