@@ -14,7 +14,7 @@ import numpy as np
 from ..compared_image import ComparedImage
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
-from .boxes import near_border
+from .boxes import near_border, widened
 from .compression import JPEG_SQUARE_PX, IsCompressed, compressed_sides, was_compressed
 from .followed_source import high_pass
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, levelled_by, square_means
@@ -143,18 +143,21 @@ def expected_mosaic(
         toned = {i: filters.placed(i, plane) for i, plane in toned.items()}
     expected = ExpectedMosaic(
         plane, unfiltered, labels, shown, toned, shares, filters, cutting.was_mosaic_compressed,
-        _spoilt_ends(sources),
+        _spoilt_ends(sources, labels),
     ).of_sources(sources.source_of)
     if sources.mosaic.valid is None:
         return expected
     return replace(expected, labels=np.where(sources.mosaic.valid, expected.labels, np.uint8(UNKNOWN)))
 
 
-def _spoilt_ends(sources: PlacedSources) -> np.ndarray | None:
-    """Beside the ends of compressed sources, (rows, columns) bool, None where none ends: whose squares hold what lies
-    beyond has no pixels, and the mosaic follows it there all the same."""
+def _spoilt_ends(sources: PlacedSources, labels: np.ndarray) -> np.ndarray | None:
+    """Beside the ends of compressed sources that are followed up to there, (rows, columns) bool, None where none ends:
+    whose squares hold what lies beyond has no pixels, and the mosaic follows it there all the same."""
     lossy = [plane for plane in sources.valid if sources.images[sources.source_of[plane]].raster.is_lossy]
-    ends = [near_border(sources.valid[plane], JPEG_SQUARE_PX) for plane in lossy]
+    ends = [
+        near_border(sources.valid[plane], JPEG_SQUARE_PX) & widened(labels == plane, 2 * JPEG_SQUARE_PX)
+        for plane in lossy
+    ]
     return np.logical_or.reduce(ends) if ends else None
 
 
