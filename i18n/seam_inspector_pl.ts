@@ -5248,11 +5248,6 @@
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="11"/>
-        <source>The windows stay in {old}, as they can&apos;t be moved to {folder} ({error}); export them from there.</source>
-        <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="7"/>
         <source>The mosaic itself.</source>
         <translation>Sama ortofotomapa.</translation>
@@ -10681,67 +10676,67 @@
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="250"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="251"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="297"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="297"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="310"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="311"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="310"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="311"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="312"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="316"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="316"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="180"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="181"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="206"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="207"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="292"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="292"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10908,7 +10903,7 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="286"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="287"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
@@ -11477,6 +11472,11 @@
         <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>Both orthoimages show the very same pixels along the seam, and not farther off: they were changed there, or are parts of a single image. Ask for the orthoimages as they were before the mosaic was made.</source>
         <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="11"/>
+        <source>The layer {name} stays in {old}, as it can&apos;t be moved to {folder} ({error}); export it from there.</source>
+        <translation>Warstwa {name} zostaje w {old}, bo nie można jej przenieść do {folder} ({error}); wyeksportuj ją stamtąd.</translation>
     </message>
 </context>
 </TS>

@@ -137,7 +137,8 @@ class AcceptPage(QDialog):
 
     def values(self) -> dict[str, Any]:
         """The algorithm's parameters as the page has them, without outputs."""
-        chosen = [scan for row, scan in enumerate(self._scans) if self._is_chosen(row)]
+        moved = {scan.mosaic: scan for scan in delivered_scans(self._project, "")}  # since the page was opened
+        chosen = [moved.get(scan.mosaic, scan) for row, scan in enumerate(self._scans) if self._is_chosen(row)]
         said = {name: field.text().strip() for name, field in self.head.items()}
         limits = {name: box.value() for name, box in self.limits.items()}
         return {**decision_values(self._inputs, chosen), **said, **limits}

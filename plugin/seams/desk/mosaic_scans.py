@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     Qgis,
-    QgsApplication,
     QgsMapLayer,
     QgsProject,
     QgsRasterLayer,
@@ -32,6 +31,7 @@ from ..measure import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
 from ..tables import scan_layers
 from ..tables.scan_layers import ScanLayer
+from . import window_home
 
 if TYPE_CHECKING:
     from .session import Session
@@ -121,7 +121,7 @@ class MosaicScans(QObject):
 
     def _files(self, order: ScanOrder) -> ScanFiles:
         """Beside the project; those of a scan that is not complete are taken again."""
-        folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
+        folder = Path(self._project.homePath() or window_home.unsaved_folder())
         name = file_stem(order.mosaic.ref.name)
         for ending in chain([""], (f"_{number}" for number in count(2))):
             files = ScanFiles(folder / f"{name}_loss{ending}.tif", folder / f"{name}_scan{ending}.gpkg")
