@@ -11478,5 +11478,9 @@
         <source>The layer {name} stays in {old}, as it can&apos;t be moved to {folder} ({error}); export it from there.</source>
         <translation>Warstwa {name} zostaje w {old}, bo nie można jej przenieść do {folder} ({error}); wyeksportuj ją stamtąd.</translation>
     </message>
+    <message>
+        <source>F</source>
+        <translation>U</translation>
+    </message>
 </context>
 </TS>
