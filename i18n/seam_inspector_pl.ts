@@ -4453,17 +4453,17 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="90"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="91"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="92"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="93"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="118"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="119"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -4483,22 +4483,22 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="200"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="201"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="264"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="264"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="268"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
@@ -5193,7 +5193,7 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="66"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="67"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -10771,16 +10771,6 @@
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="202"/>
-        <source>No significant loss on {metres} m of seams.</source>
-        <translation>Brak istotnej straty na {metres} m linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="204"/>
-        <source>Significant loss on {failed} of {metres} m of seams.</source>
-        <translation>Istotna strata na {failed} z {metres} m linii.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="238"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic, along the border of its pixels or within one orthoimage, where there is no seam, and are left out.</source>
         <translation>{outside:.0f} m z {given:.0f} m linii mozaikowania leży poza ortofotomapą, wzdłuż granicy jej pikseli albo wewnątrz jednego ortoobrazu, gdzie nie ma linii mozaikowania; zostały pominięte.</translation>
@@ -11420,7 +11410,7 @@
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="117"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="118"/>
         <source>Scan: putting the blocks together</source>
         <translation>Badanie: łączenie bloków</translation>
     </message>
@@ -11481,6 +11471,16 @@
     <message>
         <source>F</source>
         <translation>U</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="203"/>
+        <source>None of {metres} m of seams failed.</source>
+        <translation>Niezgodne: 0 z {metres} m linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
+        <source>{failed} of {metres} m failed: below {percent} % kept.</source>
+        <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
     </message>
 </context>
 </TS>

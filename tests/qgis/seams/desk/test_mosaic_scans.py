@@ -2,10 +2,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsProject
+from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
 
 from tests.qgis.seams.desk.scan_scene import ScanDesk, ScanScene, make_scan_scene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
@@ -46,6 +48,8 @@ def test_what_a_scan_found_lies_in_a_group_on_top(desk: ScanDesk) -> None:
     shown = {node.name() for node in group.children() if node.itemVisibilityChecked()}
     assert shown == set(FOUND) - {"Worst places"}
     assert done.failed_metres > 0.8 * done.seam_metres
+    assert scan_sentence(done) == f"{done.failed_metres:.0f} of {done.seam_metres:.0f} m failed: below 70 % kept."
+    assert scan_sentence(replace(done, failed_metres=0.0)) == f"None of {done.seam_metres:.0f} m of seams failed."
     assert desk.messages == []
 
 
