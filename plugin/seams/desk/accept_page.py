@@ -150,7 +150,6 @@ class AcceptPage(QDialog):
         folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
         beside = suggested_files(self._project, self._inputs)
         self._made = {name: folder / file.name for name, file in beside.items()}
-        self._home = next(iter(beside.values())).parent
         values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
         context, self._feedback = QgsProcessingContext(), _FailureHeard()
         context.setProject(self._project)
@@ -252,7 +251,8 @@ class AcceptPage(QDialog):
         QDesktopServices.openUrl(QUrl.fromLocalFile(str(self.files["REPORT"])))
 
     def _ask_for_folder(self, *_: object) -> None:
-        folder = QFileDialog.getExistingDirectory(self, tr("Save the decision"), str(self._home))
+        home = self._project.homePath() or str(Path.home())
+        folder = QFileDialog.getExistingDirectory(self, tr("Save the decision"), home)
         if folder:
             try:
                 self.save(Path(folder))

@@ -114,6 +114,21 @@ def test_the_page_decides_by_its_limits_and_saves_what_it_made(
 
 
 @pytest.mark.slow
+def test_a_project_saved_after_the_decision_is_where_that_is_saved(
+    page: AcceptPage, delivery: Delivery, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    decided(page)
+    delivery.save(tmp_path / "later")
+    asked: list[str] = []
+    monkeypatch.setattr(
+        "seam_inspector.plugin.seams.desk.accept_page.QFileDialog.getExistingDirectory",
+        lambda _parent, _title, folder: asked.append(folder) or "",
+    )
+    page.saver.click()
+    assert asked == [str(tmp_path / "later")]
+
+
+@pytest.mark.slow
 def test_other_limits_decide_anew_and_replace_no_document(page: AcceptPage, tmp_path: Path) -> None:
     decided(page)
     page.save(tmp_path / "project")
