@@ -9447,11 +9447,6 @@
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="49"/>
-        <source>Windows placed along the seams: {count}; some places have none, and the log messages say why.</source>
-        <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="170"/>
         <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
@@ -10546,11 +10541,6 @@
         <translation>Dodane miejsca ze skanowania: {count}; okna, które już tam były: {there}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="14"/>
-        <source>Windows of this mosaic that were missing from the project were restored from {path}.</source>
-        <translation>Okna tej ortofotomapy, których projekt nie znał, wróciły z pliku {path}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/messages.py" line="18"/>
         <source>The windows in {name} are not in a windows file, so results and verdicts can&apos;t be saved with them. Copy them into one?</source>
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
@@ -10676,67 +10666,67 @@
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="251"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="255"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="297"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="297"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="311"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="311"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="316"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="316"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="181"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="182"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="207"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="210"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="292"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="292"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10893,7 +10883,7 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="287"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
@@ -11481,6 +11471,16 @@
         <location filename="../plugin/seams/desk/mosaic_scans.py" line="205"/>
         <source>{failed} of {metres} m failed: below {percent} % kept.</source>
         <translation>Niezgodne {failed} z {metres} m: zachowano poniżej {percent} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <source>Windows of this mosaic were restored. The project lacked them; they are in {path}.</source>
+        <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="49"/>
+        <source>Windows placed along the seams: {count}. Some places have none; the log messages say why.</source>
+        <translation>Okna na liniach mozaikowania: {count}. W niektórych miejscach okna nie ma; dlaczego, mówią komunikaty dziennika.</translation>
     </message>
 </context>
 </TS>

@@ -45,7 +45,7 @@ BOUNDS = {
     "plugin/sensors": Measures(5604, 0, 0),
     "plugin": Measures(369, 1, 1),
     "python": Measures(1075, 0, 0),
-    "tests": Measures(48644, 0, 0),
+    "tests": Measures(48733, 0, 0),
 }
 """What each room may have; the most particular one holds for a file."""
 

@@ -111,10 +111,7 @@ class WindowHome:
         return new
 
     def move_scans(self) -> None:
-        """Put what scans left in the profile beside the project, too, but no layer that is edited.
-
-        Raises WindowLayerError for a file that stays where it was.
-        """
+        """Put what scans left in the profile beside the project, unless it is edited. Raises WindowLayerError."""
         of_file: dict[Path, list[QgsMapLayer]] = defaultdict(list)
         for layer in self._project.mapLayers().values():
             path = Path(layers.layer_path(layer))

@@ -88,6 +88,13 @@ def decided(page: AcceptPage) -> str:
     return page.verdict.text()
 
 
+def test_a_scan_that_moved_while_the_page_is_open_is_decided_on_where_it_is(page: AcceptPage, tmp_path: Path) -> None:
+    (worst,) = QgsProject.instance().mapLayersByName("worst")
+    moved = (tmp_path / "scans" / "seams.gpkg").rename(tmp_path / "seams.gpkg")
+    worst.setDataSource(str(moved), "worst", "ogr")
+    assert page.values()["SEAMS"] == [f"{moved}|layername=seams"]
+
+
 @pytest.mark.slow
 def test_the_page_decides_by_its_limits_and_saves_what_it_made(
     page: AcceptPage, tmp_path: Path, gone_to: list[QgsVectorLayer]
