@@ -21,9 +21,9 @@ from .version_differences import field
 _TYPES = {"integer": ogr.OFTInteger, "real": ogr.OFTReal, "text": ogr.OFTString}
 
 
-def free_path(folder: Path, name: str) -> Path:
+def free_path(folder: Path, name: str, ending: str = ".gpkg") -> Path:
     """A path in a folder that is not taken yet."""
-    names = chain([f"{name}.gpkg"], (f"{name}_{number}.gpkg" for number in count(2)))
+    names = chain([f"{name}{ending}"], (f"{name}_{number}{ending}" for number in count(2)))
     return next(path for path in map(folder.joinpath, names) if not os.path.lexists(path))
 
 

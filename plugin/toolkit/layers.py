@@ -90,11 +90,11 @@ def _raster_path(source: str) -> str:
     return str(parts.get("vsiPrefix", "") + parts["path"] + parts.get("vsiSuffix", ""))
 
 
-def layer_path(layer: QgsVectorLayer) -> str:
-    """The file of a vector layer; empty for one in memory or in a database."""
-    if layer.providerType() != "ogr":
+def layer_path(layer: QgsMapLayer) -> str:
+    """The file of a layer; empty for one in memory or in a database."""
+    if layer.providerType() not in ("ogr", "gdal"):
         return ""
-    return QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("path") or ""
+    return QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source()).get("path") or ""
 
 
 def layer_address(layer: QgsVectorLayer) -> str:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain, count
 from pathlib import Path
@@ -120,11 +120,13 @@ _LARGE = 2.0  # times the font
 class AcceptPage(QDialog):
     """Decides in the background; goes with its dock."""
 
-    def __init__(self, project: QgsProject, inputs: Inputs, parent: QWidget) -> None:
+    def __init__(
+        self, project: QgsProject, inputs: Inputs, parent: QWidget, zoom_to: Callable[[QgsVectorLayer], None]
+    ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Accept or reject a delivery"))
-        self._project, self._inputs = project, inputs
+        self._project, self._inputs, self._zoom_to = project, inputs, zoom_to
         self._algorithm: QgsProcessingAlgorithm = (
             QgsApplication.processingRegistry().createAlgorithmById(DECISION)
         )
@@ -137,7 +139,8 @@ class AcceptPage(QDialog):
 
     def values(self) -> dict[str, Any]:
         """The algorithm's parameters as the page has them, without outputs."""
-        chosen = [scan for row, scan in enumerate(self._scans) if self._is_chosen(row)]
+        moved = {scan.mosaic: scan for scan in delivered_scans(self._project, "")}  # since the page was opened
+        chosen = [moved.get(scan.mosaic, scan) for row, scan in enumerate(self._scans) if self._is_chosen(row)]
         said = {name: field.text().strip() for name, field in self.head.items()}
         limits = {name: box.value() for name, box in self.limits.items()}
         return {**decision_values(self._inputs, chosen), **said, **limits}
@@ -147,7 +150,6 @@ class AcceptPage(QDialog):
         folder = Path(tempfile.mkdtemp(dir=QgsProcessingUtils.tempFolder()))
         beside = suggested_files(self._project, self._inputs)
         self._made = {name: folder / file.name for name, file in beside.items()}
-        self._home = next(iter(beside.values())).parent
         values = {**self.values(), **{name: str(file) for name, file in self._made.items()}}
         context, self._feedback = QgsProcessingContext(), _FailureHeard()
         context.setProject(self._project)
@@ -180,12 +182,14 @@ class AcceptPage(QDialog):
         self._saved.setText(filled(tr("Saved in {folder}."), folder=folder))
 
     def show_failures(self, *_: object) -> None:
-        """On the map, once."""
-        if self._shown_failures() is None:
-            layer = QgsVectorLayer(str(self.files["DEFECTS"]), tr("Failures"), "ogr")
-            if layer.isValid():
-                load_style(layer, "defects")
-                self._project.addMapLayer(layer)
+        """On top of the map, once, which goes there."""
+        layer = self._shown_failures() or QgsVectorLayer(str(self.files["DEFECTS"]), tr("Failures"), "ogr")
+        if layer.isValid() and layer.id() not in self._project.mapLayers():
+            load_style(layer, "defects")
+            self._project.addMapLayer(layer, False)
+            self._project.layerTreeRoot().insertLayer(0, layer)
+        if layer.isValid() and layer.featureCount():
+            self._zoom_to(layer)
 
     def done(self, result: int) -> None:
         """Stop what is under way."""
@@ -247,7 +251,8 @@ class AcceptPage(QDialog):
         QDesktopServices.openUrl(QUrl.fromLocalFile(str(self.files["REPORT"])))
 
     def _ask_for_folder(self, *_: object) -> None:
-        folder = QFileDialog.getExistingDirectory(self, tr("Save the decision"), str(self._home))
+        home = self._project.homePath() or str(Path.home())
+        folder = QFileDialog.getExistingDirectory(self, tr("Save the decision"), home)
         if folder:
             try:
                 self.save(Path(folder))

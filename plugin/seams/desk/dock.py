@@ -200,7 +200,7 @@ class InspectionDock(ToolDock):
         self.accept = self._action(
             "FileNew", tr("Accept..."),
             tr("Accept or reject the delivery by its scans"),
-            lambda: AcceptPage(QgsProject.instance(), self.session.inputs, self).show(),
+            lambda: AcceptPage(QgsProject.instance(), self.session.inputs, self, self._view.show_layer).show(),
         )  # fmt: skip
         self.inspect_selected = self._action(
             "Refresh", tr("Again"), tr("Inspect the selected windows again"),

@@ -7,11 +7,11 @@ WINDOWS_KEPT_MEANWHILE = Message(
     "Windows are stored in your profile until the project is saved, then beside it. Now they are in {path}.", INFO
 )
 WINDOWS_MOVED = Message("The windows moved beside the project, to {path}.", INFO)
-WINDOWS_NOT_MOVED = Message(
-    "The windows stay in {old}, as they can't be moved to {folder} ({error}); export them from there."
+NOT_MOVED = Message(
+    "The layer {name} stays in {old}, as it can't be moved to {folder} ({error}); export it from there."
 )
 PLACES_TAKEN = Message("Places of the scan added: {count}; windows that were there already: {there}.", INFO)
-WINDOWS_BACK = Message("Windows of this mosaic that were missing from the project were restored from {path}.", INFO)
+WINDOWS_BACK = Message("Windows of this mosaic were restored. The project lacked them; they are in {path}.", INFO)
 DECISION_THERE_ALREADY = Message("{path} exists already: choose another folder, so that no document is replaced.")
 DECISION_NOT_SAVED = Message("The decision could not be saved in {folder} ({error}); choose another folder.")
 WINDOWS_TO_COPY = Message(

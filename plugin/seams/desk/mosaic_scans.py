@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     Qgis,
-    QgsApplication,
     QgsMapLayer,
     QgsProject,
     QgsRasterLayer,
@@ -22,6 +21,7 @@ from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...imagery.errors import INFO, Message, SeamInspectorError
+from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from ...toolkit.background_tasks import BackgroundTasks, End, Outcome
 from ...toolkit.desk.message_bar import bar_level, write_log
 from ...toolkit.layer_styles import load_style
@@ -32,6 +32,7 @@ from ..measure import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
 from ..tables import scan_layers
 from ..tables.scan_layers import ScanLayer
+from . import window_home
 
 if TYPE_CHECKING:
     from .session import Session
@@ -121,7 +122,7 @@ class MosaicScans(QObject):
 
     def _files(self, order: ScanOrder) -> ScanFiles:
         """Beside the project; those of a scan that is not complete are taken again."""
-        folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
+        folder = Path(self._project.homePath() or window_home.unsaved_folder())
         name = file_stem(order.mosaic.ref.name)
         for ending in chain([""], (f"_{number}" for number in count(2))):
             files = ScanFiles(folder / f"{name}_loss{ending}.tif", folder / f"{name}_scan{ending}.gpkg")
@@ -199,10 +200,11 @@ def scan_sentence(done: ScanDone) -> str:
     """What a scan found."""
     words = tr("Scanned: no seam was found.")
     if done.seam_metres:
-        words = tr("No significant loss on {metres} m of seams.")
+        words = tr("None of {metres} m of seams failed.")
         if done.failed_metres:
-            words = tr("Significant loss on {failed} of {metres} m of seams.")
-    return filled(words, metres=grouped_number(done.seam_metres), failed=grouped_number(done.failed_metres))
+            words = tr("{failed} of {metres} m failed: below {percent} % kept.")
+    metres, failed = grouped_number(done.seam_metres), grouped_number(done.failed_metres)
+    return filled(words, metres=metres, failed=failed, percent=round(100 * STANDARD_LEAST_KEPT))
 
 
 def file_stem(name: str) -> str:

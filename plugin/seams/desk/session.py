@@ -292,8 +292,10 @@ class Session(SessionInputs):
             self._tell(messages.WINDOWS_BACK(path=path))
 
     def _save(self, *_: object) -> None:
-        """Windows of a project that had no file move beside it."""
+        """Windows and scans of a project that had no file move beside it."""
         self._results.write()
+        with self._raised():
+            self._home.move_scans()
         layer, path = self._watch.layer, self._watch.path
         if layer is None or path is None or not self._home.is_to_be_moved(path):
             return

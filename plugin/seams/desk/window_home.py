@@ -7,13 +7,17 @@ and from one that another QGIS has open.
 from __future__ import annotations
 
 import contextlib
+import shutil
 import time
+from collections import defaultdict
+from collections.abc import Sequence
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsProject, QgsVectorLayer
+from qgis.core import QgsApplication, QgsMapLayer, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QLockFile, QObject, pyqtSignal
 
-from ...imagery.errors import Message, SeamInspectorError, WindowLayerError
+from ...imagery.errors import SeamInspectorError, WindowLayerError
+from ...imagery.messages import system_reason
 from ...imagery.rasters import RasterRef
 from ...toolkit import layers
 from ...toolkit.geopackages import free_path
@@ -100,20 +104,22 @@ class WindowHome:
 
         Raises WindowLayerError when it stays where it was.
         """
-        old, source, folder = Path(layers.layer_path(layer)), layer.source(), self.folder
-        new = free_path(folder, window_file.TABLE)
-        try:
-            window_file.copy_file(old, new)
-        except WindowLayerError as error:
-            raise WindowLayerError(_not_moved(old, folder, error.message.values["error"])) from None
-        layer.setDataSource(source.replace(str(old), str(new), 1), layer.name(), "ogr")
-        if not layer.isValid():
-            layer.setDataSource(source, layer.name(), "ogr")
-            raise WindowLayerError(_not_moved(old, folder, new))
-        _remove(old)
+        old, new = Path(layers.layer_path(layer)), free_path(self.folder, window_file.TABLE)
+        _move(old, new, [layer])
         if (lock := self._locks.pop(old, None)) is not None:
             lock.unlock()
         return new
+
+    def move_scans(self) -> None:
+        """Put what scans left in the profile beside the project, unless it is edited. Raises WindowLayerError."""
+        of_file: dict[Path, list[QgsMapLayer]] = defaultdict(list)
+        for layer in self._project.mapLayers().values():
+            path = Path(layers.layer_path(layer))
+            if self.is_to_be_moved(path) and layer.isValid() and not window_file.is_window_file(path):
+                of_file[path].append(layer)
+        for old, shown in of_file.items():
+            if not any(layer.isEditable() for layer in shown):
+                _move(old, free_path(self.folder, old.stem, old.suffix), shown)
 
     def _known(self) -> set[str]:
         """The files of the project's vector layers."""
@@ -132,8 +138,20 @@ class WindowHome:
         return False
 
 
-def _not_moved(old: Path, folder: Path, error: object) -> Message:
-    return messages.WINDOWS_NOT_MOVED(old=old, folder=folder, error=error)
+def _move(old: Path, new: Path, shown: Sequence[QgsMapLayer]) -> None:
+    """Put a file with the layers that show it elsewhere. Raises WindowLayerError when it stays where it was."""
+    sources, why = [layer.source() for layer in shown], ""
+    try:
+        (window_file.copy_file if old.suffix == ".gpkg" else shutil.copyfile)(old, new)
+    except (OSError, WindowLayerError) as error:
+        why = system_reason(error) if isinstance(error, OSError) else str(error.message.values["error"])
+    for layer, source in zip(shown, sources if not why else ()):
+        layer.setDataSource(source.replace(str(old), str(new), 1), layer.name(), layer.providerType())
+    if why or not all(layer.isValid() for layer in shown):
+        for layer, source in zip(shown, sources):
+            layer.setDataSource(source, layer.name(), layer.providerType())
+        raise WindowLayerError(messages.NOT_MOVED(name=shown[0].name(), old=old, folder=new.parent, error=why or new))
+    _remove(old)
 
 
 def _take(lock: QLockFile) -> bool:
@@ -149,7 +167,7 @@ def _written(path: Path) -> float | None:
 
 
 def _remove(windows: Path) -> None:
-    for ending in ("", "-wal", "-shm"):
+    for ending in ("", "-wal", "-shm", ".aux.xml"):
         with contextlib.suppress(OSError):  # one that is open elsewhere stays
             Path(f"{windows}{ending}").unlink()
 

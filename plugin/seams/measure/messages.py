@@ -46,7 +46,7 @@ SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter i
 SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
 WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.", INFO)
 WINDOWS_PLACED_IN_PART = Message(
-    "Windows placed along the seams: {count}; some places have none, and the log messages say why.", INFO
+    "Windows placed along the seams: {count}. Some places have none; the log messages say why.", INFO
 )
 WINDOWS_PLACED_BESIDES = Message(
     "Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are "

@@ -28,15 +28,15 @@ def write_log(messages: Iterable[Message]) -> None:
         QgsMessageLog.logMessage(text, tr("Seam Inspector"), _LEVELS[message.level], False)
 
 
-_MOST_CHARACTERS = 90  # QGIS cuts what is longer than a line, beside a map of 1,366 px with two docks
+_MOST_CHARACTERS = 90  # QGIS cuts what is longer than a line
+_BESIDE_BUTTON = 50  # characters of a line on a screen of 1,366 px with two docks, where a button stands beside them
 
 
 def brief_words(text: str) -> tuple[str, str]:
-    """What of a message stands in the bar: all of it, or whole sentences, or as many words as there is room for; and
-    the rest."""
-    if len(text) <= _MOST_CHARACTERS:
-        return text, ""
+    """The words of a message that the bar has room for, whole sentences where there are several; and the rest."""
     ends = [place + 1 for place in range(_MOST_CHARACTERS) if text[place : place + 2] in (". ", "? ", "! ")]
-    end = ends[-1] if ends else max(text.rfind(" ", 0, _MOST_CHARACTERS), 0) or _MOST_CHARACTERS
+    if len(text) <= (_BESIDE_BUTTON if ends else _MOST_CHARACTERS):
+        return text, ""
+    last_word = max(text.rfind(" ", 0, _MOST_CHARACTERS), 0) or _MOST_CHARACTERS
+    end = max((end for end in ends if end <= _BESIDE_BUTTON), default=ends[0] if ends else last_word)
     return text[:end] + ("" if ends else " …"), text[end:].lstrip()
-

@@ -55,7 +55,7 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
     rows = [[cell.replace("\u00a0", " ") for cell in cells] for cells in page.rows]
     assert row in rows
     assert ["median length of the pieces", "25.0 m"] in rows
-    failures = [row for row in page.rows if row and row[0] in ("1", "2") and len(row) > 5]
+    failures = [row for row in page.rows if row and row[0] in ("F1", "F2") and len(row) > 5]
     assert [row[1] for row in failures] == ["sheet_1", "sheet_2"]
     assert "0412_ortho.tif (2019-07-04)" in " ".join(failures[0][5].split())
     for words in ("coif3", "EPSG:32633", "/deliveries/sheet_2.gpkg", "Seam Inspector 0.1.0", "name and office"):
@@ -70,7 +70,7 @@ def test_failures_that_are_unclear_or_that_no_eye_sees_are_marked(tmp_path: Path
     pieces[4] = replace(pieces[4], kept_1=0.6, kept_low=0.5, kept_high=0.69)
     pieces[20] = replace(pieces[20], visibility=0.94)
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
-    first, second = ([" ".join(cell.split()) for cell in row] for row in page.rows if row and row[0] in ("1", "2"))
+    first, second = ([" ".join(cell.split()) for cell in row] for row in page.rows if row and row[0] in ("F1", "F2"))
     assert first[2] == "50.0 m25.0 m unclear"
     assert first[5] == ""  # nothing known
     assert "(2019-07-04)" in first[6]
@@ -93,7 +93,7 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     # 200 m amid a zone of UTM.
     assert [caption.replace("\u00a0", " ") for caption in page.captions[1:]] == ["200.1 m across", "The mosaic"] * 2
     words = " ".join(page.words.split())
-    assert f"Failure 1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
+    assert f"Failure F1: {decision.longest_failure_m:.1f} m, least kept 45 % (40 - 51)" in words
     assert "kept by its pieces, from south to north: 45 %, 45 %" in words
     assert "mosaic.tif" in page.words
 
@@ -106,7 +106,7 @@ def test_every_size_of_delivery_fits(tmp_path: Path, sheets: int, each: int) -> 
     decision = decided(names, failed=failed)
     page = page_of(tmp_path, record_of(decision))
     assert len(decision.runs) == sheets * each
-    shown = [row for row in page.rows if len(row) > 5 and row[0].isdigit()]
+    shown = [row for row in page.rows if len(row) > 5 and row[0].startswith("F")]
     assert len(shown) == min(sheets * each, MOST_ROWS)
     assert ("The longest 300 of 320" in page.words) == (sheets * each > MOST_ROWS)
     assert (tmp_path / "report.html").stat().st_size < 2_000_000

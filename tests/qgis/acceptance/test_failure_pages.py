@@ -42,7 +42,7 @@ def test_all_that_a_page_shows_of_a_failure_is_what_decided(name: str, tmp_path:
     assert outcome.complaint is None
     page = outline((tmp_path / "paper" / "decision.html").read_text(encoding="utf-8"))
     failures = list(QgsVectorLayer(str(tmp_path / "paper" / "failures.gpkg"), "", "ogr").getFeatures())
-    titles = re.findall(r"Failure (\d+): ([\d.]+).m, least kept (\d+)", page.words)
+    titles = re.findall(r"Failure F(\d+): ([\d.]+).m, least kept (\d+)", page.words)
     assert [int(number) for number, _, _ in titles] == [row["defect"] for row in failures] != []
     pieces = {round(row["kept_1"], 3): row for row in QgsVectorLayer(seams, "", "ogr").getFeatures() if row["kept_1"]}
     curves = page.captions.count("Kept by the worst piece, by distance from the seam")

@@ -13,6 +13,7 @@ from qgis.core import (
     QgsPointXY,
     QgsProject,
     QgsRectangle,
+    QgsVectorLayer,
     QgsWkbTypes,
 )
 from qgis.gui import QgsMapCanvas, QgsRubberBand, QgsVertexMarker
@@ -50,12 +51,19 @@ class WindowView:
         views = self.views(fid)
         if views:
             self._looked = fid, place % len(views)
-            crs = self._canvas.mapSettings().destinationCrs()
-            shown = transformed_box(views[self._looked[1]], self._crs(), crs)
-            if shown is not None:
-                self._canvas.setExtent(shown)
-                self._canvas.refresh()
+            self._go(views[self._looked[1]], self._crs())
         self._session.select([fid])
+
+    def show_layer(self, layer: QgsVectorLayer) -> None:
+        """All of a layer, and a margin."""
+        box = layer.extent()
+        self._go(box.buffered(max(box.width(), box.height()) / 10), layer.crs())
+
+    def _go(self, box: QgsRectangle, crs: QgsCoordinateReferenceSystem) -> None:
+        shown = transformed_box(box, crs, self._canvas.mapSettings().destinationCrs())
+        if shown is not None:
+            self._canvas.setExtent(shown)
+            self._canvas.refresh()
 
     def show_next_place(self) -> bool:
         """The next place of the selected window, after the last one the first. Whether a window is selected."""

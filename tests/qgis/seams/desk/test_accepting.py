@@ -64,11 +64,17 @@ def test_any_earlier_document_gives_all_another_number(delivery: Delivery, tmp_p
 
 
 @pytest.fixture
-def page(delivery: Delivery, tmp_path: Path) -> Iterator[AcceptPage]:
+def gone_to() -> list[QgsVectorLayer]:
+    """Layers that the map went to."""
+    return []
+
+
+@pytest.fixture
+def page(delivery: Delivery, tmp_path: Path, gone_to: list[QgsVectorLayer]) -> Iterator[AcceptPage]:
     delivery.scan(tmp_path / "scans")
     delivery.save(tmp_path / "project")
     dock = QWidget()
-    made = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock)
+    made = AcceptPage(delivery.project, Inputs(mosaic=delivery.mosaic.id()), dock, gone_to.append)
     made.show()
     yield made
     dock.deleteLater()
@@ -82,14 +88,27 @@ def decided(page: AcceptPage) -> str:
     return page.verdict.text()
 
 
+def test_a_scan_that_moved_while_the_page_is_open_is_decided_on_where_it_is(page: AcceptPage, tmp_path: Path) -> None:
+    (worst,) = QgsProject.instance().mapLayersByName("worst")
+    moved = (tmp_path / "scans" / "seams.gpkg").rename(tmp_path / "seams.gpkg")
+    worst.setDataSource(str(moved), "worst", "ogr")
+    assert page.values()["SEAMS"] == [f"{moved}|layername=seams"]
+
+
 @pytest.mark.slow
-def test_the_page_decides_by_its_limits_and_saves_what_it_made(page: AcceptPage, tmp_path: Path) -> None:
+def test_the_page_decides_by_its_limits_and_saves_what_it_made(
+    page: AcceptPage, tmp_path: Path, gone_to: list[QgsVectorLayer]
+) -> None:
     assert page.values()["MAX_SHARE"] == 2.0
     page.head["CONTRACT"].setText("ZP-12/2026")
     assert decided(page) == "Rejected"
     assert page.reason.text().startswith("25")
     assert not list((tmp_path / "project").glob("ortho*"))
+    QgsProject.instance().layerTreeRoot().insertGroup(0, "Scan of ortho")
     page.show_failures()
+    page.show_failures()
+    assert [layer.name() for layer in gone_to] == ["Failures", "Failures"]
+    assert QgsProject.instance().layerTreeRoot().children()[0].name() == "Failures"
     page.save(tmp_path / "project")
     saved = {path.name for path in (tmp_path / "project").glob("ortho*")}
     assert saved == {"ortho_5_report.html", "ortho_5_defects.gpkg", "ortho_5_defects_pictures", "ortho_5_quality.xml"}
@@ -99,6 +118,21 @@ def test_the_page_decides_by_its_limits_and_saves_what_it_made(page: AcceptPage,
     assert failures.featureCount() == 1
     with pytest.raises(SettingsError, match="choose another folder"):
         page.save(tmp_path / "project")
+
+
+@pytest.mark.slow
+def test_a_project_saved_after_the_decision_is_where_that_is_saved(
+    page: AcceptPage, delivery: Delivery, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    decided(page)
+    delivery.save(tmp_path / "later")
+    asked: list[str] = []
+    monkeypatch.setattr(
+        "seam_inspector.plugin.seams.desk.accept_page.QFileDialog.getExistingDirectory",
+        lambda _parent, _title, folder: asked.append(folder) or "",
+    )
+    page.saver.click()
+    assert asked == [str(tmp_path / "later")]
 
 
 @pytest.mark.slow

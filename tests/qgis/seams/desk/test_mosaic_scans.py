@@ -2,10 +2,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsProject
+from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
 
 from tests.qgis.seams.desk.scan_scene import ScanDesk, ScanScene, make_scan_scene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
@@ -46,7 +48,33 @@ def test_what_a_scan_found_lies_in_a_group_on_top(desk: ScanDesk) -> None:
     shown = {node.name() for node in group.children() if node.itemVisibilityChecked()}
     assert shown == set(FOUND) - {"Worst places"}
     assert done.failed_metres > 0.8 * done.seam_metres
+    assert scan_sentence(done) == f"{done.failed_metres:.0f} of {done.seam_metres:.0f} m failed: below 70 % kept."
+    assert scan_sentence(replace(done, failed_metres=0.0)) == f"None of {done.seam_metres:.0f} m of seams failed."
     assert desk.messages == []
+
+
+def test_a_scan_of_an_unsaved_project_moves_beside_it(
+    desk: ScanDesk, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    profile, home = desk.folder, tmp_path_factory.mktemp("home")
+    monkeypatch.setattr("seam_inspector.plugin.seams.desk.window_home.unsaved_folder", lambda: profile)
+    desk.project.setPresetHomePath("")
+    (home / "ortho_scan.gpkg").write_text("somebody else's")
+    desk.use("north", "south")
+    desk.scan()
+    assert names(profile) == ["ortho_loss.tif", "ortho_scan.gpkg"]
+    shown = {name: desk.project.mapLayersByName(name)[0] for name in FOUND}
+    looks = {name: type(layer.renderer()) for name, layer in shown.items()}
+    rows = [row.attributes() for row in shown["Seams"].getFeatures()]
+    assert desk.project.write(str(home / "project.qgz"))
+    assert names(profile) == []
+    assert names(home) == ["ortho_loss.tif", "ortho_scan.gpkg", "ortho_scan_2.gpkg", "project.qgz"]
+    assert {name: type(layer.renderer()) for name, layer in shown.items()} == looks
+    assert [row.attributes() for row in shown["Seams"].getFeatures()] == rows
+    desk.project.clear()
+    assert desk.project.read(str(home / "project.qgz"))
+    assert all(desk.project.mapLayersByName(name)[0].isValid() for name in FOUND)
+    assert all(desk.project.mapLayersByName(name)[0].source().startswith(str(home)) for name in FOUND)
 
 
 def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> None:

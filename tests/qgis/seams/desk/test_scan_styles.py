@@ -5,11 +5,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsMapRendererSequentialJob, QgsMapSettings, QgsRasterLayer
+from qgis.core import (
+    QgsApplication,
+    QgsExpression,
+    QgsExpressionContext,
+    QgsMapRendererSequentialJob,
+    QgsMapSettings,
+    QgsRasterLayer,
+)
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QColor
 from seam_inspector.plugin.seams.tables.scan_layers import SCAN_LAYERS
 from seam_inspector.plugin.seams.words import VERDICTS
+from seam_inspector.plugin.toolkit.layer_styles import load_style
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tests.numbers.synthetic import write_raster
@@ -72,3 +80,13 @@ def test_seams_have_the_colours_of_verdicts(qgis_app: QgsApplication) -> None:
 
 def test_every_layer_has_its_style() -> None:
     assert all(Path(style_path(item.style)).is_file() for item in SCAN_LAYERS)
+
+
+def test_failures_have_other_numbers_than_windows(qgis_app: QgsApplication) -> None:
+    failures = layer("LineString", [line((0, 0), (9, 9))], defect=("int", [20]))
+    load_style(failures, "defects")
+    context = QgsExpressionContext()
+    context.setFeature(next(failures.getFeatures()))
+    label = failures.labeling().settings()
+    assert label.isExpression
+    assert QgsExpression(label.fieldName).evaluate(context) == "F20"

@@ -8,7 +8,7 @@ from qgis.core import QgsCoordinateReferenceSystem
 from qgis.gui import QgsMapCanvas
 from seam_inspector.plugin.seams.desk.map.window_view import WindowView
 
-from tests.qgis.scenes import BLURRED, PIXEL, SHARP, windows
+from tests.qgis.scenes import BLURRED, PIXEL, SHARP, layer, line, windows
 from tests.qgis.seams.desk.session_desk import Desk
 
 UTM33, WEB = "EPSG:32633", "EPSG:3857"
@@ -39,6 +39,13 @@ def test_one_pixel_of_the_image_covers_two_of_the_screen_whatever_the_systems(
         stretch = canvas.mapUnitsPerPixel() / (PIXEL / 2)
         assert stretch == pytest.approx(1 if map_in == UTM33 else 1.6, abs=0.35)  # Mercator stretches
     assert layer.crs().authid() == f"EPSG:{windows_in}"
+
+
+def test_the_map_goes_to_all_of_a_layer(desk: Desk, canvas: QgsMapCanvas) -> None:
+    failures = layer("LineString", [line((100, 100), (100, 900))])
+    WindowView(canvas, desk.session).show_layer(failures)
+    assert canvas.extent().contains(failures.extent())
+    assert canvas.extent().height() < 1.5 * failures.extent().height()
 
 
 def test_the_map_goes_to_a_window_that_is_selected_elsewhere(desk: Desk, canvas: QgsMapCanvas) -> None:

@@ -41,7 +41,7 @@ def test_windows_that_the_project_was_not_saved_with_are_back(
     (tmp_path / "project").rename(moved)
     read_again(desk, moved / name)
     assert [message for message in desk.messages if "windows" in message] == [
-        f"Windows of this mosaic that were missing from the project were restored from {moved / 'windows.gpkg'}."
+        f"Windows of this mosaic were restored. The project lacked them; they are in {moved / 'windows.gpkg'}."
     ]
     assert [(row.observer, row.stale) for row in desk.session.windows()] == [("visible", False)] * 2
     assert all(desk.session.result(row.fid) is not None for row in desk.session.windows())
