@@ -599,27 +599,27 @@
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="150"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="152"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="152"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="154"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="157"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="159"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="154"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="156"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -5033,12 +5033,12 @@
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="90"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="113"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="199"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="222"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -5048,32 +5048,32 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="209"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="232"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="219"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="226"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="235"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="242"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="240"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="247"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="241"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="248"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="257"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="265"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -5093,12 +5093,12 @@
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="33"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="38"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="161"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="163"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
@@ -8053,7 +8053,7 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="269"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="271"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
@@ -8177,12 +8177,12 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="227"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="250"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="229"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="252"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -10199,7 +10199,7 @@
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="36"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="41"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
@@ -10401,7 +10401,7 @@
         <translation>kod powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="92"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="115"/>
         <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
@@ -10676,7 +10676,7 @@
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="117"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
@@ -10754,11 +10754,6 @@
         <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
         <source>Makes a window on this piece of seam, and inspects it.</source>
         <translation>Tworzy okno na tym odcinku linii mozaikowania i mierzy je.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="175"/>
-        <source>By the scan, this piece of seam: {finding} The charts are of the window around it.</source>
-        <translation>Według badania ten odcinek linii mozaikowania: {finding} Wykresy są z okna wokół niego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="7"/>
@@ -10913,7 +10908,7 @@
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="148"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
@@ -11227,7 +11222,7 @@
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="271"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="273"/>
         <source>no source lies there</source>
         <translation>nie leży tam żaden ortoobraz</translation>
     </message>
@@ -11380,17 +11375,17 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; weź większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="69"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="90"/>
         <source>beyond {near} m: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="70"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="91"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="73"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
@@ -11477,6 +11472,21 @@
         <location filename="../plugin/seams/measure/messages.py" line="103"/>
         <source>Both orthoimages show the very same pixels along the seam, and not farther off: they were changed there, or are parts of a single image. Ask for the orthoimages as they were before the mosaic was made.</source>
         <translation>Oba ortoobrazy mają wzdłuż linii te same piksele, a dalej od niej już nie: zmieniono je tam albo są częściami jednego obrazu. Poproś o ortoobrazy sprzed wykonania ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
+        <source>{near} to {far} m: {kept} % kept</source>
+        <translation>{near} do {far} m: zachowano {kept} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
+        <source>There are no curves where the window around the piece has pixels without a value.</source>
+        <translation>Nie ma krzywych tam, gdzie okno wokół odcinka ma piksele bez wartości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="175"/>
+        <source>By the scan, this piece of seam: {finding} The curves are of the window around it.</source>
+        <translation>Według badania ten odcinek linii mozaikowania: {finding} Krzywe dotyczą okna wokół niego.</translation>
     </message>
 </context>
 </TS>

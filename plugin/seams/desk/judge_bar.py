@@ -46,7 +46,7 @@ class JudgeBar(QWidget):
     ) -> None:
         """``pieces``: of the last scan's seams, of which a clicked one is told, and a window offered there."""
         super().__init__(parent)
-        self._session, self._judging, self._pieces = session, judging, pieces
+        self._session, self._judging = session, judging
         self._asked = 0
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_LINES[0], self)
@@ -153,7 +153,7 @@ class JudgeBar(QWidget):
         self.refresh()  # the buttons show what was written, also when nothing could be
 
     def _say(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
-        tip, shows_chip, piece = "", False, self._pieces.current
+        tip, shows_chip, piece = "", False, self._session.piece
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
             sentence = filled(tr("Window {numbers}. Results are hidden."), numbers=numbers)
@@ -172,7 +172,7 @@ class JudgeBar(QWidget):
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
             finding = window_sentence(piece.record, pixel_m=pixel_m)
-            text = tr("By the scan, this piece of seam: {finding} The charts are of the window around it.")
+            text = tr("By the scan, this piece of seam: {finding} The curves are of the window around it.")
             sentence = filled(text, finding=finding)
         elif progress.is_done:
             sentence = tr("All windows are judged.")
