@@ -10751,11 +10751,6 @@
         <translation>Oceń tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
-        <source>Makes a window on this piece of seam, and inspects it.</source>
-        <translation>Tworzy okno na tym odcinku linii mozaikowania i mierzy je.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/messages.py" line="7"/>
         <source>Windows are stored in your profile until the project is saved, then beside it. Now they are in {path}.</source>
         <translation>Okna są w Twoim profilu, dopóki projekt nie zostanie zapisany, potem obok niego. Teraz są w {path}.</translation>
@@ -11487,6 +11482,11 @@
         <location filename="../plugin/seams/desk/judge_bar.py" line="175"/>
         <source>By the scan, this piece of seam: {finding} The curves are of the window around it.</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Krzywe dotyczą okna wokół niego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
+        <source>Goes to the window on this piece of seam, or makes one, and inspects it.</source>
+        <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
     </message>
 </context>
 </TS>

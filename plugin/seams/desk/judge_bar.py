@@ -58,7 +58,7 @@ class JudgeBar(QWidget):
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
         self._here = self._push_button(
-            tr("Judge here"), "", pieces.judge, tr("Makes a window on this piece of seam, and inspects it.")
+            tr("Judge here"), "", pieces.judge, tr("Goes to the window on this piece of seam, or makes one, and inspects it.")
         )
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,

@@ -284,6 +284,7 @@ class ClickedPiece:
     record: WindowRecord  # what the scan found, as of a window
     window: PixelWindow  # the standard window around the click, which the curves are of
     profile: ShownProfile | None  # as the scan wrote it
+    place: QgsPointXY  # of the click, on the mosaic
 
 
 class ClickedPieces(QObject):
@@ -308,12 +309,22 @@ class ClickedPieces(QObject):
         self._connections.close()
 
     def judge(self) -> bool:
-        """Make the window, which is inspected and selected. Whether there is a piece."""
+        """Select a window that holds the place, or make one; it is inspected. Whether there is a piece."""
         piece = self._session.piece
         self.leave()
-        if piece is not None:
+        if piece is None:
+            return False
+        layer, mosaic = self._session.window_layer(), self._session.mosaic_layer()
+        rows = [row for row in self._session.windows() if row.is_compared or not row.verdict]
+        there = None
+        if layer is not None and mosaic is not None:
+            there = window_under(rows, layer, piece.place, mosaic.crs())
+        if there is None:
             self._session.add_window(piece.window)
-        return piece is not None
+        else:
+            self._session.select([there.fid])
+            self._session.inspect([] if there.verdict else [there.fid], is_step=False)
+        return True
 
     def leave(self) -> None:
         """No piece is looked at."""
@@ -343,11 +354,11 @@ class ClickedPieces(QObject):
             window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
         except SeamInspectorError:  # beside the mosaic, or where it has no room
             window = None
-        if window is not None:
+        if window is not None and here is not None:
             self._session.select([])
             pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
             profile = piece_profile(piece, str(piece.others["profile"]), pixel_m, min_kept)
-            self._session.look_at(ClickedPiece(piece, window, profile))
+            self._session.look_at(ClickedPiece(piece, window, profile, here))
             self.changed.emit()
 
     def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:

@@ -9,6 +9,7 @@ from qgis.core import QgsPointXY, QgsRectangle, QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapToolPan
 from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.charts.profile_painter import bin_words
 from seam_inspector.plugin.seams.desk.charts.curves_tab import CurvesAndProfile
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
@@ -130,3 +131,17 @@ def test_the_charts_are_never_those_of_another_piece(shown: Map) -> None:
     shown.pieces.leave()
     settle()
     assert not charts.profile.chart.isVisible()
+
+
+def test_a_piece_in_a_window_is_judged_there(shown: Map) -> None:
+    session = shown.desk.session
+    session.add_window(PixelWindow(400, 64, 72, 128))
+    shown.desk.wait()
+    (row,) = session.windows()
+    session.select([])
+    shown.click(470, 128)  # a window around it would hold pixels without a value
+    assert session.piece is not None
+    assert shown.pieces.judge()
+    shown.desk.wait()
+    assert [window.window_id for window in session.windows()] == [row.window_id]
+    assert session.selected() == [row.fid]
