@@ -624,22 +624,22 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="65"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="68"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="75"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="181"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
@@ -679,12 +679,12 @@
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="65"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="66"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="70"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -694,42 +694,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="185"/>
+        <location filename="../plugin/seams/desk/dock.py" line="189"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="185"/>
+        <location filename="../plugin/seams/desk/dock.py" line="189"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="188"/>
+        <location filename="../plugin/seams/desk/dock.py" line="192"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="188"/>
+        <location filename="../plugin/seams/desk/dock.py" line="192"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="213"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="209"/>
+        <location filename="../plugin/seams/desk/dock.py" line="213"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -739,12 +739,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="238"/>
+        <location filename="../plugin/seams/desk/dock.py" line="242"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="376"/>
+        <location filename="../plugin/seams/desk/dock.py" line="380"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -4058,7 +4058,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="211"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4413,22 +4413,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="196"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="196"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="197"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="197"/>
+        <location filename="../plugin/seams/desk/dock.py" line="201"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4496,11 +4496,6 @@
         <location filename="../plugin/seams/desk/mosaic_scans.py" line="264"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
-        <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
-        <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="271"/>
@@ -4928,7 +4923,7 @@
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="123"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="124"/>
         <source>A remark on the window (R); Enter saves it, Esc discards the change.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
@@ -4938,77 +4933,77 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="200"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="229"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="232"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="235"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="72"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="76"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="77"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="159"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="160"/>
         <source>Window {numbers}. Results are hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="260"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="236"/>
+        <location filename="../plugin/seams/desk/judging.py" line="241"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="244"/>
+        <location filename="../plugin/seams/desk/judging.py" line="249"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="246"/>
+        <location filename="../plugin/seams/desk/judging.py" line="251"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -5078,17 +5073,17 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="339"/>
+        <location filename="../plugin/seams/desk/dock.py" line="343"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="348"/>
+        <location filename="../plugin/seams/desk/dock.py" line="352"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="345"/>
+        <location filename="../plugin/seams/desk/dock.py" line="349"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5320,7 +5315,7 @@
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="134"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="135"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
@@ -5330,7 +5325,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="301"/>
+        <location filename="../plugin/seams/desk/dock.py" line="305"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7719,12 +7714,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -7749,7 +7744,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="200"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -8671,7 +8666,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="205"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -9149,12 +9144,12 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="161"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="158"/>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -9437,7 +9432,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="262"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -10341,7 +10336,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="239"/>
+        <location filename="../plugin/seams/desk/dock.py" line="243"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -10361,7 +10356,7 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
@@ -10536,12 +10531,12 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="166"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
@@ -10908,12 +10903,12 @@
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="202"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="236"/>
+        <location filename="../plugin/seams/desk/dock.py" line="240"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -11405,12 +11400,12 @@
         <translation>{asked} m nie pasuje do tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="171"/>
         <source>{count} windows selected.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
         <source>All windows are judged.</source>
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
@@ -11479,14 +11474,19 @@
         <translation>Nie ma krzywych tam, gdzie okno wokół odcinka ma piksele bez wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="175"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="176"/>
         <source>By the scan, this piece of seam: {finding} The curves are of the window around it.</source>
         <translation>Według badania ten odcinek linii mozaikowania: {finding} Krzywe dotyczą okna wokół niego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="62"/>
         <source>Goes to the window on this piece of seam, or makes one, and inspects it.</source>
         <translation>Przechodzi do okna na tym odcinku linii mozaikowania albo tworzy je i mierzy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
+        <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
+        <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
     </message>
 </context>
 </TS>

@@ -58,8 +58,9 @@ class JudgeBar(QWidget):
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
         self._here = self._push_button(
-            tr("Judge here"), "", pieces.judge, tr("Goes to the window on this piece of seam, or makes one, and inspects it.")
-        )
+            tr("Judge here"), "", pieces.judge,
+            tr("Goes to the window on this piece of seam, or makes one, and inspects it."),
+        )  # fmt: skip
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
             tr("The loss of detail can be seen at 2x magnification."),

@@ -165,6 +165,11 @@ class Judging(QObject):
 
     # Judging
 
+    def is_open(self, fid: int) -> bool:
+        """Whether the operator has to look at a window yet, as far as is known before it is inspected."""
+        row = self._session.row(fid)
+        return row is not None and not self.word(row) and (row.is_compared or not row.verdict)
+
     def word(self, row: WindowRecord) -> str:
         """What the operator says of a window."""
         return str(getattr(row, self.operator.observer))
