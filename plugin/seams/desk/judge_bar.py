@@ -98,7 +98,7 @@ class JudgeBar(QWidget):
             "next": judging.go_on,
             "before": partial(judging.step, -1),
             "take back": judging.take_back,
-            "remark": self.ask_remark,
+            "remark": lambda: self.ask_remark(judging.just_judged()),
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
 
@@ -191,9 +191,10 @@ class JudgeBar(QWidget):
         remarks = {getattr(row, self._judging.operator.remark) for row in selected}
         return str(remarks.pop()) if len(remarks) == 1 else ""
 
-    def ask_remark(self, *_: object) -> bool:
-        """Let the operator write a remark on the selected windows. Whether there are any."""
-        rows = [row for row in map(self._session.row, self._session.selected()) if row is not None]
+    def ask_remark(self, judged: WindowRecord | None = None) -> bool:
+        """Let the operator write a remark on the window just judged, or the selected ones. Whether there are any."""
+        chosen = map(self._session.row, self._session.selected())
+        rows = [row for row in chosen if row is not None] if judged is None else [judged]
         if rows:
             self.question = QInputDialog(self)
             self.question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -201,13 +202,13 @@ class JudgeBar(QWidget):
             words = tr("Remark on window {number}:") if len(rows) == 1 else tr("Remark:")
             self.question.setLabelText(filled(words, number=rows[0].window_id))
             self.question.setTextValue(self._remark(rows))
-            self.question.textValueSelected.connect(self._write_remark)
+            self.question.textValueSelected.connect(partial(self._write_remark, judged))
             self.question.open()
         self.refresh()  # a click has checked the button
         return bool(rows)
 
-    def _write_remark(self, text: str) -> None:
-        self._judging.note(remark=text.strip()[:_LONGEST] or None)
+    def _write_remark(self, judged: WindowRecord | None, text: str) -> None:
+        self._judging.note(judged, remark=text.strip()[:_LONGEST] or None)
 
     def _choose_operator(self, place: int) -> None:
         operator, is_blind = divmod(place, 2)
@@ -221,7 +222,7 @@ class JudgeBar(QWidget):
         button.setAutoRaise(True)
         button.setCheckable(True)
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        button.clicked.connect(self.ask_remark)
+        button.clicked.connect(lambda *_: self.ask_remark())
         return button
 
     def _choice(self) -> QComboBox:

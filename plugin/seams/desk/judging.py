@@ -227,17 +227,22 @@ class Judging(QObject):
 
         Where he said it before he judged, or judged nothing just now, it is of the selected windows.
         """
-        row = self._last_judged()
-        if row is None or self._selected_numbers() != self._went_to:
+        row = self.just_judged()
+        if row is None:
             self._is_sure_said = True
             return self.note(confidence=percent)
         self.just_sure = row.window_id, percent
         self._session.note([row.fid], {self.operator.confidence: percent})
         return True
 
-    def note(self, **values: object) -> bool:
-        """Write ``confidence`` or ``remark`` of the selected windows."""
-        fids = self._session.selected()
+    def just_judged(self) -> WindowRecord | None:
+        """The window that the operator just judged, until he leaves where that led him."""
+        row = self._last_judged()
+        return row if self._selected_numbers() == self._went_to else None
+
+    def note(self, judged: WindowRecord | None = None, **values: object) -> bool:
+        """Write ``confidence`` or ``remark`` of the selected windows, or of the one that was just judged."""
+        fids = self._session.selected() if judged is None else [judged.fid]
         if len(fids) > 1 and not self._confirm(filled(tr("Write this into {count} windows?"), count=len(fids))):
             return True
         if fids:

@@ -138,3 +138,22 @@ def test_blind_tells_nothing_of_what_was_found(bar: JudgeBar, session: WindowsSe
     assert bar._chip.isHidden()
     assert "significant" not in bar._sentence.toolTip().lower()
     assert "blind" in bar.operators.currentText()
+
+
+def test_a_remark_right_after_a_verdict_is_of_the_window_just_judged(bar: JudgeBar, session: WindowsSession) -> None:
+    keys = bar.key_actions()
+    session.select([1])
+    keys["visible"]()
+    keys["sure 80"]()
+    (following,) = session.selected()
+    assert keys["remark"]()
+    assert bar.question.labelText() == "Remark on window 1:"
+    bar.question.setTextValue("kerb gone")
+    bar.question.accept()
+    assert (session.row(1).remark, session.row(following).remark) == ("kerb gone", "")  # type: ignore[union-attr]
+    session.select([1])
+    session.select([following])  # he went there himself
+    assert keys["remark"]()
+    bar.question.setTextValue("haze")
+    bar.question.accept()
+    assert (session.row(1).remark, session.row(following).remark) == ("kerb gone", "haze")  # type: ignore[union-attr]
