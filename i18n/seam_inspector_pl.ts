@@ -639,7 +639,7 @@
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="181"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
@@ -4933,37 +4933,37 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="204"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="237"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="230"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
         <source>Hides the tool&apos;s results and the other operator&apos;s verdicts in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="237"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="233"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
@@ -4988,22 +4988,22 @@
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="261"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="264"/>
         <source>Then goes to the next window. Click again to undo it.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="241"/>
+        <location filename="../plugin/seams/desk/judging.py" line="248"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="249"/>
+        <location filename="../plugin/seams/desk/judging.py" line="256"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="251"/>
+        <location filename="../plugin/seams/desk/judging.py" line="258"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -7739,12 +7739,12 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="64"/>
+        <location filename="../plugin/seams/desk/judging.py" line="65"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="201"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="204"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -9432,7 +9432,7 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="262"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="265"/>
         <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -9984,11 +9984,6 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="74"/>
-        <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}.</source>
-        <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub bez źródła: {rest}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="296"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
@@ -10356,17 +10351,17 @@
         <translation>brak tu ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="231"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="234"/>
         <source>Choose the operator, and judge blind.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="66"/>
+        <location filename="../plugin/seams/desk/judging.py" line="67"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="65"/>
+        <location filename="../plugin/seams/desk/judging.py" line="66"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
@@ -11405,7 +11400,7 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="179"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
         <source>All windows are judged.</source>
         <translation>Wszystkie okna są ocenione.</translation>
     </message>
@@ -11487,6 +11482,21 @@
         <location filename="../plugin/seams/desk/mosaic_scans.py" line="266"/>
         <source>Inspects the windows of the worst places, and goes to the worst that is not judged yet.</source>
         <translation>Kontroluje okna w najgorszych miejscach i przechodzi do najgorszego, które nie jest jeszcze ocenione.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
+        <source>All compared windows are judged; {rest}.</source>
+        <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="75"/>
+        <source>{count} not comparable</source>
+        <translation>nieporównywalne: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="75"/>
+        <source>{count} not inspected</source>
+        <translation>nieskontrolowane: {count}</translation>
     </message>
 </context>
 </TS>

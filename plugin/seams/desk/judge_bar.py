@@ -133,7 +133,7 @@ class JudgeBar(QWidget):
         words = progress.words()
         if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
             words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(words, progress.tip()))
+        self._progress.setText(words, rich_tip(words))
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -176,7 +176,9 @@ class JudgeBar(QWidget):
             text = tr("By the scan, this piece of seam: {finding} The curves are of the window around it.")
             sentence = filled(text, finding=finding)
         elif progress.is_done:
-            sentence = tr("All windows are judged.")
+            rest = progress.rest()
+            text = tr("All compared windows are judged; {rest}.") if rest else tr("All windows are judged.")
+            sentence = filled(text, rest=rest)
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)
