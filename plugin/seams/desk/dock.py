@@ -147,10 +147,14 @@ class InspectionDock(ToolDock):
             self._findings.dismiss()
 
     def _go_to_worst(self, fids: list[int]) -> None:
-        self.windows.sort_by_number()
-        if fids:
-            self.session.select(fids[:1])
-            self.zoom_to(fids[0])
+        """To the worst place that is not judged yet; from such a place to the next one. In a review to any of them."""
+        places = list(filter(self.judging.model.is_open, fids)) or fids
+        if places:
+            current = self.session.selected()
+            following = places.index(current[0]) + 1 if current and current[0] in places else 0
+            fid = places[following % len(places)]
+            self.session.select([fid])
+            self.zoom_to(fid)
 
     def _ask_about_mosaic(self, message: Message) -> None:
         """What is to become of windows when the mosaic is another; nothing goes on with them before."""

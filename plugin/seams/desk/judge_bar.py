@@ -46,7 +46,7 @@ class JudgeBar(QWidget):
     ) -> None:
         """``pieces``: of the last scan's seams, of which a clicked one is told, and a window offered there."""
         super().__init__(parent)
-        self._session, self._judging, self._pieces = session, judging, pieces
+        self._session, self._judging = session, judging
         self._asked = 0
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_LINES[0], self)
@@ -58,8 +58,9 @@ class JudgeBar(QWidget):
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
         self._here = self._push_button(
-            tr("Judge here"), "", pieces.judge, tr("Makes a window on this piece of seam, and inspects it.")
-        )
+            tr("Judge here"), "", pieces.judge,
+            tr("Goes to the window on this piece of seam, or makes one, and inspects it."),
+        )  # fmt: skip
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
             tr("The loss of detail can be seen at 2x magnification."),
@@ -97,7 +98,7 @@ class JudgeBar(QWidget):
             "next": judging.go_on,
             "before": partial(judging.step, -1),
             "take back": judging.take_back,
-            "remark": self.ask_remark,
+            "remark": lambda: self.ask_remark(judging.just_judged()),
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
 
@@ -132,7 +133,7 @@ class JudgeBar(QWidget):
         words = progress.words()
         if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
             words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(words, progress.tip()))
+        self._progress.setText(words, rich_tip(words))
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -153,7 +154,7 @@ class JudgeBar(QWidget):
         self.refresh()  # the buttons show what was written, also when nothing could be
 
     def _say(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
-        tip, shows_chip, piece = "", False, self._pieces.current
+        tip, shows_chip, piece = "", False, self._session.piece
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
             sentence = filled(tr("Window {numbers}. Results are hidden."), numbers=numbers)
@@ -172,10 +173,12 @@ class JudgeBar(QWidget):
             grid = self._session.mosaic_grid()
             pixel_m = None if grid is None else grid.ground_sample_distance
             finding = window_sentence(piece.record, pixel_m=pixel_m)
-            text = tr("By the scan, this piece of seam: {finding} The charts are of the window around it.")
+            text = tr("By the scan, this piece of seam: {finding} The curves are of the window around it.")
             sentence = filled(text, finding=finding)
         elif progress.is_done:
-            sentence = tr("All windows are judged.")
+            rest = progress.rest()
+            text = tr("All compared windows are judged; {rest}.") if rest else tr("All windows are judged.")
+            sentence = filled(text, rest=rest)
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)
@@ -190,9 +193,10 @@ class JudgeBar(QWidget):
         remarks = {getattr(row, self._judging.operator.remark) for row in selected}
         return str(remarks.pop()) if len(remarks) == 1 else ""
 
-    def ask_remark(self, *_: object) -> bool:
-        """Let the operator write a remark on the selected windows. Whether there are any."""
-        rows = [row for row in map(self._session.row, self._session.selected()) if row is not None]
+    def ask_remark(self, judged: WindowRecord | None = None) -> bool:
+        """Let the operator write a remark on the window just judged, or the selected ones. Whether there are any."""
+        chosen = map(self._session.row, self._session.selected())
+        rows = [row for row in chosen if row is not None] if judged is None else [judged]
         if rows:
             self.question = QInputDialog(self)
             self.question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -200,13 +204,13 @@ class JudgeBar(QWidget):
             words = tr("Remark on window {number}:") if len(rows) == 1 else tr("Remark:")
             self.question.setLabelText(filled(words, number=rows[0].window_id))
             self.question.setTextValue(self._remark(rows))
-            self.question.textValueSelected.connect(self._write_remark)
+            self.question.textValueSelected.connect(partial(self._write_remark, judged))
             self.question.open()
         self.refresh()  # a click has checked the button
         return bool(rows)
 
-    def _write_remark(self, text: str) -> None:
-        self._judging.note(remark=text.strip()[:_LONGEST] or None)
+    def _write_remark(self, judged: WindowRecord | None, text: str) -> None:
+        self._judging.note(judged, remark=text.strip()[:_LONGEST] or None)
 
     def _choose_operator(self, place: int) -> None:
         operator, is_blind = divmod(place, 2)
@@ -220,7 +224,7 @@ class JudgeBar(QWidget):
         button.setAutoRaise(True)
         button.setCheckable(True)
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        button.clicked.connect(self.ask_remark)
+        button.clicked.connect(lambda *_: self.ask_remark())
         return button
 
     def _choice(self) -> QComboBox:

@@ -51,6 +51,7 @@ class JudgingProgress:
     unsure: int  # where he looked and was not sure
     to_judge: int
     """To look at yet, be there too little for a verdict. The others have no source, or are not inspected."""
+    uninspected: int
 
     @property
     def is_done(self) -> bool:
@@ -58,32 +59,33 @@ class JudgingProgress:
         return self.to_judge == 0 < self.judged + self.unsure
 
     def words(self) -> str:
-        """``21 to go: 38 of 59 judged``; where nothing is judged or to judge, as before an inspection, just that."""
+        """``21 to go: 38 of 59 judged; 1 not inspected``; before an inspection just that there is nothing to judge."""
         count = self.judged + self.unsure + self.to_judge  # so that it adds up
         if not count:
             return tr("nothing to judge yet") if self.count else ""
         text = tr("{left} to go: {judged} of {count} judged, {unsure} not sure") if self.unsure else tr(
             "{left} to go: {judged} of {count} judged"
         )
-        return filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge)
+        text = filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.to_judge)
+        return "; ".join(filter(None, (text, self.rest())))
 
-    def tip(self) -> str:
-        """What the other windows are."""
-        rest = self.count - self.judged - self.unsure - self.to_judge
-        said = tr(
-            "Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected, or without a source: {rest}."
-        )
-        return filled(said, judged=self.judged, unsure=self.unsure, left=self.to_judge, rest=rest)
+    def rest(self) -> str:
+        """``7 not comparable, 1 not inspected``: what the other windows are."""
+        incomparable = self.count - self.judged - self.unsure - self.to_judge - self.uninspected
+        counted = (tr("{count} not comparable"), incomparable), (tr("{count} not inspected"), self.uninspected)
+        return ", ".join(filled(text, count=count) for text, count in counted if count)
 
 
-_JUDGED, _UNSURE, _LEFT, _REST = "judged", "unsure", "left", "rest"
+_JUDGED, _UNSURE, _LEFT, _INCOMPARABLE, _NEW = "judged", "unsure", "left", "incomparable", "new"
 
 
 def _kind(row: WindowRecord, operator: Operator) -> str:
     word = getattr(row, operator.observer)
     if word:
         return _JUDGED if word in DECIDED else _UNSURE
-    return _LEFT if row.is_compared else _REST
+    if row.is_compared:
+        return _LEFT
+    return _INCOMPARABLE if row.verdict else _NEW
 
 
 class Judging(QObject):
@@ -165,6 +167,11 @@ class Judging(QObject):
 
     # Judging
 
+    def is_open(self, fid: int) -> bool:
+        """Whether the operator has to look at a window yet, as far as is known before it is inspected."""
+        row = self._session.row(fid)
+        return row is not None and not self.word(row) and (row.is_compared or not row.verdict)
+
     def word(self, row: WindowRecord) -> str:
         """What the operator says of a window."""
         return str(getattr(row, self.operator.observer))
@@ -222,17 +229,22 @@ class Judging(QObject):
 
         Where he said it before he judged, or judged nothing just now, it is of the selected windows.
         """
-        row = self._last_judged()
-        if row is None or self._selected_numbers() != self._went_to:
+        row = self.just_judged()
+        if row is None:
             self._is_sure_said = True
             return self.note(confidence=percent)
         self.just_sure = row.window_id, percent
         self._session.note([row.fid], {self.operator.confidence: percent})
         return True
 
-    def note(self, **values: object) -> bool:
-        """Write ``confidence`` or ``remark`` of the selected windows."""
-        fids = self._session.selected()
+    def just_judged(self) -> WindowRecord | None:
+        """The window that the operator just judged, until he leaves where that led him."""
+        row = self._last_judged()
+        return row if self._selected_numbers() == self._went_to else None
+
+    def note(self, judged: WindowRecord | None = None, **values: object) -> bool:
+        """Write ``confidence`` or ``remark`` of the selected windows, or of the one that was just judged."""
+        fids = self._session.selected() if judged is None else [judged.fid]
         if len(fids) > 1 and not self._confirm(filled(tr("Write this into {count} windows?"), count=len(fids))):
             return True
         if fids:
@@ -279,7 +291,7 @@ class Judging(QObject):
     def progress(self) -> JudgingProgress:
         """What the operator has done."""
         counts = Counter(self._kinds.values())
-        return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
+        return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT], counts[_NEW])
 
     def neighbour(self, by: int) -> int | None:
         """The window before or after. One that the filter took away once it was judged still has its place."""

@@ -265,7 +265,7 @@ def scan_message(bar: QgsMessageBar, done: ScanDone, judge: Callable[[], None]) 
     if done.worst_count:
         words = tr("Judge the {count} worst") if done.worst_count > 1 else tr("Judge the worst")
         button = QPushButton(filled(words, count=done.worst_count), item)
-        button.setToolTip(tr("Inspects the windows of the worst places; Next (N) leads through them, worst first."))
+        button.setToolTip(tr("Inspects the windows of the worst places, and goes to the worst that is not judged yet."))
         button.clicked.connect(item.dismiss)
         button.clicked.connect(lambda *_: judge())
         item.layout().addWidget(button)

@@ -140,6 +140,8 @@ def _live_title(live: LiveWindow) -> str:
 
 
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
+    if not selected and session.piece is not None:
+        return tr("There are no curves where the window around the piece has pixels without a value.")
     if not selected:
         return tr("Select a window in the table or on the map, or draw one.")
     if len(selected) > 1:
@@ -185,8 +187,13 @@ class ProfilePanel(ChartPanel):
         self._say()
 
     def refresh(self) -> None:
-        """Show the selected window's, or that of the window under the mouse while that is being moved."""
-        live = self._session.live
+        """Show a clicked piece's, the selected window's, or that of the window under the mouse while it is moved."""
+        live, piece = self._session.live, self._session.piece
+        if piece is not None and piece.profile is not None:
+            self.chart.setEnabled(True)
+            self.show_profile(piece.profile)
+            self._offer(None)
+            return
         self.chart.setEnabled(live is None or live.profile is not None)  # else it is another window's
         if live is not None:
             if live.profile is not None:
@@ -253,7 +260,8 @@ class ProfilePanel(ChartPanel):
         if shown is not None:
             bin_ = self.chart.pointed_bin
             words = bin_words(shown, bin_) if bin_ is not None else summary_words(shown)
-            if (live := self._session.live) is not None:  # nothing is said while its profile is still to come
+            live, piece = self._session.live, self._session.piece
+            if live is not None and (piece is None or piece.profile is None):  # its profile may be still to come
                 words = tr("Live: ") + words if live.profile is not None else ""
         self._status.setText(words)
 

@@ -107,7 +107,7 @@ class LiveWindows(QObject):
         if is_live:
             request = self._request(window)
             if request is not None:
-                self._curves.ask(partial(read_live, request, self._lanes))
+                self._curves.ask(lambda: (read_live(request, self._lanes),))
         elif self._current is not None:
             self._stop()
 
@@ -157,8 +157,13 @@ class LiveWindows(QObject):
     def _without_result(self, request: WindowRequest) -> None:
         self.measure(request)
 
-    def _take_pixels(self, pixels: MeasuredWindow) -> None:
-        window, before = pixels.request.window, self._current
+    def _take_pixels(self, measured: tuple[MeasuredWindow | None]) -> None:
+        (pixels,), before = measured, self._current
+        if pixels is None:  # what is shown is another window's
+            self._current = None
+            self.changed.emit()
+            return
+        window = pixels.request.window
         assert window is not None
         profile = before.profile if before is not None else None
         self._current = LiveWindow(window, pixels.clips, pixels.request.mosaic.ground_sample_distance, profile)

@@ -25,7 +25,9 @@ from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_w
 from ....toolkit.connections import Connections
 from ....toolkit.desk.tool_dock import DrawingTool, is_drag
 from ....toolkit.layers import layer_path, transformed_point
+from ....toolkit.table_fields import text
 from ....toolkit.translation import filled, sentence, shown_metres, tr
+from ...charts.profile_painter import ShownProfile, piece_profile
 from ...measure import messages
 from ...measure.planning.window_placing import window_side_px
 from ...measure.window_records import SEAM, WindowRecord
@@ -280,7 +282,9 @@ class ClickedPiece:
     """The piece that was clicked."""
 
     record: WindowRecord  # what the scan found, as of a window
-    window: PixelWindow  # the standard window around the click, which the charts are of
+    window: PixelWindow  # the standard window around the click, which the curves are of
+    profile: ShownProfile | None  # as the scan wrote it
+    place: QgsPointXY  # of the click, on the mosaic
 
 
 class ClickedPieces(QObject):
@@ -294,7 +298,6 @@ class ClickedPieces(QObject):
         super().__init__(parent)
         self._canvas, self._session, self._is_blind = canvas, session, is_blind
         self._pressed_at: QPoint | None = None
-        self.current: ClickedPiece | None = None  # what is looked at
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
             (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave)
@@ -306,18 +309,27 @@ class ClickedPieces(QObject):
         self._connections.close()
 
     def judge(self) -> bool:
-        """Make the window, which is inspected and selected. Whether there is a piece."""
-        piece = self.current
+        """Select a window that holds the place, or make one; it is inspected. Whether there is a piece."""
+        piece = self._session.piece
         self.leave()
-        if piece is not None:
+        if piece is None:
+            return False
+        layer, mosaic = self._session.window_layer(), self._session.mosaic_layer()
+        rows = [row for row in self._session.windows() if row.is_compared or not row.verdict]
+        there = None
+        if layer is not None and mosaic is not None:
+            there = window_under(rows, layer, piece.place, mosaic.crs())
+        if there is None:
             self._session.add_window(piece.window)
-        return piece is not None
+        else:
+            self._session.select([there.fid])
+            self._session.inspect([] if there.verdict else [there.fid], is_step=False)
+        return True
 
     def leave(self) -> None:
         """No piece is looked at."""
-        if self.current is not None:
-            self.current = None
-            self._session.leave()
+        if self._session.piece is not None:
+            self._session.look_at(None)
             self.changed.emit()
 
     def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
@@ -342,10 +354,11 @@ class ClickedPieces(QObject):
             window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
         except SeamInspectorError:  # beside the mosaic, or where it has no room
             window = None
-        if window is not None:
+        if window is not None and here is not None:
             self._session.select([])
-            self.current = ClickedPiece(piece, window)
-            self._session.hover(window, is_live=True)
+            pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
+            profile = piece_profile(piece, str(piece.others["profile"]), pixel_m, min_kept)
+            self._session.look_at(ClickedPiece(piece, window, profile, here))
             self.changed.emit()
 
     def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:
@@ -367,8 +380,10 @@ class ClickedPieces(QObject):
         nearest = min(layer.getFeatures(request), key=lambda seam: seam.geometry().distance(clicked), default=None)
         if nearest is None:
             return None
-        (row,) = read_windows([nearest], layer.fields().names())
-        return replace(row, reference=SEAM)
+        names = layer.fields().names()
+        (row,) = read_windows([nearest], names)
+        profile = text(nearest["profile"]) if "profile" in names else ""
+        return replace(row, reference=SEAM, others={"profile": profile})
 
     def _follow_selection(self) -> None:
         if self._session.selected():

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProject, QgsVectorLayer
 from qgis.gui import QgisInterface
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QPushButton
 from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
 from seam_inspector.plugin.seams.desk.dock import InspectionDock
@@ -82,8 +83,18 @@ def test_the_worst_places_are_inspected_and_the_first_is_shown(
     assert [row.read("origin") for row in windows] == ["scan"] * len(windows)
     assert dock.scans.worst_layer() is not dock.session.window_layer()
     dock.session.judge([windows[0].fid], "visible")
-    dock.judge_worst()  # once more: they are there
-    settle(0.1)
+    by_loss = 3
+    dock.windows.table.sortByColumn(by_loss, Qt.SortOrder.DescendingOrder)
+    places = []
+    for _ in range(2):
+        dock.judge_worst()  # once more: they are there
+        settle(0.1)
+        (fid,) = dock.session.selected()
+        places.append(dock.session.row(fid))
+    worst, following = places
+    assert not worst.observer
+    assert 1 < worst.window_id < following.window_id
+    assert dock.windows.table.horizontalHeader().sortIndicatorSection() == by_loss
     assert [row.window_id for row in rows()] == [row.window_id for row in windows]
     assert dock.steps.undo.toolTip().startswith("Undo judging window 1")
     settle(0.1)

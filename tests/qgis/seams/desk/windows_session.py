@@ -36,6 +36,7 @@ class WindowsSession(QObject):
         self.layer: QgsVectorLayer | None = None
         self.inputs = Inputs()
         self.live: LiveWindow | None = None
+        self.piece = None
         self.pending: set[int] = set()
         self.results: dict[int, WindowResult] = {}
         self.calls: list[tuple[Any, ...]] = []
