@@ -22,21 +22,22 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
+from ....imagery.seam_totals import profile_of
 from ....toolkit.connections import Connections
 from ....toolkit.desk.tool_dock import DrawingTool, is_drag
 from ....toolkit.layers import layer_path, transformed_point
 from ....toolkit.table_fields import text
 from ....toolkit.translation import filled, sentence, shown_metres, tr
-from ...charts.profile_painter import ShownProfile, piece_profile
 from ...measure import messages
 from ...measure.planning.window_placing import window_side_px
-from ...measure.window_records import SEAM, WindowRecord
+from ...measure.window_records import SEAM, ProfileRecord, WindowRecord
 from ...tables.record_tables import read_windows
 from ...tables.scan_layers import SEAMS
 from ..mosaic_scans import worst_layer
 from .window_view import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
+    from ...charts.profile_painter import ShownProfile
     from ..inputs.project_inputs import Inputs
     from ..session import Session
 
@@ -309,7 +310,7 @@ class ClickedPieces(QObject):
         self._connections.close()
 
     def judge(self) -> bool:
-        """Select a window that holds the place, or make one; it is inspected. Whether there is a piece."""
+        """Select a window that holds the place, or make one, which is inspected. Whether there is a piece."""
         piece = self._session.piece
         self.leave()
         if piece is None:
@@ -323,7 +324,6 @@ class ClickedPieces(QObject):
             self._session.add_window(piece.window)
         else:
             self._session.select([there.fid])
-            self._session.inspect([] if there.verdict else [there.fid], is_step=False)
         return True
 
     def leave(self) -> None:
@@ -349,6 +349,10 @@ class ClickedPieces(QObject):
         if piece is None or grid is None or mosaic is None:
             self.leave()
             return
+        strips = [
+            ProfileRecord(1, (strip.near_m + strip.far_m) / 2, strip.kept, strip.kept, strip.kept)
+            for strip in profile_of(str(piece.others["profile"]))[1:]  # without the judged strip
+        ]
         here = transformed_point(point, self._canvas.mapSettings().destinationCrs(), mosaic.crs())
         try:
             window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
@@ -356,8 +360,10 @@ class ClickedPieces(QObject):
             window = None
         if window is not None and here is not None:
             self._session.select([])
+            from ...report.flagged_windows import shown_profile  # needs numpy, which QGIS starts without
+
             pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
-            profile = piece_profile(piece, str(piece.others["profile"]), pixel_m, min_kept)
+            profile = shown_profile(piece, strips, pixel_m, min_kept)
             self._session.look_at(ClickedPiece(piece, window, profile, here))
             self.changed.emit()
 
