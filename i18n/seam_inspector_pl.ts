@@ -844,7 +844,7 @@
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/under_mouse.py" line="57"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="60"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
@@ -5088,7 +5088,7 @@
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="38"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="33"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
@@ -10189,7 +10189,7 @@
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="41"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="36"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>

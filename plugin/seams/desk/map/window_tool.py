@@ -34,10 +34,10 @@ from ...measure.window_records import SEAM, ProfileRecord, WindowRecord
 from ...tables.record_tables import read_windows
 from ...tables.scan_layers import SEAMS
 from ..mosaic_scans import worst_layer
+from .under_mouse import ClickedPiece
 from .window_view import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
-    from ...charts.profile_painter import ShownProfile
     from ..inputs.project_inputs import Inputs
     from ..session import Session
 
@@ -278,16 +278,6 @@ def described(grid: Grid, window: PixelWindow, sources: int) -> str:
 _REACH_PX = 8  # screen pixels at 96 dpi, from a line
 
 
-@dataclass(frozen=True)
-class ClickedPiece:
-    """The piece that was clicked."""
-
-    record: WindowRecord  # what the scan found, as of a window
-    window: PixelWindow  # the standard window around the click, which the curves are of
-    profile: ShownProfile | None  # as the scan wrote it
-    place: QgsPointXY  # of the click, on the mosaic
-
-
 class ClickedPieces(QObject):
     """Follows clicks of the tools that pan and identify until ``close``."""
 
@@ -301,7 +291,8 @@ class ClickedPieces(QObject):
         self._pressed_at: QPoint | None = None
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
-            (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave)
+            (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave),
+            (self.changed, session.liveChanged),
         )
 
     def close(self) -> None:
@@ -329,7 +320,8 @@ class ClickedPieces(QObject):
     def leave(self) -> None:
         """No piece is looked at."""
         if self._session.piece is not None:
-            self._session.look_at(None)
+            self._session.piece = None
+            self._session.leave()
             self.changed.emit()
 
     def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
@@ -364,7 +356,9 @@ class ClickedPieces(QObject):
 
             pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
             profile = shown_profile(piece, strips, pixel_m, min_kept)
-            self._session.look_at(ClickedPiece(piece, window, profile, here))
+            self._session.piece = ClickedPiece(piece, window, profile, here)
+            self._session.leave()  # the window of a piece before
+            self._session.hover(window, is_live=True)
             self.changed.emit()
 
     def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:
