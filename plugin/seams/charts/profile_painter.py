@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
-from ...imagery.seam_totals import profile_of
 from ...toolkit.charts.chart_painter import ChartPainter
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
 
 if TYPE_CHECKING:
     from ..measure.profile.seam_profile import ProfileBin, SeamProfile
-    from ..measure.window_records import WindowRecord
 
 FARTHEST_PX = 400.0
 """The end that the last bin, which has none, is drawn with."""
@@ -59,25 +57,6 @@ class ShownProfile:
         """The main level's bin at a distance from the seam; None where nothing was measured."""
         away = distance_m / self.pixel_m
         return next((bin_ for bin_ in self.bins(self.main_level) if bin_.near_px <= away < bin_.far_px), None)
-
-
-def piece_profile(row: WindowRecord, text: str, pixel_m: float, min_kept: float) -> ShownProfile | None:
-    """The profile of a piece of seam by its fields, of which ``profile`` is the text; None where its scan wrote none.
-
-    Its bins have no intervals.
-    """
-    from ..measure.profile.seam_profile import ProfileBin, SeamProfile  # needs numpy, which a chart does without
-
-    strips = profile_of(text)[1:]  # without the judged strip
-    if not strips or not row.kept or row.kept_low is None or row.kept_high is None:
-        return None
-    bins = [
-        ProfileBin(1, strip.near_m / pixel_m, strip.far_m / pixel_m, strip.kept, strip.kept, strip.kept, strip.kept, 0)
-        for strip in strips
-    ]
-    band_px, feather_px = ((width or 0) / pixel_m for width in (row.band_width, row.feather_width))
-    profile = SeamProfile(row.kept, row.kept_low, row.kept_high, band_px, 0.0, tuple(bins), feather_px)
-    return ShownProfile(profile, pixel_m, min_kept)
 
 
 def level_colour(level: int, style: ChartStyle) -> str:

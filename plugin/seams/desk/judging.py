@@ -51,7 +51,6 @@ class JudgingProgress:
     unsure: int  # where he looked and was not sure
     to_judge: int
     """To look at yet, be there too little for a verdict. The others have no source, or are not inspected."""
-    uninspected: int
 
     @property
     def is_done(self) -> bool:
@@ -59,7 +58,7 @@ class JudgingProgress:
         return self.to_judge == 0 < self.judged + self.unsure
 
     def words(self) -> str:
-        """``21 to go: 38 of 59 judged; 1 not inspected``; before an inspection just that there is nothing to judge."""
+        """``21 to go: 38 of 59 judged``, and the others; before an inspection just that there is nothing to judge."""
         count = self.judged + self.unsure + self.to_judge  # so that it adds up
         if not count:
             return tr("nothing to judge yet") if self.count else ""
@@ -70,22 +69,19 @@ class JudgingProgress:
         return "; ".join(filter(None, (text, self.rest())))
 
     def rest(self) -> str:
-        """``7 not comparable, 1 not inspected``: what the other windows are."""
-        incomparable = self.count - self.judged - self.unsure - self.to_judge - self.uninspected
-        counted = (tr("{count} not comparable"), incomparable), (tr("{count} not inspected"), self.uninspected)
-        return ", ".join(filled(text, count=count) for text, count in counted if count)
+        """How many other windows there are; empty where there are none."""
+        rest = self.count - self.judged - self.unsure - self.to_judge
+        return filled(tr("{count} not comparable or not inspected"), count=rest) if rest else ""
 
 
-_JUDGED, _UNSURE, _LEFT, _INCOMPARABLE, _NEW = "judged", "unsure", "left", "incomparable", "new"
+_JUDGED, _UNSURE, _LEFT, _REST = "judged", "unsure", "left", "rest"
 
 
 def _kind(row: WindowRecord, operator: Operator) -> str:
     word = getattr(row, operator.observer)
     if word:
         return _JUDGED if word in DECIDED else _UNSURE
-    if row.is_compared:
-        return _LEFT
-    return _INCOMPARABLE if row.verdict else _NEW
+    return _LEFT if row.is_compared else _REST
 
 
 class Judging(QObject):
@@ -291,7 +287,7 @@ class Judging(QObject):
     def progress(self) -> JudgingProgress:
         """What the operator has done."""
         counts = Counter(self._kinds.values())
-        return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT], counts[_NEW])
+        return JudgingProgress(len(self._kinds), counts[_JUDGED], counts[_UNSURE], counts[_LEFT])
 
     def neighbour(self, by: int) -> int | None:
         """The window before or after. One that the filter took away once it was judged still has its place."""

@@ -1,8 +1,6 @@
 """The inputs of a session: which mosaic and sources are inspected and how, and what lies under the mouse."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from qgis.core import QgsProject, QgsRasterLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtGui import QIcon
@@ -19,10 +17,7 @@ from ..measure.window.explained_window import LiveWindow
 from ..measure.window.inspection import Block
 from .inputs.block_cache import BlockCache
 from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
-from .map.under_mouse import LiveWindows, SeamFinder
-
-if TYPE_CHECKING:
-    from .map.window_tool import ClickedPiece
+from .map.under_mouse import ClickedPiece, LiveWindows, SeamFinder
 
 
 class SessionInputs(QObject):
@@ -108,14 +103,6 @@ class SessionInputs(QObject):
     def hover(self, window: PixelWindow, is_live: bool) -> None:
         """The mouse is over this window; ``is_live``: its curves follow."""
         self._live.hover(window, is_live)
-
-    def look_at(self, piece: ClickedPiece | None) -> None:
-        """A piece of seam was clicked, whose curves follow; None: it was left."""
-        self.piece = piece
-        self._live.leave()
-        if piece is not None:
-            self.hover(piece.window, is_live=True)
-        self.liveChanged.emit()
 
     def leave(self) -> None:
         """The mouse is over no window any more."""

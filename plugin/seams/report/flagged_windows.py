@@ -297,9 +297,9 @@ def shown_profile(
     bins = [bin_ for row in known if (bin_ := _bin_of(row, pixel_m)) is not None]
     if not bins:
         return None
-    width_px = (record.band_width or 0.0) / pixel_m
+    width_px, feather_px = ((width or 0.0) / pixel_m for width in (record.band_width, record.feather_width))
     low, high = (math.nan if end is None else end for end in (record.kept_low, record.kept_high))
-    profile = SeamProfile(record.kept, low, high, width_px, 0.0, tuple(bins))
+    profile = SeamProfile(record.kept, low, high, width_px, 0.0, tuple(bins), feather_px)
     return ShownProfile(profile, pixel_m, min_kept, frozenset(bin_.level for bin_ in bins))
 
 

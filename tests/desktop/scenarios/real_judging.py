@@ -140,7 +140,7 @@ def compare(desk: Desk, shots: Path) -> None:
 
 def keep_in_project(desk: Desk, shots: Path) -> None:
     """The place is there when the project is opened again."""
-    desk.dock.windows.sort_by_number()
+    desk.dock.windows.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
     fids = desk.dock.windows.ordered_fids()
     desk.dock.zoom_to(fids[3])
     desk.pause(0.3)

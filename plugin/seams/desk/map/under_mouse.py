@@ -1,10 +1,11 @@
 """What lies under the mouse: seams, and a window whose curves follow while it moves."""
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from qgis.core import QgsPointXY
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import PixelWindow
@@ -18,9 +19,11 @@ from ...measure.window.explained_window import LiveWindow, live_profile, read_li
 from ...measure.window.inspection import window_request
 from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow
 from ...measure.window.window_request import WindowRequest
+from ...measure.window_records import WindowRecord
 from ..inputs.block_cache import BlockCache
 
 if TYPE_CHECKING:
+    from ...charts.profile_painter import ShownProfile
     from ...measure.profile.seam_profile import SeamProfile
 
 
@@ -59,6 +62,16 @@ class SeamFinder:
     def _take(self, turn: object, seams: Any) -> None:
         if turn is self._turn:
             self.index = seams
+
+
+@dataclass(frozen=True)
+class ClickedPiece:
+    """The piece of a scanned seam that was clicked."""
+
+    record: WindowRecord  # what the scan found, as of a window
+    window: PixelWindow  # the standard window around the click, which the curves are of
+    profile: ShownProfile | None  # as the scan wrote it
+    place: QgsPointXY  # of the click, on the mosaic
 
 
 _REST_MS = 60  # a mouse that stays this long may be about to click
@@ -107,7 +120,7 @@ class LiveWindows(QObject):
         if is_live:
             request = self._request(window)
             if request is not None:
-                self._curves.ask(lambda: (read_live(request, self._lanes),))
+                self._curves.ask(partial(read_live, request, self._lanes))
         elif self._current is not None:
             self._stop()
 
@@ -157,13 +170,8 @@ class LiveWindows(QObject):
     def _without_result(self, request: WindowRequest) -> None:
         self.measure(request)
 
-    def _take_pixels(self, measured: tuple[MeasuredWindow | None]) -> None:
-        (pixels,), before = measured, self._current
-        if pixels is None:  # what is shown is another window's
-            self._current = None
-            self.changed.emit()
-            return
-        window = pixels.request.window
+    def _take_pixels(self, pixels: MeasuredWindow) -> None:
+        window, before = pixels.request.window, self._current
         assert window is not None
         profile = before.profile if before is not None else None
         self._current = LiveWindow(window, pixels.clips, pixels.request.mosaic.ground_sample_distance, profile)

@@ -22,18 +22,19 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
+from ....imagery.seam_totals import profile_of
 from ....toolkit.connections import Connections
 from ....toolkit.desk.tool_dock import DrawingTool, is_drag
 from ....toolkit.layers import layer_path, transformed_point
 from ....toolkit.table_fields import text
 from ....toolkit.translation import filled, sentence, shown_metres, tr
-from ...charts.profile_painter import ShownProfile, piece_profile
 from ...measure import messages
 from ...measure.planning.window_placing import window_side_px
-from ...measure.window_records import SEAM, WindowRecord
+from ...measure.window_records import SEAM, ProfileRecord, WindowRecord
 from ...tables.record_tables import read_windows
 from ...tables.scan_layers import SEAMS
 from ..mosaic_scans import worst_layer
+from .under_mouse import ClickedPiece
 from .window_view import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
@@ -277,16 +278,6 @@ def described(grid: Grid, window: PixelWindow, sources: int) -> str:
 _REACH_PX = 8  # screen pixels at 96 dpi, from a line
 
 
-@dataclass(frozen=True)
-class ClickedPiece:
-    """The piece that was clicked."""
-
-    record: WindowRecord  # what the scan found, as of a window
-    window: PixelWindow  # the standard window around the click, which the curves are of
-    profile: ShownProfile | None  # as the scan wrote it
-    place: QgsPointXY  # of the click, on the mosaic
-
-
 class ClickedPieces(QObject):
     """Follows clicks of the tools that pan and identify until ``close``."""
 
@@ -300,7 +291,8 @@ class ClickedPieces(QObject):
         self._pressed_at: QPoint | None = None
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
-            (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave)
+            (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave),
+            (self.changed, session.liveChanged),
         )
 
     def close(self) -> None:
@@ -309,7 +301,7 @@ class ClickedPieces(QObject):
         self._connections.close()
 
     def judge(self) -> bool:
-        """Select a window that holds the place, or make one; it is inspected. Whether there is a piece."""
+        """Select a window that holds the place, or make one, which is inspected. Whether there is a piece."""
         piece = self._session.piece
         self.leave()
         if piece is None:
@@ -323,13 +315,13 @@ class ClickedPieces(QObject):
             self._session.add_window(piece.window)
         else:
             self._session.select([there.fid])
-            self._session.inspect([] if there.verdict else [there.fid], is_step=False)
         return True
 
     def leave(self) -> None:
         """No piece is looked at."""
         if self._session.piece is not None:
-            self._session.look_at(None)
+            self._session.piece = None
+            self._session.leave()
             self.changed.emit()
 
     def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
@@ -349,6 +341,10 @@ class ClickedPieces(QObject):
         if piece is None or grid is None or mosaic is None:
             self.leave()
             return
+        strips = [
+            ProfileRecord(1, (strip.near_m + strip.far_m) / 2, strip.kept, strip.kept, strip.kept)
+            for strip in profile_of(str(piece.others["profile"]))[1:]  # without the judged strip
+        ]
         here = transformed_point(point, self._canvas.mapSettings().destinationCrs(), mosaic.crs())
         try:
             window = None if here is None else clicked_window(grid, (here.x(), here.y()), self._session.inputs)
@@ -356,9 +352,13 @@ class ClickedPieces(QObject):
             window = None
         if window is not None and here is not None:
             self._session.select([])
+            from ...report.flagged_windows import shown_profile  # needs numpy, which QGIS starts without
+
             pixel_m, min_kept = grid.ground_sample_distance, self._session.inputs.min_kept
-            profile = piece_profile(piece, str(piece.others["profile"]), pixel_m, min_kept)
-            self._session.look_at(ClickedPiece(piece, window, profile, here))
+            profile = shown_profile(piece, strips, pixel_m, min_kept)
+            self._session.piece = ClickedPiece(piece, window, profile, here)
+            self._session.leave()  # the window of a piece before
+            self._session.hover(window, is_live=True)
             self.changed.emit()
 
     def _piece_at(self, point: QgsPointXY) -> WindowRecord | None:

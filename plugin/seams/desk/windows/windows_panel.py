@@ -158,17 +158,13 @@ class WindowsPanel(QWidget):
         session.selectionChanged.connect(self._take_selection)
         self._take_windows()
 
-    def sort_by_number(self) -> None:
-        """The order before the operator sorted otherwise."""
-        self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
-
     def show_for(self, operator: Operator, is_blind: bool) -> None:
         """Filter by this operator's verdicts; while he is blind, show and offer nothing that tells what was found."""
         self._verdicts.operator = operator
         self._allowed = allowed = frozenset((WINDOW_ID.name, *operator)) if is_blind else None
         self.table.set_blind(allowed)
         if allowed is not None and self._windows.sorted_by.name not in allowed:
-            self.sort_by_number()  # another order would tell
+            self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)  # another order would tell
         self._verdicts.set_blind(is_blind)
         self._filter()
 

@@ -38,7 +38,7 @@ class Map:
             "LineString", [line((256, 0), (256, 256)), BESIDE_NODATA], kept_1=("double", [KEPT, 0.57]),
             kept_low=("double", [KEPT - 0.05, 0.5]), kept_high=("double", [KEPT + 0.05, 0.6]),
             band_width=("double", [2.0, 1.0]), verdict=("string", ["significant"] * 2),
-            profile=("string", ["0 1 0.310; 0 0.4 0.250; 0.4 0.8 0.400", "0 1 0.570; 0 0.4 0.500; 0.4 0.8 0.700"]),
+            profile=("string", ["0 1 0.310; 0 0.2 0.250; 0.2 0.4 0.400", "0 1 0.570; 0 0.2 0.500; 0.2 0.4 0.700"]),
         ))  # fmt: skip
         made.setName("seams")
         self.seams = QgsVectorLayer(f"{file(made, folder / 'seams.gpkg')}|layername=seams", "Seams", "ogr")
@@ -117,7 +117,7 @@ def test_the_charts_are_never_those_of_another_piece(shown: Map) -> None:
     profile = charts.profile.chart.shown
     assert profile is not None
     assert [bin_.kept for bin_ in profile.bins(1)] == [0.25, 0.4]
-    assert bin_words(profile, profile.bins(1)[0]) == "0.00 to 0.40 m: 25 % kept"
+    assert bin_words(profile, profile.bins(1)[0]) == "0.00 to 0.20 m: 25 % kept"
     shown.canvas.setExtent(shown.desk.mosaic.extent())  # the pan tool goes where it clicks
     shown.click(470, 128)
     settle(0.3)

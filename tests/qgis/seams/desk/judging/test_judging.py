@@ -60,7 +60,7 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
     assert bar.sentence() == "All windows are judged."
     session.put([*session.rows, window(6, "not_comparable"), window(7, "not_comparable"), window(8)])
-    assert bar.sentence() == "All compared windows are judged; 2 not comparable, 1 not inspected."
+    assert bar.sentence() == "All compared windows are judged; 3 not comparable or not inspected."
     judging.take_back()
     assert session.selected() == [3]
 
