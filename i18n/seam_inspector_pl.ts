@@ -844,7 +844,7 @@
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/under_mouse.py" line="57"/>
+        <location filename="../plugin/seams/desk/map/under_mouse.py" line="60"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
@@ -4993,17 +4993,17 @@
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="248"/>
+        <location filename="../plugin/seams/desk/judging.py" line="244"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="256"/>
+        <location filename="../plugin/seams/desk/judging.py" line="252"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="258"/>
+        <location filename="../plugin/seams/desk/judging.py" line="254"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -5028,12 +5028,12 @@
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="113"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="92"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="222"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="201"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
@@ -5043,7 +5043,7 @@
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="232"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="211"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -5088,12 +5088,12 @@
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="38"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="33"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="163"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="164"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
@@ -5315,7 +5315,7 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="262"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -7729,7 +7729,7 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="65"/>
+        <location filename="../plugin/seams/desk/judging.py" line="64"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
@@ -8038,7 +8038,7 @@
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="271"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="272"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
@@ -8162,12 +8162,12 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="250"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="229"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="252"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="231"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
@@ -10169,7 +10169,7 @@
         <translation>Według linii mozaikowania strata jest istotna, gdy według najlepszego oszacowania wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali, a to, że coś stracono, jest pewne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session_inputs.py" line="41"/>
+        <location filename="../plugin/seams/desk/session_inputs.py" line="36"/>
         <source>Show where detail was lost, over the map and the images (L while judging). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
@@ -10336,12 +10336,12 @@
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="67"/>
+        <location filename="../plugin/seams/desk/judging.py" line="66"/>
         <source>{left} to go: {judged} of {count} judged</source>
         <translation>zostało {left}: {judged} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="66"/>
+        <location filename="../plugin/seams/desk/judging.py" line="65"/>
         <source>{left} to go: {judged} of {count} judged, {unsure} not sure</source>
         <translation>zostało {left}: {judged} z {count}, niepewne: {unsure}</translation>
     </message>
@@ -10371,7 +10371,7 @@
         <translation>kod powodu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="115"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
         <source>Seam: {kept} % of the ground; ground: {left} % of the orthoimages</source>
         <translation>Linia: {kept} % terenu; teren: {left} % ortoobrazów</translation>
     </message>
@@ -10627,7 +10627,7 @@
         <translation>{name} składa się z pliku {part}, który nie istnieje; umieść go tam albo utwórz {name} od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="117"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
         <source>{kept} % kept ({low} to {high} %) in {width} m</source>
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
@@ -11134,7 +11134,7 @@
         <translation>Kompozycja to to, co miałoby ostre cięcie ortoobrazów wzdłuż linii, wyrównane do tonu ortofotomapy. Na granicy lub pod nią utrata jest istotna według krzywych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="273"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="274"/>
         <source>no source lies there</source>
         <translation>nie leży tam żaden ortoobraz</translation>
     </message>
@@ -11287,17 +11287,17 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; weź większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="90"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="69"/>
         <source>beyond {near} m: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="91"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="70"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="75"/>
         <source>{near} to {far} m: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
@@ -11495,7 +11495,7 @@
         <translation>nie pokazano ortoobrazów ciętych ostro albo jednego z nich, bo któryś ortoobraz się tu kończy albo nie został podany</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="94"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="73"/>
         <source>{near} to {far} m: {kept} % kept</source>
         <translation>{near} do {far} m: zachowano {kept} %</translation>
     </message>
@@ -11518,16 +11518,6 @@
         <location filename="../plugin/seams/desk/judge_bar.py" line="180"/>
         <source>All compared windows are judged; {rest}.</source>
         <translation>Wszystkie porównane okna są ocenione; {rest}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="75"/>
-        <source>{count} not comparable</source>
-        <translation>nieporównywalne: {count}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging.py" line="75"/>
-        <source>{count} not inspected</source>
-        <translation>nieskontrolowane: {count}</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="11"/>
@@ -11562,6 +11552,11 @@
     <message>
         <source>F</source>
         <translation>U</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="74"/>
+        <source>{count} not comparable or not inspected</source>
+        <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
 </context>
 </TS>

@@ -86,3 +86,9 @@ def data_folder() -> Path:
     if not folder.is_dir():
         pytest.skip(f"no real data at {folder}; set SEAM_INSPECTOR_DATA to its folder")
     return folder
+
+
+@pytest.fixture(scope="session")
+def brighton(data_folder: Path) -> Path:
+    """The folder of eight orthoimages, the two mosaics of them and their seamlines."""
+    return data_folder / "seams" / "brighton"

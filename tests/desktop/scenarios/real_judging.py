@@ -41,7 +41,7 @@ def play(desk: Desk) -> None:
         annotate(desk, shots)
         judge_blind(desk, shots)
     compare(desk, shots)
-    keep_in_project(desk, shots)
+    desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")
 
 
 def inspect(desk: Desk) -> None:
@@ -136,21 +136,6 @@ def compare(desk: Desk, shots: Path) -> None:
     desk.report["disagreements"] = len(desk.dock.windows.ordered_fids())
     desk.screenshot(shots / "judging_differ.png")
     desk.dock.windows._verdicts.setCurrentIndex(0)
-
-
-def keep_in_project(desk: Desk, shots: Path) -> None:
-    """The place is there when the project is opened again."""
-    desk.dock.windows.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
-    fids = desk.dock.windows.ordered_fids()
-    desk.dock.zoom_to(fids[3])
-    desk.pause(0.3)
-    place = desk.session.row(fids[3]).window_id
-    desk.save_and_reopen()
-    desk.pause(1)
-    desk.report["reopened"] = [desk.session.row(fid).window_id for fid in desk.session.selected()] == [place]
-    desk.rest_mouse()
-    desk.screenshot(shots / "judging_reopened.png")
-    desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")
 
 
 def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:

@@ -45,12 +45,6 @@ def shares(pixels: np.ndarray) -> dict[str, np.ndarray]:
 
 
 @pytest.fixture(scope="module")
-def brighton(data_folder: Path) -> Path:
-    """The folder of the eight orthoimages and the two mosaics of them."""
-    return data_folder / "seams" / "brighton"
-
-
-@pytest.fixture(scope="module")
 def labels(brighton: Path) -> np.ndarray:
     """The source that each pixel of the mosaics is from; 0 outside."""
     return read_pixels(str(brighton / "source_label.tif"), 0, 0, 3423, 2987)[0]

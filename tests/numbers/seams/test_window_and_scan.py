@@ -116,11 +116,6 @@ def test_of_made_up_images(tmp_path: Path, width: int) -> None:
     assert_they_say_the_same(delivery, scanned_pieces(delivery, tmp_path, False, 20.0), False, 3)
 
 
-@pytest.fixture(scope="module")
-def brighton(data_folder: Path) -> Path:
-    return data_folder / "seams" / "brighton"
-
-
 @pytest.mark.parametrize(("name", "is_given"), [("mosaic_hardseam.tif", True), ("mosaic_feather0p4m.tif", False)])
 def test_of_brighton(tmp_path: Path, brighton: Path, name: str, is_given: bool) -> None:
     gdal.Translate(str(tmp_path / name), str(brighton / name), srcWin=[1200, 900, 1024, 1024])

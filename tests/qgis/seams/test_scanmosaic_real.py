@@ -20,11 +20,6 @@ PIECE_M = 2.0  # 67 px at 3 cm
 
 
 @pytest.fixture(scope="module")
-def brighton(data_folder: Path) -> Path:
-    return data_folder / "seams" / "brighton"
-
-
-@pytest.fixture(scope="module")
 def true_seams(brighton: Path) -> np.ndarray:
     """(n, 2) map places, one per side of a pixel between two sources."""
     dataset = gdal.Open(str(brighton / "source_label.tif"))

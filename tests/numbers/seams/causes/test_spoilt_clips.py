@@ -29,12 +29,6 @@ OPERATIONS = truths(0.03)
 
 
 @pytest.fixture(scope="module")
-def brighton(data_folder: Path) -> Path:
-    """The folder of the eight orthoimages and the two mosaics of them."""
-    return data_folder / "seams" / "brighton"
-
-
-@pytest.fixture(scope="module")
 def scenes(brighton: Path) -> list[Scene]:
     """Windows on seams, spread over the mosaic."""
     chosen = brighton_scenes(brighton, SIDE, EACH * len(OPERATIONS))

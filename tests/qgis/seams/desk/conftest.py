@@ -8,7 +8,13 @@ from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QWidget
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
+from tests.qgis.seams.desk.scan_scene import ScanScene, make_scan_scene
 from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession
+
+
+@pytest.fixture(scope="module")
+def scan_scene(tmp_path_factory: pytest.TempPathFactory) -> ScanScene:
+    return make_scan_scene(tmp_path_factory.mktemp("scan"))
 
 
 @pytest.fixture

@@ -9,15 +9,10 @@ import pytest
 from qgis.core import QgsApplication, QgsProject
 from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
 
-from tests.qgis.seams.desk.scan_scene import ScanDesk, ScanScene, make_scan_scene
+from tests.qgis.seams.desk.scan_scene import ScanDesk, ScanScene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
 
 FOUND = ["Worst places", "Seams", "Source cells", "Picture of losses"]
-
-
-@pytest.fixture(scope="module")
-def scan_scene(tmp_path_factory: pytest.TempPathFactory) -> ScanScene:
-    return make_scan_scene(tmp_path_factory.mktemp("scan"))
 
 
 @pytest.fixture

@@ -5,7 +5,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import pytest
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProject, QgsVectorLayer
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
@@ -14,13 +13,8 @@ from seam_inspector.plugin.seams.desk.accept_page import AcceptPage
 from seam_inspector.plugin.seams.desk.dock import InspectionDock
 
 from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
-from tests.qgis.seams.desk.scan_scene import PIECE_M, ScanDesk, ScanScene, make_scan_scene
+from tests.qgis.seams.desk.scan_scene import PIECE_M, ScanDesk, ScanScene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
-
-
-@pytest.fixture(scope="module")
-def scan_scene(tmp_path_factory: pytest.TempPathFactory) -> ScanScene:
-    return make_scan_scene(tmp_path_factory.mktemp("scan"))
 
 
 def opened(plugin: Any, scene: ScanScene, folder: Path) -> InspectionDock:
