@@ -68,7 +68,7 @@ class CurvesChart(ChartWidget):
                 is_detail = component < len(curve.detail)
                 level = filled(tr("level {number}"), number=component + 1) if is_detail else tr("background")
                 words = f"{curve.label}, {level}: {formatted(curve.values[component], '.3g')}"
-                QToolTip.showText(event.globalPos(), plain_tip(words), self)
+                QToolTip.showText(self.mapToGlobal(event.pos()), plain_tip(words), self)
                 return True
         return super().event(event)
 
