@@ -292,7 +292,7 @@ class ClickedPieces(QObject):
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
             (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave),
-            (self.changed, session.liveChanged),
+            (self.changed, session.liveChanged.emit),
         )
 
     def close(self) -> None:
