@@ -10411,7 +10411,7 @@
         <translation>{count} {count:ustalenie|ustalenia|ustaleń}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="176"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="174"/>
         <source>no reason is given</source>
         <translation>nie podano powodu</translation>
     </message>

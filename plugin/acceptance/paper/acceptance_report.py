@@ -171,9 +171,9 @@ def _unmeasured(decision: Decision) -> str:
         ((sum(piece.length_m for piece in pieces), _same_words([piece.reason for piece in pieces]))
          for pieces in alike.values()), key=lambda reason: -reason[0],
     )  # fmt: skip
-    rest = sum(length for length, _ in reasons[_MOST_REASONS:])
+    rest, unknown = sum(length for length, _ in reasons[_MOST_REASONS:]), tr("no reason is given")
     most = [*reasons[:_MOST_REASONS], *([(rest, tr("other reasons"))] if rest else [])]
-    return "; ".join(f"{metres(length)}: {reason.rstrip('.') or tr('no reason is given')}" for length, reason in most)
+    return "; ".join(f"{metres(length)}: {reason.rstrip('.') or unknown}" for length, reason in most)
 
 
 def _same_words(texts: Sequence[str]) -> str:
