@@ -62,11 +62,11 @@ def lacking(
     grounds = {layer.name: SeenGround.of_settings(layer.settings) for layer in delivery.layers}
     for reason in [*unseen_seams(delivery, whole, rules)][:1]:
         yield reason, messages.WOULD_GIVE_SEAMS
+    yield from _not_looked_at(delivery, sheets, rules)
     for layer in delivery.layers:
         if unread := grounds[layer.name].unread:
             place = layer.settings.get("unread_at", "")
             yield messages.MOSAIC_PARTLY_READ(name=layer.name, share=unread, place=place), messages.WOULD_SEE_SHEETS
-    yield from _not_looked_at(delivery, sheets, rules)
 
 
 def _without_orthoimages(delivery: Delivery, whole: MetreFigures, least: float) -> Iterator[Doubt]:
