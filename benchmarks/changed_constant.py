@@ -14,15 +14,10 @@ from pathlib import Path
 from types import CodeType
 
 
-def assigned(tree: ast.Module, name: str) -> tuple[ast.Assign, int]:
-    """The assignment to a module's constant, and its place among several names that are assigned together."""
-    for statement in tree.body:
-        if isinstance(statement, ast.Assign):
-            target = statement.targets[0]
-            names = [ast.unparse(each) for each in (target.elts if isinstance(target, ast.Tuple) else [target])]
-            if name in names:
-                return statement, names.index(name)
-    raise KeyError(name)
+def names_of(statement: ast.Assign) -> list[str]:
+    """The names that are assigned together."""
+    target = statement.targets[0]
+    return [ast.unparse(each) for each in (target.elts if isinstance(target, ast.Tuple) else [target])]
 
 
 def change(module: str, name: str, value: float) -> None:
@@ -33,10 +28,11 @@ def change(module: str, name: str, value: float) -> None:
         if fullname != module:
             return get_code(self, fullname)
         tree = ast.parse(self.get_source(fullname) or "")
-        statement, place = assigned(tree, name)
-        constant = ast.copy_location(ast.Constant(value), statement.value)
-        if isinstance(statement.targets[0], ast.Tuple) and isinstance(statement.value, ast.Tuple):
-            statement.value.elts[place] = constant
+        assignments = (each for each in tree.body if isinstance(each, ast.Assign))
+        statement = next(each for each in assignments if name in names_of(each))
+        constant, names = ast.copy_location(ast.Constant(value), statement.value), names_of(statement)
+        if len(names) > 1 and isinstance(statement.value, ast.Tuple):
+            statement.value.elts[names.index(name)] = constant
         else:
             statement.value = constant
         return compile(tree, self.path, "exec")

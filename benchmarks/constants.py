@@ -24,6 +24,7 @@ import numpy as np
 from osgeo import gdal
 
 from . import compressed
+from .changed_constant import names_of
 from .detection import grounds
 from .known_windows import KnownWindow, WindowFacts
 from .operations import OPERATIONS
@@ -73,19 +74,18 @@ def constants() -> Iterator[Constant]:
         for statement, after in zip(body, [*body[1:], ast.Pass()]):
             if not isinstance(statement, ast.Assign):
                 continue
-            target, values = statement.targets[0], statement.value
-            names = target.elts if isinstance(target, ast.Tuple) else [target]
+            names, values = names_of(statement), statement.value
             numbers = values.elts if isinstance(values, ast.Tuple) and len(names) > 1 else [values]
             _, _, comment = lines[(statement.end_lineno or 1) - 1].partition("  # ")
             below = after.value if isinstance(after, ast.Expr) else None
-            told = below.value if isinstance(below, ast.Constant) and isinstance(below.value, str) else comment
+            words = below.value if isinstance(below, ast.Constant) and isinstance(below.value, str) else comment
             for name, number in zip(names, numbers):
                 try:
                     value = ast.literal_eval(number)
                 except ValueError:
                     continue
                 if isinstance(value, float):
-                    yield Constant(path.parent.name, path.stem, ast.unparse(name), value, " ".join(told.split()))
+                    yield Constant(path.parent.name, path.stem, name, value, " ".join(words.split()))
 
 
 def mosaics(count: int) -> Iterator[tuple[KnownWindow, Made]]:

@@ -80,14 +80,14 @@ def measure_part(
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
-    planes_told = {
+    planes_by_name = {
         "labels": labels[inside][SAMPLED], "valid": known[inside][SAMPLED],
         "mixture": square_shares(mixed[inside], CELL_PX), "grey": square_shares(image.plane[inside], CELL_PX),
         "grain": _grain(followed, known)[place],
     }
     unexplained = np.count_nonzero((labels[inside] == UNKNOWN) & known[inside]) / np.count_nonzero(known[inside])
     tables = cells.within(place).moved(*first), beside.within(place).moved(*first)
-    return DensePart(window, planes_told, *tables, unexplained)
+    return DensePart(window, planes_by_name, *tables, unexplained)
 
 
 def _grain(sources: PlacedSources, known: np.ndarray) -> np.ndarray:
