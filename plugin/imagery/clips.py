@@ -61,6 +61,7 @@ was read, beyond which it goes on, half of it."""
 BESIDE_PX = 8
 """Pixels beside a pad that a square of JPEG may share with it."""
 _MOST_OFF = 3  # DN of 8 bit, off black or white: what JPEG 60 leaves of pads
+_MOST_RINGING = 32  # the same in squares that an image shares: of Brighton's pads JPEG 75 made more of 1 pixel in 100
 _MOST_WARPED_PX = 2**26  # of a raster, that are held at once to be warped
 _KERNEL_PX = 4.0  # on either side of what lies under a pixel: cubic convolution looks at two, whatever GDAL rounds
 MANY_PIXELS = 4096 * 512  # of a window: more than any that is inspected by itself
@@ -244,9 +245,9 @@ def _filled(clip: Clip, invalid: np.ndarray | None, partly: bool, holes: bool) -
 
 
 def _pads(bands: np.ndarray, values: Sequence[int], beyond: Sequence[tuple[int, ...]]) -> np.ndarray:
-    """Pads of these values that reach the edge of the bands (bands, rows, columns), with what JPEG's squares share with
-    them, (rows, columns) bool. ``beyond``: above and below, left and right, so many pixels that are no image's: at its
-    edge a strip is a pad, however narrow."""
+    """Pads of these values that reach the edge of the bands (bands, rows, columns), with what JPEG made of them in
+    squares that they share with an image, (rows, columns) bool. ``beyond``: above and below, left and right, so many
+    pixels that are no image's: at its edge a strip is a pad, however narrow."""
     padded = np.zeros(bands.shape[1:], bool)
     inner = tuple(slice(first, first + length) for (first, _), length in zip(beyond, padded.shape))
     rows, columns = (np.pad(np.ones(length, bool), sides) for length, sides in zip(padded.shape, beyond))
@@ -259,11 +260,13 @@ def _pads(bands: np.ndarray, values: Sequence[int], beyond: Sequence[tuple[int, 
         parts, _ = ndimage.label(alike)
         at_edge = np.concatenate([parts[[0, -1]].ravel(), parts[:, [0, -1]].ravel()])
         pad = np.isin(parts, np.intersect1d(parts[large], at_edge))
-        is_exact = (bands[:, pad] == value).all()
-        padded |= pad if is_exact else ndimage.maximum_filter(pad, size=2 * BESIDE_PX + 1)
+        if (bands[:, pad] != value).any():
+            ringing = _is_of(bands, value, _MOST_RINGING) & ndimage.maximum_filter(pad, size=2 * BESIDE_PX + 1)
+            pad = ndimage.binary_propagation(pad, mask=ringing)
+        padded |= pad
     return padded
 
 
-def _is_of(bands: np.ndarray, value: int) -> np.ndarray:
-    off = _MOST_OFF if bands.dtype == np.uint8 else 0
+def _is_of(bands: np.ndarray, value: int, most_off: int = _MOST_OFF) -> np.ndarray:
+    off = most_off if bands.dtype == np.uint8 else 0
     return np.asarray((bands <= off if value == 0 else bands >= value - off).all(axis=0))

@@ -39,7 +39,7 @@ def test_a_pad_is_no_ground(make_raster: MakeRaster, mosaic: Raster, kind: type,
 @pytest.mark.parametrize("quality", [60, 75, 90])
 @pytest.mark.parametrize("value", [0, 255])
 @pytest.mark.parametrize("nodata", [None, 0])
-def test_of_a_pad_under_jpeg_what_shares_its_squares_is_no_ground(
+def test_a_pad_under_jpeg_is_no_ground_and_what_shares_its_squares_is(
     make_raster: MakeRaster, tmp_path: Path, mosaic: Raster, quality: int, value: int, nodata: int | None
 ) -> None:
     """Whether the file names black or not: JPEG leaves it a few grey values off."""
@@ -49,6 +49,7 @@ def test_of_a_pad_under_jpeg_what_shares_its_squares_is_no_ground(
     gdal.Translate(path, plain, creationOptions=options, noData=nodata)
     shown = clip(path, mosaic)
     assert not shown.valid[:, :PAD].any()
+    assert shown.valid[:, PAD : PAD + 16].mean() > 0.9
     assert shown.valid[:, PAD + 16 :].all()
 
 

@@ -68,7 +68,7 @@ class ExpectedMosaic:
     was_compressed: bool = False
     """Whether the mosaic shows traces of a codec."""
     spoilt: np.ndarray | None = None
-    """(rows, columns) bool: beside the ends of compressed sources, where nobody knows what is followed."""
+    """(rows, columns) bool: ground beside the ends of compressed sources, whose detail is not all their own."""
 
     @property
     def is_filtered(self) -> bool:
@@ -151,12 +151,11 @@ def expected_mosaic(
 
 
 def _spoilt_ends(sources: PlacedSources, labels: np.ndarray) -> np.ndarray | None:
-    """Beside the ends of compressed sources that are followed up to there, (rows, columns) bool, None where none ends:
-    whose squares hold what lies beyond has no pixels, and the mosaic follows it there all the same."""
-    lossy = [plane for plane in sources.valid if sources.images[sources.source_of[plane]].raster.is_lossy]
+    """Ground of compressed sources beside their ends, (rows, columns) bool, None where none ends: squares of JPEG hold
+    there what it makes of the step to what lies beyond, which on weak ground is more than the detail."""
     ends = [
-        near_border(sources.valid[plane], JPEG_SQUARE_PX) & widened(labels == plane, 2 * JPEG_SQUARE_PX)
-        for plane in lossy
+        (labels == plane) & widened(~sources.valid[plane], JPEG_SQUARE_PX)
+        for plane in sources.valid if sources.images[sources.source_of[plane]].raster.is_lossy
     ]
     return np.logical_or.reduce(ends) if ends else None
 
