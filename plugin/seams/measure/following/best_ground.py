@@ -15,8 +15,6 @@ from ..energy_response import EnergyResponse, fit_response, sampled
 MIN_STRANGE = 0.4  # of the way from what true sources leave over to all of it: surely another image
 MIN_ALIKE_STRANGE = 0.05  # the same of another image of the same ground, where there is much of it
 MIN_ALIKE_FACTOR = 1.8  # by which that leaves more over than true sources do
-MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR = 0.015, 20.0
-"""Both for a source that stands in for one of the same ground, by what it leaves over where it is the true one."""
 MAX_TELLING = 0.7  # of the detail: where true sources leave over more, as of weak detail below noise, nothing is told
 MIN_EVEN_LEFT, MIN_EVEN_SLOPE = 0.2, -0.15  # see ``is_of_none``
 
