@@ -689,7 +689,7 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="108"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="105"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -849,7 +849,7 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="170"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="169"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
@@ -929,7 +929,7 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="69"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="68"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
@@ -994,27 +994,27 @@
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="52"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="52"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="79"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="77"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="87"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="85"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
         <source>{count} of them have no curves in it, as these are not saved with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
@@ -2297,11 +2297,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="75"/>
-        <source>{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
-        <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="95"/>
@@ -5385,7 +5380,7 @@
         <translation>Okna, których tekstura może skrywać ziarno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="105"/>
+        <location filename="../plugin/noise/checknoise.py" line="103"/>
         <source>group {group}</source>
         <translation>grupa {group}</translation>
     </message>
@@ -7719,12 +7714,7 @@
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
-        <source>{path} is being written by another program; close it there, or choose another file.</source>
-        <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <location filename="../plugin/toolkit/messages.py" line="67"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -8224,16 +8214,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="70"/>
-        <source>{path} is unchanged, as the run did not finish; what was measured until then is in {part}.</source>
-        <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="73"/>
-        <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
-        <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="250"/>
@@ -10291,22 +10271,22 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="171"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="170"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="186"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="182"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="189"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="185"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="182"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="180"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
@@ -10471,7 +10451,7 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="74"/>
+        <location filename="../plugin/toolkit/messages.py" line="71"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -10752,7 +10732,7 @@
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="65"/>
+        <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -11039,7 +11019,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS (w systemie Windows w OSGeo4W Shell), a potem uruchom ponownie QGIS. Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="62"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
@@ -11302,7 +11282,7 @@
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="156"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="155"/>
         <source>Save the chart as a picture</source>
         <translation>Zapisz wykres jako obraz</translation>
     </message>
@@ -11557,6 +11537,11 @@
         <location filename="../plugin/seams/desk/judging.py" line="74"/>
         <source>{count} not comparable or not inspected</source>
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="69"/>
+        <source>{path} is unchanged, as the run did not finish or another program has the file open; the new layer is {part}.</source>
+        <translation>{path} pozostaje bez zmian, bo obliczeń nie ukończono albo plik jest otwarty w innym programie; nowa warstwa to {part}.</translation>
     </message>
 </context>
 </TS>

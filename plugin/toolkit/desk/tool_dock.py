@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from html import escape
 
-from qgis.core import Qgis, QgsProject
-from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool, QgsMessageBarItem
+from qgis.core import Qgis
+from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QKeyEvent
@@ -81,8 +81,6 @@ class ToolDock(QgsDockWidget):
         self.setObjectName(name)
         self._iface = iface
         self._canvas = iface.mapCanvas()
-        self._told: list[QgsMessageBarItem] = []  # that may be in the message bar yet
-        QgsProject.instance().cleared.connect(self._take_back)
 
     @property
     def standard_width(self) -> int:
@@ -96,7 +94,6 @@ class ToolDock(QgsDockWidget):
 
     def close_desk(self) -> None:
         """Leave nothing behind: map tool, canvas items, connections, tasks."""
-        QgsProject.instance().cleared.disconnect(self._take_back)
         self.visibilityChanged.disconnect(self._clear_map)
         self._canvas.mapToolSet.disconnect(self._tool_set)
         self._leave_tool()
@@ -151,11 +148,3 @@ class ToolDock(QgsDockWidget):
             bar.pushMessage(title, text, more, shown, _MESSAGE_SECONDS)
         else:
             bar.pushMessage(title, text, shown, _MESSAGE_SECONDS)
-        self._told = [item for item in (*self._told, bar.currentItem()) if item is not None and not sip.isdeleted(item)]
-
-    def _take_back(self) -> None:
-        """What was told of the project that is closed."""
-        while self._told:
-            item = self._told.pop()
-            if not sip.isdeleted(item):
-                self._iface.messageBar().popWidget(item)

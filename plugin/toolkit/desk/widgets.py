@@ -4,7 +4,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import escape
-from pathlib import Path
 from typing import Any
 
 from qgis.core import QgsCoordinateReferenceSystem
@@ -42,14 +41,6 @@ def is_confirmed(widget: QWidget, question: str) -> bool:
     """Whether the user says yes; no is what Enter says."""
     yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
     return bool(QMessageBox.question(widget, tr("Seam Inspector"), question, yes | no, no) == yes)
-
-
-def check_chosen_file(path: Path) -> None:
-    """Raise SettingsError for a file to be saved that belongs to a layer of the project: it is chosen by its name."""
-    if path.exists():
-        from ..algorithms.outputs import check_beside_layers
-
-        check_beside_layers(path)
 
 
 def set_map_system(canvas: QgsMapCanvas, crs: QgsCoordinateReferenceSystem) -> None:
