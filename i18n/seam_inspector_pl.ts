@@ -854,7 +854,7 @@
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="159"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -4908,12 +4908,12 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="205"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="206"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="204"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5018,7 +5018,7 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="188"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -10301,12 +10301,12 @@
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="113"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="204"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>

@@ -20,7 +20,6 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterRasterDestination,
     QgsProcessingUtils,
     QgsProperty,
@@ -44,13 +43,6 @@ _MISREAD = re.compile(r"[:\\]|\|(?!layer(name|id)=)|%[0-9A-Fa-f]{2}(?=[^/]*\.(gp
 """What of a file's name QGIS takes for a provider, a folder or a part of an address, SQLite for another character."""
 _NO_TABLE_BEGINS_WITH = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,/"  # as GDAL's GeoPackage has it
 _OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
-_VECTORS = (
-    QgsProcessing.SourceType.TypeVector,
-    QgsProcessing.SourceType.TypeVectorAnyGeometry,
-    QgsProcessing.SourceType.TypeVectorPoint,
-    QgsProcessing.SourceType.TypeVectorLine,
-    QgsProcessing.SourceType.TypeVectorPolygon,
-)
 
 
 def value_text(value: object, context: QgsProcessingContext) -> str:
@@ -130,8 +122,8 @@ def _inputs(
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination() and definition.type() not in _OF_WORDS_AND_NUMBERS:
             value = parameters.get(definition.name())
-            is_list = isinstance(definition, QgsProcessingParameterMultipleLayers)
-            is_vector = definition.layerType() in _VECTORS if is_list else definition.type() in ("source", "vector")
+            is_list_of_layers = definition.type() == "multilayer" and not common.takes_rasters(definition)
+            is_vector = is_list_of_layers or definition.type() in ("source", "vector")
             yield from _places(value, "ogr" if is_vector else "gdal", context)
 
 

@@ -98,7 +98,8 @@ def test_systems_and_transformations_are_made_in_one_place() -> None:
     made = re.compile(r"QgsCoordinateTransform\(|QgsCoordinateReferenceSystem\.from|\.setDestinationCrs\("
                       r"|QgsVectorFileWriter\.(?:create|write)")  # fmt: skip
     one_place = Path(reference_systems.__file__).resolve()
-    maps = {one_place.parent / "desk" / "widgets.py", one_place.parents[1] / "seams" / "report" / "window_map.py"}
+    seams = one_place.parents[1] / "seams"
+    maps = {seams / "desk" / "images" / "images_panel.py", seams / "report" / "window_map.py"}
     sources = {path: path.read_text(encoding="utf-8") for path in one_place.parents[1].rglob("*.py")}
     match = {path: set(made.findall(text)) for path, text in sources.items() if made.search(text)}
     assert match.keys() == maps | {one_place}
