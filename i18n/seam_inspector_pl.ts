@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="219"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="214"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="212"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="207"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,7 +39,7 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="213"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="208"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
@@ -94,7 +94,7 @@
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="180"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="175"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -104,22 +104,22 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="186"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="181"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="192"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="187"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="193"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="188"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="200"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="195"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -129,7 +129,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="206"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="201"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -689,7 +689,7 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="105"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="104"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -889,7 +889,7 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="36"/>
+        <location filename="../plugin/toolkit/messages.py" line="35"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -1384,7 +1384,7 @@
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="225"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="220"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
@@ -2349,7 +2349,7 @@
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="33"/>
+        <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
@@ -2364,7 +2364,7 @@
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -6615,22 +6615,22 @@
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="80"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="80"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
         <source>Whether the delivery meets the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="82"/>
         <source>All rules together: the delivery is accepted if none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="110"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
@@ -6650,12 +6650,12 @@
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="102"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="103"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="108"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
@@ -6665,7 +6665,7 @@
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="99"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="100"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
@@ -7542,11 +7542,6 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="27"/>
-        <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
-        <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
-    </message>
-    <message>
         <source>ISO 2859-1, level II, AQL 1.0</source>
         <translation>ISO 2859-1, poziom II, AQL 1,0</translation>
     </message>
@@ -7679,7 +7674,7 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="321"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="316"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
@@ -7714,7 +7709,7 @@
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="67"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -9134,12 +9129,12 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="58"/>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="59"/>
+        <location filename="../plugin/toolkit/messages.py" line="58"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -9617,7 +9612,7 @@
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="28"/>
+        <location filename="../plugin/toolkit/messages.py" line="27"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is not a number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
@@ -9774,7 +9769,7 @@
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="37"/>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
         <source>Seam Inspector was updated or turned off while this ran; start it again.</source>
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
@@ -10451,7 +10446,7 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="71"/>
+        <location filename="../plugin/toolkit/messages.py" line="70"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -10722,17 +10717,17 @@
         <translation>co najmniej {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="43"/>
+        <location filename="../plugin/toolkit/messages.py" line="42"/>
         <source>Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on the scheduler, the workers and here.</source>
         <translation>Pod adresem {address} odpowiada Dask {versions}, a tutaj jest Dask {own}; zainstaluj tę samą wersję dask i distributed dla schedulera, procesów roboczych i tutaj.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="46"/>
+        <location filename="../plugin/toolkit/messages.py" line="45"/>
         <source>{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="64"/>
+        <location filename="../plugin/toolkit/messages.py" line="63"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -10860,17 +10855,17 @@
         <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>&apos;{parameter}&apos; is {value:g}; give {least:g} or more.</source>
         <translation>„{parameter}” to {value:g}; podaj {least:g} lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="29"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number from {least:g} to {most:g}.</source>
         <translation>„{parameter}” to {value:g}; podaj liczbę od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;; give one of {known}.</source>
         <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
     </message>
@@ -11019,7 +11014,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS (w systemie Windows w OSGeo4W Shell), a potem uruchom ponownie QGIS. Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="62"/>
+        <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
@@ -11144,7 +11139,7 @@
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="53"/>
+        <location filename="../plugin/toolkit/messages.py" line="52"/>
         <source>The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
@@ -11202,17 +11197,17 @@
         <translation>Tak, jak ma stać na papierze: 2026-11-23.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="130"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="131"/>
         <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
         <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
         <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
         <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="133"/>
         <source>form of the delivery</source>
         <translation>postać dostawy</translation>
     </message>
@@ -11332,27 +11327,27 @@
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="39"/>
+        <location filename="../plugin/toolkit/messages.py" line="38"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos;, or give no scheduler.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="41"/>
+        <location filename="../plugin/toolkit/messages.py" line="40"/>
         <source>No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or give none.</source>
         <translation>Pod adresem {address} nie odpowiada scheduler Dask ({error}); sprawdź adres (zwykle z portem 8786) albo nie podawaj żadnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <location filename="../plugin/toolkit/messages.py" line="47"/>
         <source>The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are spawned needs the line if __name__ == &apos;__main__&apos;: above its work.</source>
         <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie. Skrypt, którego procesy są uruchamiane od nowa (spawn), musi mieć nad swoimi poleceniami wiersz if __name__ == &apos;__main__&apos;:.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <location filename="../plugin/toolkit/messages.py" line="50"/>
         <source>The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="55"/>
+        <location filename="../plugin/toolkit/messages.py" line="54"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL&apos;s python3-gdal), or give no scheduler.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam (osgeo to python3-gdal z GDAL) albo nie podawaj schedulera.</translation>
     </message>
@@ -11539,7 +11534,7 @@
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="69"/>
+        <location filename="../plugin/toolkit/messages.py" line="68"/>
         <source>{path} is unchanged, as the run did not finish or another program has the file open; the new layer is {part}.</source>
         <translation>{path} pozostaje bez zmian, bo obliczeń nie ukończono albo plik jest otwarty w innym programie; nowa warstwa to {part}.</translation>
     </message>

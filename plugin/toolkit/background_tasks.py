@@ -141,13 +141,9 @@ class BackgroundTasks(QObject):
         self._settle()
 
     def close(self) -> None:
-        """Cancel everything and follow no task any more."""
-        tasks, self._tasks = self._tasks, []
-        for task in tasks:
-            task.arrived.disconnect(self._arrived)
-            task.ended.disconnect(self._ended)
-            task.cancel()
-        self._done = self._asked = 0
+        """Cancel everything and tell nothing any more."""
+        self.blockSignals(True)
+        self.abandon()
 
     def _arrived(self, result: object) -> None:
         task = self.sender()

@@ -24,7 +24,6 @@ WINDOWS_RESHAPED = Message(
     WARNING)
 # numbers
 NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is not a coordinate reference system; choose one.")
-NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
 NO_NUMBER = Message("'{parameter}' is '{value}', which is not a number; write it with a point, such as 0.7.")
 NUMBER_TOO_SMALL = Message("'{parameter}' is {value:g}; give {least:g} or more.")
 NUMBER_BEYOND = Message("'{parameter}' is {value:g}; give a number from {least:g} to {most:g}.")

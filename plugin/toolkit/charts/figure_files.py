@@ -30,16 +30,9 @@ _DPI = 200
 _SVG = {"svg.fonttype": "none", "svg.hashsalt": "seam_inspector"}  # text stays text, and the same figure the same file
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """An empty figure, its size in inches, whose parts find their places by themselves."""
-    figure = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
-
-
-def plain_figure(width: float, height: float) -> Figure:
-    """An empty figure, its size in inches, whose parts are put into their places: many alike, or to scale."""
-    figure = Figure(figsize=(width, height))
+def new_figure(width: float, height: float, layout: str | None = "constrained") -> Figure:
+    """An empty figure, its size in inches, whose parts find their places by themselves, unless ``layout`` is None."""
+    figure = Figure(figsize=(width, height), layout=layout)
     FigureCanvasAgg(figure)
     return figure
 

@@ -95,7 +95,6 @@ class ToolDock(QgsDockWidget):
     def close_desk(self) -> None:
         """Leave nothing behind: map tool, canvas items, connections, tasks."""
         self.visibilityChanged.disconnect(self._clear_map)
-        self._canvas.mapToolSet.disconnect(self._tool_set)
         self._leave_tool()
         self.tool.close()
 
@@ -106,8 +105,8 @@ class ToolDock(QgsDockWidget):
         self.draw.setToolTip(tip)
         self.draw.setCheckable(True)
         self.draw.triggered.connect(self._toggle_tool)
+        tool.setAction(self.draw)
         tool.finished.connect(self._leave_tool)
-        self._canvas.mapToolSet.connect(self._tool_set)
         self.visibilityChanged.connect(self._clear_map)
 
     def _clear_map(self, *_: object) -> None:
@@ -132,9 +131,6 @@ class ToolDock(QgsDockWidget):
             self._canvas.setMapTool(previous)
         else:
             self._canvas.unsetMapTool(self.tool)
-
-    def _tool_set(self, tool: QgsMapTool, _old: QgsMapTool | None = None) -> None:
-        self.draw.setChecked(tool is self.tool)
 
     def _show_message(self, text: str, level: int) -> None:
         """Plain words: what others called their layers is no markup, as which the bar takes all it is given."""
