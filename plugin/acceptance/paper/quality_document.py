@@ -16,9 +16,8 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
-from ...toolkit.layers import box_extent
+from ...toolkit.layers import box_extent, reference_system
 from ...toolkit.pages.templates import environment, whole_path
-from ...toolkit.reference_systems import reference_system
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, RuleOutcome
