@@ -164,7 +164,7 @@ def test_comparison_by_hand() -> None:
     first.append(ComparedMark("b", "1", (5, 5)))
     second = [ComparedMark("b", "1", (5, 6)), ComparedMark("a", "1", (3, 4)), ComparedMark("c", "1", (0, 0))]
     differences, alone = mark_differences(first, second)
-    assert alone == ["a 2", "c 1"]
+    assert alone == [("a", "2"), ("c", "1")]
     assert [(mark.photo, mark.mark, mark.distance) for mark in differences] == [("a", "1", 5), ("b", "1", 1)]
     made = distance_statistics(differences)
     assert (made.count, made.mean, made.maximum, made.minimum) == (2, 3, 5, 1)
