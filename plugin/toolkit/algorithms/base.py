@@ -5,7 +5,7 @@ Their groups in the toolbox are here too; each name, not translated, is its grou
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from qgis.core import (
@@ -227,27 +227,21 @@ class ReadyModel(_Checked, QgsProcessingModelAlgorithm):
 
     def _with_defaults(self, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values with the model's own defaults for those that scripts leave out, where QGIS takes those of its
-        steps, and temporary outputs for what is made whether asked for or not."""
+        steps, and temporary outputs for what other steps need."""
         inputs = (definition for definition in self.parameterDefinitions() if not definition.isDestination())
         known = {definition.name(): value for definition in inputs if (value := definition.defaultValue()) is not None}
-        needed = dict.fromkeys(self._always_made(), QgsProcessing.TEMPORARY_OUTPUT)
-        given = {name: value for name, value in parameters.items() if name not in needed or value is not None}
-        return {**known, **needed, **given}
-
-    def _always_made(self) -> Iterator[str]:
-        """Names of the model's outputs that are not optional, or that other steps need."""
-        for wanted in self.destinationParameterDefinitions():
-            if not wanted.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional:
-                yield wanted.name()
         steps = self.childAlgorithms()
         taken = {
             (source.outputChildId(), source.outputName())
             for step in steps.values() for several in step.parameterSources().values() for source in several
         }  # fmt: skip
-        for step_id, step in steps.items():
-            for name, of_model in step.modelOutputs().items():
-                if (step_id, of_model.childOutputName()) in taken:
-                    yield f"{step_id}:{name}"
+        needed = {
+            f"{step_id}:{name}": QgsProcessing.TEMPORARY_OUTPUT
+            for step_id, step in steps.items() for name, output in step.modelOutputs().items()
+            if (step_id, output.childOutputName()) in taken
+        }  # fmt: skip
+        given = {name: value for name, value in parameters.items() if name not in needed or value is not None}
+        return {**known, **needed, **given}
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         common.check_rasters(self, parameters)
