@@ -134,7 +134,8 @@ class ClippedLabel(QLabel):
                     longest = middle
             shown = shown[:shortest].rstrip() + "…"
         super().setText(with_units(shown))
-        self.setFixedHeight(_height(self.fontMetrics(), lines))
+        margins = self.contentsMargins()
+        self.setFixedHeight(_height(self.fontMetrics(), lines) + margins.top() + margins.bottom())
         self.setCursor(Qt.CursorShape.ArrowCursor if shown == self._text else Qt.CursorShape.PointingHandCursor)
 
     def _fits(self, text: str, lines: int) -> bool:
