@@ -46,17 +46,19 @@ class _Checked:
         return help_url(self.name())
 
     def prepareAlgorithm(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+        self: Any, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
         try:
             with gdal_silenced():
                 self._refuse(parameters, context)  # models and scripts may not have checked the values
-                self.prepare(Run(self, parameters, context, feedback))
+                self._begin(Run(self, parameters, context, feedback))
                 return bool(super().prepareAlgorithm(parameters, context, feedback))  # type: ignore[misc]
         except SeamInspectorError as error:
             raise _for_qgis(error) from None
 
-    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+    def checkParameterValues(
+        self: Any, parameters: dict[str, Any], context: QgsProcessingContext
+    ) -> tuple[bool, str]:
         try:
             with gdal_silenced():
                 self.check(self._refuse(parameters, context))
@@ -69,14 +71,14 @@ class _Checked:
     def check(self, run: Run) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
 
-    def prepare(self, run: Run) -> None:
-        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
+    def _begin(self, run: Run) -> None:
+        """What is to be done in the thread of the layers."""
 
-    def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
+    def for_check(self: Any, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values for QGIS's own check."""
         return common.without_rasters(self, parameters)
 
-    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
+    def _refuse(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
         common.check_values(self, self.for_check(parameters), context)
         common.check_files(self, parameters)
@@ -171,6 +173,12 @@ class SeamInspectorAlgorithm(_Checked, QgsProcessingAlgorithm):
                 if known is SeamInspectorAlgorithm:
                     raise
                 raise QgsProcessingException(sentence(messages.UNLOADED())) from None
+
+    def prepare(self, run: Run) -> None:
+        """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
+
+    def _begin(self, run: Run) -> None:
+        self.prepare(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
         """The work; raises SeamInspectorError for what the user can mend. A result that there is not may be None."""
