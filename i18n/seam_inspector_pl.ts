@@ -399,12 +399,12 @@
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="58"/>
+        <location filename="../plugin/plugin.py" line="48"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="43"/>
+        <location filename="../plugin/plugin.py" line="39"/>
         <source>Inspect how much detail a mosaic kept along its seams</source>
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
@@ -934,12 +934,12 @@
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="49"/>
+        <location filename="../plugin/plugin.py" line="40"/>
         <source>Bar groups</source>
         <translation>Grupy pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="50"/>
+        <location filename="../plugin/plugin.py" line="41"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
@@ -7669,7 +7669,7 @@
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="59"/>
+        <location filename="../plugin/plugin.py" line="49"/>
         <source>The first inspection in five minutes, and a page for every algorithm</source>
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>

@@ -35,21 +35,11 @@ class SeamInspectorPlugin:
         assert self._iface is not None
         self.initProcessing()
         for make, icon, name, words, tooltip in (
-            (
-                _inspection_dock,
-                "seam_inspector",
-                "seamInspectorAction",
-                tr("Seam Inspector"),
-                tr("Inspect how much detail a mosaic kept along its seams"),
-            ),
-            (
-                _bar_dock,
-                "bar_group",
-                "seamInspectorBarAction",
-                tr("Bar groups"),
-                tr("Draw lines across the groups of a bar target and watch their profiles"),
-            ),
-        ):
+            (_inspection_dock, "seam_inspector", "seamInspectorAction", tr("Seam Inspector"),
+             tr("Inspect how much detail a mosaic kept along its seams")),
+            (_bar_dock, "bar_group", "seamInspectorBarAction", tr("Bar groups"),
+             tr("Draw lines across the groups of a bar target and watch their profiles")),
+        ):  # fmt: skip
             action = QAction(QIcon(icon_path(icon)), words, self._iface.mainWindow())
             action.setObjectName(name)
             action.setToolTip(tooltip)

@@ -56,9 +56,7 @@ class _Checked:
         except SeamInspectorError as error:
             raise _for_qgis(error) from None
 
-    def checkParameterValues(
-        self: Any, parameters: dict[str, Any], context: QgsProcessingContext
-    ) -> tuple[bool, str]:
+    def checkParameterValues(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         try:
             with gdal_silenced():
                 self.check(self._refuse(parameters, context))
