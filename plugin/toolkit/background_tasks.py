@@ -17,7 +17,7 @@ from ..imagery.errors import CancelledError, Message, SeamInspectorError
 from . import messages
 from .version_differences import SILENT_TASK
 
-_INTERVAL_S = 0.0005
+SWITCH_INTERVAL_S = 0.0005
 """Time in which threads hand Python's interpreter over, not the usual 5 ms: the interface asks for it many times while
 it handles one event (each call of a method that we override is one), and would wait as many times."""
 Cancelled = Callable[[], bool]
@@ -94,7 +94,7 @@ class BackgroundTasks(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        sys.setswitchinterval(_INTERVAL_S)
+        sys.setswitchinterval(SWITCH_INTERVAL_S)
         self._tasks: list[BackgroundTask] = []
         self._done = self._asked = 0
 
