@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="219"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="214"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="212"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="207"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,7 +39,7 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="213"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="208"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
@@ -94,7 +94,7 @@
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="180"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="175"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -104,22 +104,22 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="186"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="181"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="192"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="187"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="193"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="188"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="200"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="195"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -129,7 +129,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="206"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="201"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -399,12 +399,12 @@
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="58"/>
+        <location filename="../plugin/plugin.py" line="48"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="43"/>
+        <location filename="../plugin/plugin.py" line="39"/>
         <source>Inspect how much detail a mosaic kept along its seams</source>
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
@@ -689,7 +689,7 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="108"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="104"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -849,12 +849,12 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="170"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="169"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="159"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -889,7 +889,7 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="36"/>
+        <location filename="../plugin/toolkit/messages.py" line="35"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -929,17 +929,17 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="69"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="68"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="49"/>
+        <location filename="../plugin/plugin.py" line="40"/>
         <source>Bar groups</source>
         <translation>Grupy pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="50"/>
+        <location filename="../plugin/plugin.py" line="41"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
@@ -994,27 +994,27 @@
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="52"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="52"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="79"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="77"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="87"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="85"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
         <source>{count} of them have no curves in it, as these are not saved with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
@@ -1384,7 +1384,7 @@
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="225"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="220"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
@@ -1604,67 +1604,67 @@
         <translation>Potrzebne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="96"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="92"/>
         <source>Minimum flying height</source>
         <translation>Minimalna wysokość lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="99"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="95"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
         <translation>Oblicza z przelotów nad testem paskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="105"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="101"/>
         <source>Observations</source>
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="110"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="106"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="111"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="107"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="113"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="109"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="117"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="113"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="118"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="114"/>
         <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="120"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="116"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="124"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="120"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="125"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="121"/>
         <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="127"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="123"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="163"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="159"/>
         <source>all passes</source>
         <translation>wszystkie przeloty</translation>
     </message>
@@ -2209,47 +2209,47 @@
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="44"/>
+        <location filename="../plugin/photos/comparemarks.py" line="43"/>
         <source>Compare marks</source>
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="56"/>
+        <location filename="../plugin/photos/comparemarks.py" line="55"/>
         <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="64"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="65"/>
+        <location filename="../plugin/photos/comparemarks.py" line="64"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="74"/>
+        <location filename="../plugin/photos/comparemarks.py" line="73"/>
         <source>Pixel size of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="76"/>
+        <location filename="../plugin/photos/comparemarks.py" line="75"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="83"/>
+        <location filename="../plugin/photos/comparemarks.py" line="82"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="84"/>
+        <location filename="../plugin/photos/comparemarks.py" line="83"/>
         <source>The difference of each mark, the second measurement minus the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="140"/>
+        <location filename="../plugin/photos/comparemarks.py" line="138"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
@@ -2297,11 +2297,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="75"/>
-        <source>{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
-        <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="95"/>
@@ -2354,7 +2349,7 @@
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="33"/>
+        <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
@@ -2369,7 +2364,7 @@
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -2629,7 +2624,7 @@
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="91"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="90"/>
         <source>{count} passes over the target; the Open Skies treaty asks for {least} at least.</source>
         <translation>Liczba przelotów nad testem: {count}; traktat o otwartych przestworzach (Open Skies) wymaga co najmniej {least}.</translation>
     </message>
@@ -2649,7 +2644,7 @@
         <translation>„height” lub „grd” nie zawiera liczby; wypełnij oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="99"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="98"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
@@ -2664,52 +2659,52 @@
         <translation>Nie wybrano obrazu testu paskowego; wybierz go powyżej, a potem narysuj linię w poprzek pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="47"/>
+        <location filename="../plugin/photos/measure/messages.py" line="46"/>
         <source>The template is {width} x {height} px and a side needs at least {fewest} px; cut it out with the whole mark in it.</source>
         <translation>Wzorzec ma {width} × {height} px, a bok musi mieć co najmniej {fewest} px; wytnij go tak, aby zawierał cały znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="51"/>
+        <location filename="../plugin/photos/measure/messages.py" line="50"/>
         <source>All pixels of the template are alike; cut it out where the mark is.</source>
         <translation>Wszystkie piksele wzorca są jednakowe; wytnij go tam, gdzie jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="68"/>
+        <location filename="../plugin/photos/measure/messages.py" line="67"/>
         <source>the surface around the best place is flat, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest płaska, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="69"/>
+        <location filename="../plugin/photos/measure/messages.py" line="68"/>
         <source>the surface around the best place is a saddle, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest siodłowa, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="70"/>
+        <location filename="../plugin/photos/measure/messages.py" line="69"/>
         <source>the extremum of the surface lies outside the pixels it was computed from</source>
         <translation>ekstremum powierzchni leży poza pikselami, z których ją obliczono</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="72"/>
+        <location filename="../plugin/photos/measure/messages.py" line="71"/>
         <source>the template is larger than the part of the photo around the mark</source>
         <translation>wzorzec jest większy niż fragment zdjęcia wokół znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="73"/>
+        <location filename="../plugin/photos/measure/messages.py" line="72"/>
         <source>the best correlation is {value:.2f} and at least {least:.2f} is asked for</source>
         <translation>największa korelacja wynosi {value:.2f}, a wymagana jest co najmniej {least:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="74"/>
+        <location filename="../plugin/photos/measure/messages.py" line="73"/>
         <source>two places look nearly alike, with correlations of {best:.2f} and {second:.2f}</source>
         <translation>dwa miejsca wyglądają niemal tak samo, z korelacjami {best:.2f} i {second:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="76"/>
+        <location filename="../plugin/photos/measure/messages.py" line="75"/>
         <source>the mark lies at the edge of the photo and is cut off</source>
         <translation>znaczek leży na brzegu zdjęcia i nie jest cały widoczny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="78"/>
+        <location filename="../plugin/photos/measure/messages.py" line="77"/>
         <source>parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no mark</source>
         <translation>części znaczka różnią się o {shift:.1f} px, a dopuszcza się najwyżej {most:.1f} px: zabrudzenie, rysa albo to nie znaczek</translation>
     </message>
@@ -2725,161 +2720,156 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="20"/>
-        <source>{name} lacks a column; a calibration has the columns mark, x_mm and y_mm.</source>
-        <translation>W pliku {name} brakuje kolumny; kalibracja ma kolumny mark, x_mm i y_mm.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/measure/messages.py" line="21"/>
         <source>Row {row} of {name} has no mark with two numbers; complete or remove it.</source>
         <translation>Wiersz {row} pliku {name} nie zawiera znaczka z dwiema liczbami; uzupełnij go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="22"/>
+        <location filename="../plugin/photos/measure/messages.py" line="21"/>
         <source>{name} has the mark &apos;{mark}&apos; twice; give every mark a name of its own.</source>
         <translation>Plik {name} zawiera znaczek „{mark}” dwa razy; nadaj każdemu znaczkowi osobną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="23"/>
+        <location filename="../plugin/photos/measure/messages.py" line="22"/>
         <source>{name} holds no marks; a calibration has one row with mark, x_mm and y_mm for each.</source>
         <translation>Plik {name} nie zawiera znaczków; kalibracja ma dla każdego jeden wiersz z mark, x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="25"/>
+        <location filename="../plugin/photos/measure/messages.py" line="24"/>
         <source>The marks of the calibration are {span:g} mm apart and a photo has {least:g} to {most:g} mm; give millimetres.</source>
         <translation>Odległość między znaczkami kalibracji wynosi {span:g} mm, a na zdjęciu jest to od {least:g} do {most:g} mm; podaj milimetry.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="27"/>
+        <location filename="../plugin/photos/measure/messages.py" line="26"/>
         <source>The calibration has too few marks: {count}, and the {model} model needs {least}; complete it or use another model.</source>
         <translation>Kalibracja ma za mało znaczków: {count}, a model {model} wymaga {least}; uzupełnij ją albo użyj innego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="94"/>
+        <location filename="../plugin/photos/measure/messages.py" line="93"/>
         <source>Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them as positions with their measurement off.</source>
         <translation>Znaczki zmierzone lub podane: {count}, a model {model} wymaga {least}; zmierz pozostałe ręcznie i podaj je jako położenia z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="97"/>
+        <location filename="../plugin/photos/measure/messages.py" line="96"/>
         <source>The marks are at the same place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
         <translation>Znaczki są w jednym miejscu albo na jednej prostej, więc nie można wyznaczyć modelu {model}; podaj dalsze znaczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="53"/>
+        <location filename="../plugin/photos/measure/messages.py" line="52"/>
         <source>All pixels of {name} are alike, so it shows no marks; scan the photo again.</source>
         <translation>Wszystkie piksele rastra {name} są jednakowe, więc nie widać na nim znaczków; zeskanuj zdjęcie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="55"/>
+        <location filename="../plugin/photos/measure/messages.py" line="54"/>
         <source>No mark was found in {name} ({why}); give positions, another kind of template, or a template cut out of the photo.</source>
         <translation>Na zdjęciu {name} nie znaleziono znaczka ({why}); podaj położenia, inny rodzaj wzorca albo wzorzec wycięty ze zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="37"/>
+        <location filename="../plugin/photos/measure/messages.py" line="36"/>
         <source>The positions name a mark &apos;{mark}&apos; that the calibration does not have ({marks}); rename it.</source>
         <translation>Położenia wymieniają znaczek „{mark}”, którego kalibracja nie zawiera ({marks}); zmień jego nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="43"/>
+        <location filename="../plugin/photos/measure/messages.py" line="42"/>
         <source>The positions lie up to {worst:.0f} mm from where the calibration places them; check their names and the calibration.</source>
         <translation>Położenia leżą do {worst:.0f} mm od miejsc wynikających z kalibracji; sprawdź ich nazwy i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="39"/>
+        <location filename="../plugin/photos/measure/messages.py" line="38"/>
         <source>The position of &apos;{mark}&apos; lies outside the photo; digitise it on the photo as QGIS shows it without a world file, or with the one that the photo has.</source>
         <translation>Położenie „{mark}” leży poza zdjęciem; zdigitalizuj je na zdjęciu tak, jak pokazuje je QGIS bez pliku world albo z plikiem, który zdjęcie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="50"/>
+        <location filename="../plugin/photos/measure/messages.py" line="49"/>
         <source>The template is {side:.1f} mm wide and the search area {search:.1f} mm; cut it out smaller or search further.</source>
         <translation>Wzorzec ma szerokość {side:.1f} mm, a obszar szukania {search:.1f} mm; wytnij mniejszy wzorzec albo szukaj dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="58"/>
+        <location filename="../plugin/photos/measure/messages.py" line="57"/>
         <source>Marks were found in the photo, but not where the positions say; each was looked for on its own there.</source>
         <translation>Na zdjęciu znaleziono znaczki, ale nie tam, gdzie wskazują położenia; każdego szukano tam osobno.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="60"/>
+        <location filename="../plugin/photos/measure/messages.py" line="59"/>
         <source>The photo&apos;s orientation in the scanner is unknown, so it is taken as upright and not mirrored; give the positions of three marks if that is wrong.</source>
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="71"/>
+        <location filename="../plugin/photos/measure/messages.py" line="70"/>
         <source>nothing around the position looks like a mark</source>
         <translation>wokół położenia nic nie wygląda jak znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="81"/>
+        <location filename="../plugin/photos/measure/messages.py" line="80"/>
         <source>no possible marks in the photo are arranged as in the calibration</source>
         <translation>żadne miejsca na zdjęciu podobne do znaczków nie leżą zgodnie z kalibracją</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="80"/>
+        <location filename="../plugin/photos/measure/messages.py" line="79"/>
         <source>it would lie outside the photo</source>
         <translation>leżałby poza zdjęciem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="84"/>
+        <location filename="../plugin/photos/measure/messages.py" line="83"/>
         <source>it was found at the same place as &apos;{other}&apos;</source>
         <translation>znaleziono go w tym samym miejscu co „{other}”</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="85"/>
+        <location filename="../plugin/photos/measure/messages.py" line="84"/>
         <source>it lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is allowed</source>
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="90"/>
+        <location filename="../plugin/photos/measure/messages.py" line="89"/>
         <source>the marks lie up to {worst:.2f} mm from where the calibration places them, {limit:.2f} mm is allowed, and it is unknown which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="99"/>
+        <location filename="../plugin/photos/measure/messages.py" line="98"/>
         <source>The {model} model needs all of the {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
         <translation>Model {model} wykorzystuje wszystkie swoje znaczki ({count}), więc odchyłki są zerowe i nic nie mówią o jego dokładności; zmierz więcej znaczków albo użyj prostszego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="75"/>
+        <location filename="../plugin/photos/measure/messages.py" line="74"/>
         <source>the surface&apos;s extremum leads away from where the mark was found</source>
         <translation>ekstremum powierzchni prowadzi z dala od miejsca, w którym znaleziono znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="83"/>
+        <location filename="../plugin/photos/measure/messages.py" line="82"/>
         <source>only {count} possible marks are arranged as in the calibration, and without positions {least} are needed</source>
         <translation>liczba miejsc podobnych do znaczków i zgodnych z kalibracją wynosi tylko {count}, a bez położeń potrzeba {least}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="101"/>
+        <location filename="../plugin/photos/measure/messages.py" line="100"/>
         <source>There is no transformation to write; give the positions of more marks.</source>
         <translation>Nie ma transformacji do zapisania; podaj położenia większej liczby znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="103"/>
+        <location filename="../plugin/photos/measure/messages.py" line="102"/>
         <source>{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were written.</source>
         <translation>Raster {name} nie ma transformacji ({why}); jego znaczki są w wyniku, ale nie zapisano parametrów ani pliku world.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="33"/>
+        <location filename="../plugin/photos/measure/messages.py" line="32"/>
         <source>The layer of positions has no field &apos;mark&apos;; add one and write the names of the calibration&apos;s marks into it.</source>
         <translation>Warstwa położeń nie ma pola „mark”; dodaj je i wpisz do niego nazwy znaczków kalibracji.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="35"/>
+        <location filename="../plugin/photos/measure/messages.py" line="34"/>
         <source>The layer of positions has the mark &apos;{mark}&apos; twice; remove one of them.</source>
         <translation>Warstwa położeń zawiera znaczek „{mark}” dwa razy; usuń jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="34"/>
+        <location filename="../plugin/photos/measure/messages.py" line="33"/>
         <source>The layer of positions holds no point with a name in its field &apos;mark&apos;; digitise some.</source>
         <translation>Warstwa położeń nie zawiera punktu z nazwą w polu „mark”; zdigitalizuj takie punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="114"/>
+        <location filename="../plugin/photos/measure/messages.py" line="112"/>
         <source>The layer {layer} has no field &apos;mark&apos;; choose layers of measured marks.</source>
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="123"/>
+        <location filename="../plugin/photos/measure/messages.py" line="121"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
@@ -4073,62 +4063,62 @@
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="127"/>
+        <location filename="../plugin/photos/measure/messages.py" line="125"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="127"/>
+        <location filename="../plugin/photos/measure/messages.py" line="125"/>
         <source>similarity</source>
         <translation>transformacji przez podobieństwo</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="127"/>
+        <location filename="../plugin/photos/measure/messages.py" line="125"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <location filename="../plugin/photos/measure/messages.py" line="126"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="127"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
@@ -4913,12 +4903,12 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="205"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="206"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="204"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5023,7 +5013,7 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="188"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -5385,7 +5375,7 @@
         <translation>Okna, których tekstura może skrywać ziarno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="105"/>
+        <location filename="../plugin/noise/checknoise.py" line="103"/>
         <source>group {group}</source>
         <translation>grupa {group}</translation>
     </message>
@@ -6080,32 +6070,27 @@
         <translation>Wysokość odniesienia wynosi {height:g} m; podaj dodatnią liczbę metrów do {highest:g} albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="81"/>
-        <source>&apos;{word}&apos; is not a number; give metres and centimetres.</source>
-        <translation>„{word}” nie jest liczbą; podaj metry i centymetry.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="83"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="82"/>
         <source>Height {height:g} m and distance {grd:g} cm give no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
         <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="86"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="85"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; „height” jest w metrach, a „grd” w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="89"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; „grd” jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="94"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="93"/>
         <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="97"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="96"/>
         <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
@@ -6180,12 +6165,12 @@
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="106"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="102"/>
         <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
         <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry), a dla kilku obserwatorów „grd”, „grd_2”, „grd_3” i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="121"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="117"/>
         <source>One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it.</source>
         <translation>Jeden wiersz na grupę: liczba, średnia i rozrzuty (metry), tolerancja (%) oraz uwagi.</translation>
     </message>
@@ -7095,92 +7080,82 @@
         <translation>odrzucony; powinien być tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="63"/>
+        <location filename="../plugin/photos/measure/messages.py" line="62"/>
         <source>The mark &apos;{mark}&apos; stands out: the others, which agree well, place it {worst:.2f} mm away; look at its picture.</source>
         <translation>Znaczek „{mark}” odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="66"/>
+        <location filename="../plugin/photos/measure/messages.py" line="65"/>
         <source>No mark of {name} can be trusted ({why}); check the positions, their names and the calibration.</source>
         <translation>Żadnemu znaczkowi z {name} nie można ufać ({why}); sprawdź położenia, nazwy znaczków i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="87"/>
+        <location filename="../plugin/photos/measure/messages.py" line="86"/>
         <source>the given place lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is allowed; check it and its name</source>
         <translation>podane miejsce leży {worst:.2f} mm od tego, na które wskazują pozostałe znaczki, a dopuszczalne jest {limit:.2f} mm; sprawdź je i jego nazwę</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="106"/>
+        <location filename="../plugin/photos/measure/messages.py" line="105"/>
         <source>The measurement {name} can&apos;t be read ({error}); remove it from the folder or correct it.</source>
         <translation>Nie można odczytać pomiaru {name} ({error}); usuń go z katalogu albo popraw.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="107"/>
+        <location filename="../plugin/photos/measure/messages.py" line="106"/>
         <source>The mark &apos;{mark}&apos; in {name} has no column and row; complete or remove it.</source>
         <translation>Znaczek „{mark}” w {name} nie ma kolumny ani wiersza; uzupełnij go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="108"/>
+        <location filename="../plugin/photos/measure/messages.py" line="107"/>
         <source>Give each of the two measurements either as a layer or as a folder.</source>
         <translation>Podaj każdy z dwóch pomiarów albo jako warstwę, albo jako katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="109"/>
-        <source>The folder {path} does not exist; choose the folder with the measured marks.</source>
-        <translation>Katalog {path} nie istnieje; wybierz katalog ze zmierzonymi znaczkami.</translation>
-    </message>
-    <message>
         <location filename="../plugin/photos/measure/messages.py" line="111"/>
-        <source>The folder {path} holds no measured marks: neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
-        <translation>Katalog {path} nie zawiera zmierzonych znaczków: ani warstw z polem „mark”, ani plików MeasuresIm-*.xml z programu MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/measure/messages.py" line="113"/>
         <source>Marks in only one of the measurements, which are not compared: {count} ({names}).</source>
         <translation>Znaczki, które ma tylko jeden z pomiarów i które nie są porównywane: {count} ({names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="116"/>
+        <location filename="../plugin/photos/measure/messages.py" line="114"/>
         <source>A measurement has the mark &apos;{mark}&apos; twice{where}; give both layers a field &apos;photo&apos; that tells photos apart.</source>
         <translation>Pomiar zawiera znaczek „{mark}” dwa razy{where}; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="121"/>
+        <location filename="../plugin/photos/measure/messages.py" line="119"/>
         <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
         <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>correlation</source>
         <translation>korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="130"/>
+        <location filename="../plugin/photos/measure/messages.py" line="128"/>
         <source>brightness</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>cross</source>
         <translation>krzyż</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>dot</source>
         <translation>kropka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>ring with dot</source>
         <translation>pierścień z kropką</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>ring with cross</source>
         <translation>pierścień z krzyżem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>wedge</source>
         <translation>klin</translation>
     </message>
@@ -7215,67 +7190,67 @@
         <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="47"/>
+        <location filename="../plugin/photos/comparemarks.py" line="46"/>
         <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos are compared in one run: give folders, or merged layers with a field &apos;photo&apos;.</source>
         <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj katalogi albo połączone warstwy z polem „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="60"/>
+        <location filename="../plugin/photos/comparemarks.py" line="59"/>
         <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo named in their field &apos;photo&apos;, else in the file&apos;s name) and MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="64"/>
+        <location filename="../plugin/photos/comparemarks.py" line="63"/>
         <source>First measurement, a folder</source>
         <translation>Pierwszy pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="65"/>
+        <location filename="../plugin/photos/comparemarks.py" line="64"/>
         <source>Second measurement, a folder</source>
         <translation>Drugi pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="69"/>
+        <location filename="../plugin/photos/comparemarks.py" line="68"/>
         <source>Largest mean distance (px)</source>
         <translation>Największa średnia odległość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="71"/>
+        <location filename="../plugin/photos/comparemarks.py" line="70"/>
         <source>The verdict is &apos;within&apos; where the mean distance is at most this; in the paper 0.25 px.</source>
         <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="77"/>
+        <location filename="../plugin/photos/comparemarks.py" line="76"/>
         <source>Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row for each unit.</source>
         <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, granica i ocena, po jednym wierszu na jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="80"/>
+        <location filename="../plugin/photos/comparemarks.py" line="79"/>
         <source>Photos</source>
         <translation>Zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="81"/>
+        <location filename="../plugin/photos/comparemarks.py" line="80"/>
         <source>Count, mean, maximum (px) and verdict of each photo.</source>
         <translation>Liczba, średnia, maksimum (px) i ocena każdego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="89"/>
+        <location filename="../plugin/photos/comparemarks.py" line="88"/>
         <source>Marks in both measurements</source>
         <translation>Znaczki w obu pomiarach</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="90"/>
+        <location filename="../plugin/photos/comparemarks.py" line="89"/>
         <source>1 where the mean distance is within the limit, else 0</source>
         <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="146"/>
+        <location filename="../plugin/photos/comparemarks.py" line="144"/>
         <source>The mean distance is within the limit of {limit:g} px.</source>
         <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="147"/>
+        <location filename="../plugin/photos/comparemarks.py" line="145"/>
         <source>The mean distance is beyond the limit of {limit:g} px.</source>
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
@@ -7547,11 +7522,6 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="27"/>
-        <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
-        <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
-    </message>
-    <message>
         <source>ISO 2859-1, level II, AQL 1.0</source>
         <translation>ISO 2859-1, poziom II, AQL 1,0</translation>
     </message>
@@ -7684,7 +7654,7 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="321"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="316"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
@@ -7699,7 +7669,7 @@
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="59"/>
+        <location filename="../plugin/plugin.py" line="49"/>
         <source>The first inspection in five minutes, and a page for every algorithm</source>
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
@@ -7719,12 +7689,7 @@
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
-        <source>{path} is being written by another program; close it there, or choose another file.</source>
-        <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -7749,7 +7714,7 @@
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/comparemarks.py" line="73"/>
+        <location filename="../plugin/photos/comparemarks.py" line="72"/>
         <source>Pixel size (µm)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
@@ -8224,16 +8189,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="70"/>
-        <source>{path} is unchanged, as the run did not finish; what was measured until then is in {part}.</source>
-        <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="73"/>
-        <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
-        <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="250"/>
@@ -9154,12 +9109,12 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="58"/>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="59"/>
+        <location filename="../plugin/toolkit/messages.py" line="58"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -9217,7 +9172,7 @@
         <translation>Największa terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="114"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="110"/>
         <source>The minimum height that the results are compared with, or one for each sensor, type of image or direction: &apos;DMC 2714; RC20 2015&apos;.</source>
         <translation>Wysokość minimalna, z którą porównuje się wyniki, albo po jednej dla każdego sensora, typu obrazu lub kierunku: &apos;DMC 2714; RC20 2015&apos;.</translation>
     </message>
@@ -9637,7 +9592,7 @@
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="28"/>
+        <location filename="../plugin/toolkit/messages.py" line="27"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is not a number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
@@ -9794,7 +9749,7 @@
         <translation>{field} w oknach ({count}) jest liczbą, której nie daje żaden pomiar; została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="37"/>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
         <source>Seam Inspector was updated or turned off while this ran; start it again.</source>
         <translation>Seam Inspector został zaktualizowany albo wyłączony w trakcie pracy; uruchom to ponownie.</translation>
     </message>
@@ -9804,7 +9759,7 @@
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="118"/>
+        <location filename="../plugin/photos/measure/messages.py" line="116"/>
         <source>The mark &apos;{mark}&apos; was measured at column {column:g}, row {row:g}, where no scanned photo has pixels; correct or remove it.</source>
         <translation>Znaczek &apos;{mark}&apos; zmierzono w kolumnie {column:g}, wierszu {row:g}, gdzie żadne skanowane zdjęcie nie ma pikseli; popraw go lub usuń.</translation>
     </message>
@@ -10291,22 +10246,22 @@
         <translation>w tym miejscu jest coś innego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="171"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="170"/>
         <source>Save picture</source>
         <translation>Zapisz obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="186"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="182"/>
         <source>The picture was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano obrazu w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="189"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="185"/>
         <source>The picture was saved to {path}.</source>
         <translation>Zapisano obraz w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="182"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="180"/>
         <source>it can&apos;t be written</source>
         <translation>nie można go zapisać</translation>
     </message>
@@ -10321,12 +10276,12 @@
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="113"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="204"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
@@ -10451,12 +10406,12 @@
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="30"/>
+        <location filename="../plugin/photos/measure/messages.py" line="29"/>
         <source>The marks &apos;{mark}&apos; and &apos;{other}&apos; of the calibration are at the same place; correct their coordinates.</source>
         <translation>Znaczki „{mark}” i „{other}” kalibracji są w jednym miejscu; popraw ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="41"/>
+        <location filename="../plugin/photos/measure/messages.py" line="40"/>
         <source>The positions of &apos;{mark}&apos; and &apos;{other}&apos; are at the same place; move one of them.</source>
         <translation>Położenia „{mark}” i „{other}” są w jednym miejscu; przesuń jedno z nich.</translation>
     </message>
@@ -10471,7 +10426,7 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {metres:.3g} px, jako stopy o {feet:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="74"/>
+        <location filename="../plugin/toolkit/messages.py" line="70"/>
         <source>{name} has the wrong ending; the file is written as {filters}, so give it that ending.</source>
         <translation>{name} ma niewłaściwe rozszerzenie; plik jest zapisywany jako {filters}, więc nadaj mu takie rozszerzenie.</translation>
     </message>
@@ -10742,17 +10697,17 @@
         <translation>co najmniej {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="43"/>
+        <location filename="../plugin/toolkit/messages.py" line="42"/>
         <source>Dask {versions} answers at {address}, and this is Dask {own}; install the same version of dask and distributed on the scheduler, the workers and here.</source>
         <translation>Pod adresem {address} odpowiada Dask {versions}, a tutaj jest Dask {own}; zainstaluj tę samą wersję dask i distributed dla schedulera, procesów roboczych i tutaj.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="46"/>
+        <location filename="../plugin/toolkit/messages.py" line="45"/>
         <source>{given} is not an executor; give one of concurrent.futures, a Dask client, or the address of a Dask scheduler.</source>
         <translation>{given} nie jest executorem; podaj executor z concurrent.futures, klienta Dask albo adres schedulera Dask.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="65"/>
+        <location filename="../plugin/toolkit/messages.py" line="63"/>
         <source>In {path} field names are cut to ten letters ({names}), so they can&apos;t be found, or are mistaken for others; write a GeoPackage to keep them.</source>
         <translation>W pliku {path} nazwy pól są obcięte do dziesięciu liter ({names}), więc kto ich szuka, nie znajdzie ich albo znajdzie inne; zapisz GeoPackage, aby je zachować.</translation>
     </message>
@@ -10880,17 +10835,17 @@
         <translation>Okno {number} nie jest prostokątem; podaj (xmin, ymin, xmax, ymax), geometrię z shapely albo wiersz z geometrią lub z xmin, ymin, xmax i ymax.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>&apos;{parameter}&apos; is {value:g}; give {least:g} or more.</source>
         <translation>„{parameter}” to {value:g}; podaj {least:g} lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="29"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number from {least:g} to {most:g}.</source>
         <translation>„{parameter}” to {value:g}; podaj liczbę od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="31"/>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;; give one of {known}.</source>
         <translation>„{parameter}” to „{value}”; znane są {known}.</translation>
     </message>
@@ -11039,7 +10994,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS (w systemie Windows w OSGeo4W Shell), a potem uruchom ponownie QGIS. Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: &apos;{found}&apos; means something else there to QGIS or GDAL; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: &apos;{found}&apos; znaczy tam dla QGIS lub GDAL co innego; wybierz inną nazwę.</translation>
     </message>
@@ -11164,7 +11119,7 @@
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="53"/>
+        <location filename="../plugin/toolkit/messages.py" line="52"/>
         <source>The Dask scheduler at {address} is gone, or has no workers any more; start them anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać albo nie ma już procesów roboczych; uruchom je od nowa, a potem powtórz operację.</translation>
     </message>
@@ -11302,7 +11257,7 @@
         <translation>od {near} do {far} m: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="156"/>
+        <location filename="../plugin/seams/desk/charts/chart_widgets.py" line="155"/>
         <source>Save the chart as a picture</source>
         <translation>Zapisz wykres jako obraz</translation>
     </message>
@@ -11352,27 +11307,27 @@
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="39"/>
+        <location filename="../plugin/toolkit/messages.py" line="38"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos;, or give no scheduler.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="41"/>
+        <location filename="../plugin/toolkit/messages.py" line="40"/>
         <source>No Dask scheduler answers at {address} ({error}); check the address (the usual port is 8786), or give none.</source>
         <translation>Pod adresem {address} nie odpowiada scheduler Dask ({error}); sprawdź adres (zwykle z portem 8786) albo nie podawaj żadnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <location filename="../plugin/toolkit/messages.py" line="47"/>
         <source>The executor was shut down or lost its workers; open a new one, then run this again. A script whose processes are spawned needs the line if __name__ == &apos;__main__&apos;: above its work.</source>
         <translation>Executor zamknięto albo stracił swoje procesy; otwórz nowy i uruchom to ponownie. Skrypt, którego procesy są uruchamiane od nowa (spawn), musi mieć nad swoimi poleceniami wiersz if __name__ == &apos;__main__&apos;:.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <location filename="../plugin/toolkit/messages.py" line="50"/>
         <source>The Dask scheduler at {address} has no workers, or none that answers; start some, or give no scheduler.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych albo żaden nie odpowiada; uruchom je albo nie podawaj schedulera.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="55"/>
+        <location filename="../plugin/toolkit/messages.py" line="54"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there (osgeo is GDAL&apos;s python3-gdal), or give no scheduler.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam (osgeo to python3-gdal z GDAL) albo nie podawaj schedulera.</translation>
     </message>
@@ -11557,6 +11512,16 @@
         <location filename="../plugin/seams/desk/judging.py" line="74"/>
         <source>{count} not comparable or not inspected</source>
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="68"/>
+        <source>{path} is unchanged, as the run did not finish or another program has the file open; the new layer is {part}.</source>
+        <translation>{path} pozostaje bez zmian, bo obliczeń nie ukończono albo plik jest otwarty w innym programie; nowa warstwa to {part}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="109"/>
+        <source>The folder {path} does not exist, or holds neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
+        <translation>Katalog {path} nie istnieje albo nie zawiera ani warstw z polem „mark”, ani plików MeasuresIm-*.xml programu MicMac.</translation>
     </message>
 </context>
 </TS>

@@ -35,21 +35,11 @@ class SeamInspectorPlugin:
         assert self._iface is not None
         self.initProcessing()
         for make, icon, name, words, tooltip in (
-            (
-                _inspection_dock,
-                "seam_inspector",
-                "seamInspectorAction",
-                tr("Seam Inspector"),
-                tr("Inspect how much detail a mosaic kept along its seams"),
-            ),
-            (
-                _bar_dock,
-                "bar_group",
-                "seamInspectorBarAction",
-                tr("Bar groups"),
-                tr("Draw lines across the groups of a bar target and watch their profiles"),
-            ),
-        ):
+            (_inspection_dock, "seam_inspector", "seamInspectorAction", tr("Seam Inspector"),
+             tr("Inspect how much detail a mosaic kept along its seams")),
+            (_bar_dock, "bar_group", "seamInspectorBarAction", tr("Bar groups"),
+             tr("Draw lines across the groups of a bar target and watch their profiles")),
+        ):  # fmt: skip
             action = QAction(QIcon(icon_path(icon)), words, self._iface.mainWindow())
             action.setObjectName(name)
             action.setToolTip(tooltip)
@@ -95,7 +85,7 @@ class Desk:
         iface.rasterMenu().addAction(action)
 
     def _reopen(self) -> None:
-        """As it was when QGIS was closed."""
+        """Show the dock where it was open when QGIS was closed."""
         if self.dock is None and QgsSettings().value(self._key, False, type=bool):
             self._show(True)
 
@@ -103,9 +93,7 @@ class Desk:
         """Leave nothing behind."""
         self._iface.initializationCompleted.disconnect(self._reopen)
         if self.dock is not None:
-            self.dock.visibilityChanged.disconnect(self._shown)
-            self.dock.closed.disconnect(self._closed)
-            self.dock.opened.disconnect(self._opened)
+            self.dock.openedStateChanged.disconnect(self._remember)
             self.dock.close_desk()
             self._iface.removeDockWidget(self.dock)
             self.dock.deleteLater()
@@ -125,35 +113,21 @@ class Desk:
                     if not why_not:
                         raise
             if self.dock is None:
-                self._explain(why_not)
+                self.action.setChecked(False)
+                warning = Qgis.MessageLevel.Warning
+                self._iface.messageBar().pushMessage(tr("Seam Inspector"), why_not, warning, 0)  # until it is read
                 return
             self._iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.dock)
             width = self.dock.standard_width
             self._iface.mainWindow().resizeDocks([self.dock], [width], Qt.Orientation.Horizontal)
-            self.dock.visibilityChanged.connect(self._shown)
-            self.dock.closed.connect(self._closed)
-            self.dock.opened.connect(self._opened)
+            self.dock.setToggleVisibilityAction(self.action)
+            self.dock.openedStateChanged.connect(self._remember)
         self.dock.setUserVisible(shown)
         self._remember(shown)
-
-    def _opened(self) -> None:
-        self._remember(True)
-
-    def _closed(self) -> None:
-        self._remember(False)
 
     def _remember(self, is_open: bool) -> None:
         """For the next start; that QGIS hides all as it ends says nothing."""
         QgsSettings().setValue(self._key, is_open)
-
-    def _explain(self, why_not: str) -> None:
-        """Why there is no dock; the message stays until it is read."""
-        self.action.setChecked(False)
-        self._iface.messageBar().pushMessage(tr("Seam Inspector"), why_not, Qgis.MessageLevel.Warning, 0)
-
-    def _shown(self, visible: bool) -> None:
-        if self.dock is not None:
-            self.action.setChecked(self.dock.isUserVisible())  # which one behind another dock is not
 
 
 def _inspection_dock(iface: QgisInterface) -> QgsDockWidget:

@@ -85,8 +85,8 @@ def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, 
     from .seams.measure.seam_cells import source_stem
 
     wanted = {source_stem(name) for name in sides if name}
-    named = tuple(source for source in sources if source_stem(source.ref.name) in wanted)
-    return named if len({source_stem(one.ref.name) for one in named}) == _MOST_IMAGES else tuple(sources)
+    named = {source: stem for source in sources if (stem := source_stem(source.ref.name)) in wanted}
+    return tuple(named) if len({*named.values()}) == _MOST_IMAGES else tuple(sources)
 
 
 def _panels(request: WindowRequest, part: tuple[int, int, int, int]) -> Iterator[ProofPanel]:

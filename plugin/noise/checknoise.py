@@ -86,7 +86,6 @@ class CheckNoise(RasterListAlgorithm):
         super().check(run)
         self._settings(run)
         self._group_field(run)
-        run.check_chart()
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.executors import open_executor
@@ -97,7 +96,6 @@ class CheckNoise(RasterListAlgorithm):
         super().check(run)
         wavelet, levels = self._settings(run)
         field = self._group_field(run)
-        run.check_chart()
         images = []
         names = (run.text(GROUP_NAME), run.text(SECOND_GROUP_NAME))
         for group, (parameter, name) in enumerate(zip(self.RASTER_LISTS, names), 1):

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from .measure.mark_comparison import ComparedMark, DifferenceStatistics, MarkDifference
 
 DEFAULT_MEAN_DISTANCE_PX = 0.25  # of two operators in Mikrut and Chwastek 2007, tables 1 and 2, and so their demand
-NAMED = 5  # of the marks that are not compared
 FIRST, SECOND, PIXEL_SIZE, LIMIT = "FIRST", "SECOND", "PIXEL_SIZE", "LIMIT"
 FOLDERS = {FIRST: "FIRST_FOLDER", SECOND: "SECOND_FOLDER"}
 OUTPUT, PHOTOS, DIFFERENCES, WITHIN_LIMIT = "OUTPUT", "PHOTOS", "DIFFERENCES", "WITHIN_LIMIT"
@@ -112,8 +111,7 @@ class CompareMarks(SeamInspectorAlgorithm):
             statistics["um"] = mark_comparison.distance_statistics(differences, size)
             limits_of_units["um"] = limit * size
         if alone:
-            names = ", ".join(alone[:NAMED]) + (", ..." if len(alone) > NAMED else "")
-            run.tell(messages.COMPARED_ALONE(count=len(alone), names=names))
+            run.tell(messages.COMPARED_ALONE(count=len(alone), names=mark_comparison.some_names(alone)))
         by_photo: dict[str, list[MarkDifference]] = {}
         for difference in differences:
             by_photo.setdefault(difference.photo, []).append(difference)

@@ -95,10 +95,8 @@ def folder_marks(folder: Path) -> list[ComparedMark]:
     """The marks of all files of a folder: layers with a field ``mark``, and MicMac's MeasuresIm-*.xml. A layer that
     does not say the photo is of the photo that its file is called like; what is no file is left alone. Raises
     PhotoError for a folder that is not there or holds no marks."""
-    if not os.path.isdir(folder):
-        raise PhotoError(messages.COMPARED_NO_FOLDER(path=folder))
     made: list[ComparedMark] = []
-    for path in sorted(folder.iterdir()):
+    for path in sorted(folder.iterdir()) if os.path.isdir(folder) else ():
         if is_endless(str(path)):
             continue
         if path.suffix.lower() == ".xml" and path.name.startswith(MEASURES):
@@ -106,7 +104,7 @@ def folder_marks(folder: Path) -> list[ComparedMark]:
         elif path.suffix.lower() in VECTOR_ENDINGS and is_layer_file(path):
             made += _file_marks(path)
     if not made:
-        raise PhotoError(messages.COMPARED_EMPTY_FOLDER(path=folder))
+        raise PhotoError(messages.COMPARED_NO_MARKS(path=folder))
     return made
 
 

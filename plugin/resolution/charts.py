@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, band_colour
-from ..toolkit.charts.figure_files import plain_figure
+from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.translation import band_title, filled, tr
 from .distance_words import direction_title
 from .measure.bar_groups import GroupResult
@@ -91,7 +91,7 @@ def _panel_figure(
     """Panels row by row; ``legend_height``: inches above and below them that are left free."""
     rows = -(-len(panels) // columns)
     height = _ROW_HEIGHT * rows + 2 * legend_height
-    figure = plain_figure(_PANEL_WIDTH * columns, height)
+    figure = new_figure(_PANEL_WIDTH * columns, height, layout=None)
     below, above = legend_height + 0.16 * _ROW_HEIGHT, legend_height + 0.18 * _ROW_HEIGHT
     grid = figure.add_gridspec(
         rows, columns, left=0.15 / columns, right=1 - 0.03 / columns, bottom=below / height, top=1 - above / height,

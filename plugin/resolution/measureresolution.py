@@ -125,7 +125,6 @@ class MeasureResolution(SeamInspectorAlgorithm):
 
         raster, target = self._raster, self._target(run)
         width, band = run.real(WIDTH), self._band(run, raster)
-        run.check_chart()
         lines = run.source(GROUPS)
         names = lines.fields().names()
         line_layers.check_fields(names)

@@ -41,14 +41,10 @@ def observation(row: QgsFeature, keys: Sequence[str], readings: Sequence[str]) -
     from .measure.minimum_height import Observation
 
     words = [row[name] for name in readings if text(row[name])]
-    height, grds = number(row[HEIGHT]), [number(word) for word in words]
-    wrong = [text(word) for word, grd in zip([row[HEIGHT], *words], [height, *grds]) if grd is None and text(word)]
-    if wrong:
-        return messages.OBSERVATION_NO_NUMBER(word=wrong[0])
-    if height is None or not grds:
-        return messages.OBSERVATION_EMPTY()
-    read = tuple(grd for grd in grds if grd is not None)
-    made = Observation(height, read, tuple(text(row[name]) for name in keys))
+    height, grds = number(row[HEIGHT]), tuple(grd for grd in map(number, words) if grd is not None)
+    if height is None or not grds or len(grds) < len(words):
+        return messages.OBSERVATION_NO_NUMBER()
+    made = Observation(height, grds, tuple(text(row[name]) for name in keys))
     return made.fault or made
 
 

@@ -13,7 +13,7 @@ from ..imagery.grids import PixelWindow
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
 from ..toolkit.charts.chart_style import band_colour
-from ..toolkit.charts.figure_files import plain_figure, svg_text
+from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.templates import HowMeasured, measured_raster, save_page, sentences_once
 from ..toolkit.translation import band_title, filled, percent, sentence, shown_number, tr
 from .charts import VERDICT_COLOURS, lines_of, profile_rows, verdict_of, verdict_word
@@ -178,7 +178,8 @@ def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | N
     best = int(scales.argmax())
     count, length, scale = int(counts[best]), int(lengths[best]), float(scales[best])
     shape = length * scale, count * breadth * scale + (count - 1) * _GAP
-    figure, gap = plain_figure(*(shape[::-1] if axis else shape)), _GAP / (breadth * scale)
+    width, height = shape[::-1] if axis else shape
+    figure, gap = new_figure(width, height, layout=None), _GAP / (breadth * scale)
     grid = {"left": 0, "right": 1, "bottom": 0, "top": 1, "wspace": gap, "hspace": gap}
     parts = figure.subplots(*((1, count) if axis else (count, 1)), squeeze=False, gridspec_kw=grid)
     bands = OpenRaster(raster.ref).read(PixelWindow(*first.tolist(), *size.tolist())).bands

@@ -1,14 +1,10 @@
-"""Work in the background: QgsTasks, started, followed and stopped, whose results come in the interface's thread.
-
-Threads of ours let the interface go first.
-"""
+"""Work in the background: QgsTasks, started, followed and stopped, whose results come in the interface's thread."""
 from __future__ import annotations
 
 import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import Enum
 from threading import Lock
@@ -21,34 +17,9 @@ from ..imagery.errors import CancelledError, Message, SeamInspectorError
 from . import messages
 from .version_differences import SILENT_TASK
 
-_INTERVAL_S = 0.0005
-_lock = Lock()
-_threads = 0
-_interval_before = 0.0
-
-
-@contextmanager
-def interface_first() -> Iterator[None]:
-    """Make threads hand Python's interpreter over within half a millisecond, not the usual five.
-
-    The interface asks for the interpreter many times while it handles one event (each call of a method that we
-    override is one), and would wait as many times.
-    """
-    global _threads, _interval_before
-    with _lock:
-        if not _threads:
-            _interval_before = sys.getswitchinterval()
-            sys.setswitchinterval(_INTERVAL_S)
-        _threads += 1
-    try:
-        yield
-    finally:
-        with _lock:
-            _threads -= 1
-            if not _threads:
-                sys.setswitchinterval(_interval_before)
-
-
+SWITCH_INTERVAL_S = 0.0005
+"""Time in which threads hand Python's interpreter over, not the usual 5 ms: the interface asks for it many times while
+it handles one event (each call of a method that we override is one), and would wait as many times."""
 Cancelled = Callable[[], bool]
 Job = Callable[[Cancelled], Iterator[tuple[float, object]]]
 
@@ -97,10 +68,9 @@ class BackgroundTask(QgsTask):
 
     def run(self) -> bool:
         try:
-            with interface_first():
-                for share, result in self._job(self.isCanceled):
-                    self.arrived.emit(result)
-                    self.setProgress(100 * share)
+            for share, result in self._job(self.isCanceled):
+                self.arrived.emit(result)
+                self.setProgress(100 * share)
         except CancelledError:
             pass  # as ``finished`` tells
         except SeamInspectorError as error:
@@ -124,6 +94,7 @@ class BackgroundTasks(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
+        sys.setswitchinterval(SWITCH_INTERVAL_S)
         self._tasks: list[BackgroundTask] = []
         self._done = self._asked = 0
 
@@ -170,13 +141,9 @@ class BackgroundTasks(QObject):
         self._settle()
 
     def close(self) -> None:
-        """Cancel everything and follow no task any more."""
-        tasks, self._tasks = self._tasks, []
-        for task in tasks:
-            task.arrived.disconnect(self._arrived)
-            task.ended.disconnect(self._ended)
-            task.cancel()
-        self._done = self._asked = 0
+        """Cancel everything and tell nothing any more."""
+        self.blockSignals(True)
+        self.abandon()
 
     def _arrived(self, result: object) -> None:
         task = self.sender()
@@ -253,8 +220,7 @@ class LatestOnly(QObject):
     def _run(self, work: Work, turn: int) -> None:
         begun = time.perf_counter()
         try:
-            with interface_first():
-                outcome = work()
+            outcome = work()
         except Exception as error:  # the last door: nobody else would learn of it
             outcome = messages.TASK_FAILED(task=self._name, error=f"{type(error).__name__}: {error}")
         with self._lock:  # after ``close`` this may be gone

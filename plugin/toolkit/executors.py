@@ -95,34 +95,13 @@ def _client_at(address: str, is_cancelled: Callable[[], bool]) -> Client:
     except ImportError:
         raise SettingsError(messages.DASK_MISSING()) from None
     try:
-        _answer(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(address), ANSWER_SECONDS)), is_cancelled)
-        return Client(address, timeout=ANSWER_SECONDS)
-    except (SettingsError, CancelledError):
+        # Dask's client has no limit of time for the first words
+        return _answer(lambda: Client(address, timeout=ANSWER_SECONDS), is_cancelled, ANSWER_SECONDS)
+    except CancelledError:
         raise
     except Exception as error:  # whatever Dask makes of bytes that are none of its own
         why = str(error) or f"{ANSWER_SECONDS:.0f} s"
         raise SettingsError(messages.SCHEDULER_SILENT(address=address, error=why)) from None
-
-
-async def _check_scheduler(address: str) -> None:
-    """Dask's client has no limit of time for the first words, and breaks off where versions differ. Raises anything."""
-    from distributed.core import rpc
-    from distributed.security import Security
-
-    arguments = Security().get_connection_args("client")
-    async with rpc(address, timeout=ANSWER_SECONDS, connection_args=arguments) as scheduler:
-        if (await scheduler.identity())["type"] != "Scheduler":
-            raise TypeError(address)
-        _check_versions(address, await scheduler.versions())
-
-
-def _check_versions(address: str, *answers: dict[str, Any]) -> None:
-    """Raise SettingsError where another version of Dask answers, by what Dask tells of versions."""
-    from distributed import __version__ as own
-
-    versions = {str(answer["packages"]["distributed"]) for answer in answers} - {own}
-    if versions:
-        raise SettingsError(messages.DASK_VERSIONS(address=address, versions=", ".join(sorted(versions)), own=own))
 
 
 def _answer(call: Callable[[], Any], is_cancelled: Callable[[], bool], seconds: float = PATIENCE_SECONDS) -> Any:
@@ -178,8 +157,13 @@ def _prepare(client: Client, address: str) -> int:
     threads = sum(client.nthreads().values())
     if not threads:
         raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=address))
-    versions = client.get_versions()
-    _check_versions(address, versions["scheduler"], *versions["workers"].values())
+    answers = client.get_versions()
+    here, *others = (
+        str(answer["packages"]["distributed"])
+        for answer in (answers["client"], answers["scheduler"], *answers["workers"].values())
+    )
+    if versions := ", ".join(sorted({*others} - {here})):
+        raise SettingsError(messages.DASK_VERSIONS(address=address, versions=versions, own=here))
     try:
         client.run(exec, _PREPARE)
     except ImportError as error:

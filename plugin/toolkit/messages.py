@@ -24,7 +24,6 @@ WINDOWS_RESHAPED = Message(
     WARNING)
 # numbers
 NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is not a coordinate reference system; choose one.")
-NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
 NO_NUMBER = Message("'{parameter}' is '{value}', which is not a number; write it with a point, such as 0.7.")
 NUMBER_TOO_SMALL = Message("'{parameter}' is {value:g}; give {least:g} or more.")
 NUMBER_BEYOND = Message("'{parameter}' is {value:g}; give a number from {least:g} to {most:g}.")
@@ -58,7 +57,6 @@ WORKERS_WITHOUT_PACKAGES = Message(
 OF_A_WINDOW = Message("Window {window}: {what}", INFO)
 OF_WINDOWS = Message("In {count} windows ({windows}), such as {window}: {what}", INFO)
 # outputs and charts
-OUTPUT_IN_USE = Message("{path} is being written by another program; close it there, or choose another file.")
 NAME_MISREAD = Message(
     "'{output}' can't be {path}: '{found}' means something else there to QGIS or GDAL; choose another name.")
 FIELD_NAMES_CUT = Message(
@@ -66,10 +64,7 @@ FIELD_NAMES_CUT = Message(
     "a GeoPackage to keep them.", WARNING)
 LAYER_IN_PART = Message(
     "{path} holds {held} of {count} features, as the rest can't be written; make room on the disk, and run this again.")
-LAYER_NOT_REPLACED = Message(
-    "{path} is unchanged, as the run did not finish; what was measured until then is in {part}.",
+LAYER_BESIDE = Message(
+    "{path} is unchanged, as the run did not finish or another program has the file open; the new layer is {part}.",
     WARNING)
-LAYER_IN_USE = Message(
-    "{path} is open in another program and can't be replaced; the new layer is {part}.", WARNING)
 FILE_FORMAT_OTHER = Message("{name} has the wrong ending; the file is written as {filters}, so give it that ending.")
-CHART_FORMAT_UNKNOWN = Message("{name} is not a PNG, SVG or PDF file; give the chart a name with one of these endings.")

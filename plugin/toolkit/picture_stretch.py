@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
+from itertools import product
 
 import numpy as np
 
@@ -96,8 +97,7 @@ def raster_sample(source: OpenRaster) -> np.ndarray:
     else:
         blocks = [
             source.read(PixelWindow(column, row, _PIECE_PX, _PIECE_PX).cut_to(whole.width, whole.height))
-            for row in _starts(whole.height)
-            for column in _starts(whole.width)
+            for row, column in product(_starts(whole.height), _starts(whole.width))
         ]
     shown = 3 if source.raster.has_luminance else 1
     return np.concatenate([block.bands[:shown, block.valid].ravel() for block in blocks])
@@ -129,4 +129,4 @@ def to_bytes(values: np.ndarray, low: float, high: float) -> np.ndarray:
 
 def _starts(length: int) -> list[int]:
     """The starts of pieces that lie evenly along a side."""
-    return sorted({int((length - _PIECE_PX) * i / (_PIECES - 1)) if length > _PIECE_PX else 0 for i in range(_PIECES)})
+    return sorted(set(np.linspace(0, max(0, length - _PIECE_PX), _PIECES, dtype=int).tolist()))

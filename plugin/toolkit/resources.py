@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 
 from qgis.PyQt.QtCore import QUrl
@@ -12,29 +11,11 @@ _PLUGIN = Path(__file__).parents[2]
 _RESOURCES = _PLUGIN / "resources"
 
 
-@cache
 def plugin_commit() -> str:
-    """The commit that the plugin was made of, as its package has it, or that a checkout is at; empty for neither.
-
-    Nothing is run for it: git's own files are read.
-    """
-    git = _PLUGIN / ".git"
-    head = _lines(_PLUGIN / "COMMIT") or _lines(git / "HEAD")
-    if not head or not head[0].startswith(_REFERENCE):
-        return head[0] if head else ""
-    name = head[0][len(_REFERENCE) :]
-    packed = (line.split()[0] for line in _lines(git / "packed-refs") if line.endswith(f" {name}"))
-    return next(iter([*_lines(git / name), *packed]), "")
-
-
-_REFERENCE = "ref: "
-
-
-def _lines(path: Path) -> list[str]:
-    """Lines of a text file; none where there is no such file."""
-    with suppress(OSError, UnicodeError):
-        return path.read_text(encoding="utf-8").splitlines()
-    return []
+    """The commit that the plugin's package was made of; empty for a checkout, which may be at any."""
+    with suppress(FileNotFoundError):
+        return (_PLUGIN / "COMMIT").read_text(encoding="utf-8").strip()
+    return ""
 
 
 def icon_path(name: str = "seam_inspector") -> str:

@@ -40,10 +40,9 @@ def contrasts(dock: QWidget) -> dict[str, float]:
 
 def _words(dock: QWidget) -> Iterator[tuple[str, QWidget, QRect]]:
     for widget in dock.findChildren(QWidget):
-        kind = type(widget).__name__
         if not widget.isVisible():
             continue
-        if (kind == "ClippedLabel" or isinstance(widget, QLabel)) and widget.text():
+        if isinstance(widget, QLabel) and widget.text():
             yield f"label {widget.text()}", widget, widget.rect()
         elif isinstance(widget, QPushButton) and widget.isEnabled():
             yield f"button {widget.text()}", widget, widget.rect().adjusted(widget.width() // 3, 5, -5, -5)

@@ -144,14 +144,6 @@ def test_every_folder_is_a_subject_or_a_shared_floor(repository: Path) -> None:
     assert all((repository / "plugin" / subject / "measure").is_dir() for subject in SUBJECTS)
 
 
-def test_no_folder_holds_more_than_a_reader_keeps_in_view(repository: Path) -> None:
-    counts = {
-        folder.relative_to(repository).as_posix(): sum(path.name != "__init__.py" for path in folder.glob("*.py"))
-        for folder in {path.parent for path in (repository / "plugin").rglob("*.py")}
-    }
-    assert {folder: count for folder, count in counts.items() if count > 24} == {}
-
-
 @pytest.mark.parametrize(
     ("file", "line"),
     [
@@ -185,12 +177,3 @@ def test_a_planted_violation_is_found(tmp_path: Path, file: str, line: str) -> N
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(line, encoding="utf-8")
     assert len(faults(tmp_path)) == 1
-
-
-def test_no_class_name_stands_twice(repository: Path) -> None:
-    names: dict[str, list[str]] = {}
-    for path in sorted((repository / "plugin").rglob("*.py")):
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
-            if isinstance(node, ast.ClassDef):
-                names.setdefault(node.name, []).append(path.relative_to(repository).as_posix())
-    assert {name: places for name, places in names.items() if len(places) > 1} == {}

@@ -28,6 +28,7 @@ from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 
 from tests.made_once import the_small_block
+from tests.numbers.disks import names_of
 from tests.numbers.synthetic import write_raster
 from tools import python_pages
 
@@ -162,27 +163,11 @@ def writer(request: pytest.FixtureRequest, tmp_path: Path, tmp_path_factory: pyt
     return WRITERS[request.param](tmp_path, tmp_path_factory)
 
 
-def names(path: Path) -> Iterator[str]:
-    """Other names of a file, and of files that are parts of a raster by their name."""
-    yield str(path)
-    yield os.path.relpath(path)
-    yield f"{path.parent}/../{path.parent.name}/./{path.name}"
-    link, hard, folder = (path.parent / name for name in ("link.tif", "hard.tif", "folder"))
-    link.symlink_to(path)
-    yield str(link)
-    os.link(path, hard)
-    yield str(hard)
-    folder.symlink_to(path.parent, target_is_directory=True)
-    yield str(folder / path.name)
-    for alias in (link, hard, folder):
-        alias.unlink()
-
-
 @pytest.mark.slow
 def test_nothing_takes_the_place_of_an_input(writer: Writer) -> None:
     for path in writer.inputs:
         before = path.read_bytes()
-        for name in names(path):
+        for name in names_of(path):
             with pytest.raises(SeamInspectorError, match=BELONGS):
                 writer.write(name)
             assert path.read_bytes() == before
@@ -332,10 +317,3 @@ def test_older_results_and_others_beside_an_input_may_be_replaced(image: Path, t
     older = shutil.copy(image, tmp_path / "older.tif")
     for output in (older, tmp_path / "image_2.tif", tmp_path / "image.html", tmp_path / "image_rpc.txt"):
         assert not refused(output, image)
-
-
-def test_outputs_are_two_files(tmp_path: Path) -> None:
-    link = tmp_path / "link.tif"
-    link.symlink_to(tmp_path / "new.tif")
-    with pytest.raises(SeamInspectorError, match="'first' and 'second' would be written to the same file"):
-        check_outputs([("first", DataPlace(str(link))), ("second", DataPlace(str(tmp_path / "new.tif")))], ())

@@ -118,7 +118,7 @@ def test_numbers_that_are_none_are_refused_by_the_steps_of_models(given: dict[st
     values = {"seamlines": given["seams"], "mosaic": given["mosaic"], "sources": given["sources"]}
     for parameter in ("side", "spacing"):
         complaint = str(run_unchecked("inspect_mosaic", **values, **{parameter: math.inf}).complaint)
-        assert "is inf; give a number" in complaint
+        assert "is 'inf', which is not a number" in complaint
         assert "Traceback" not in complaint
 
 

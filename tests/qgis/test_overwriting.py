@@ -2,9 +2,7 @@
 from __future__ import annotations
 
 import gc
-import os
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from types import FrameType
 
@@ -18,9 +16,9 @@ from qgis.core import (
     QgsProperty,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtCore import QUrl
 from seam_inspector.plugin.imagery import file_identity
 
+from tests.numbers.disks import names_of
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
 from tests.qgis.scenes import SHARP, Scene, layer, line, saved, windows
@@ -54,21 +52,9 @@ def image(tmp_path: Path) -> Path:
     return path
 
 
-def names(path: Path) -> Iterator[str]:
-    """Other names of a file."""
-    yield os.path.relpath(path)
-    yield f"{path.parent}/../{path.parent.name}/./{path.name}"
-    (path.parent / "link.tif").symlink_to(path)
-    yield str(path.parent / "link.tif")
-    os.link(path, path.parent / "hard.tif")
-    yield str(path.parent / "hard.tif")
-    (path.parent / "folder").symlink_to(path.parent, target_is_directory=True)
-    yield str(path.parent / "folder" / path.name)
-
-
 def test_a_file_is_known_by_every_name(image: Path) -> None:
     before = image.read_bytes()
-    for name in names(image):
+    for name in names_of(image):
         for output in (name, QgsProperty.fromExpression(f"'{name}'"), QgsProcessingOutputLayerDefinition(name)):
             assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=output)
         assert_refused("enhancephoto", REFUSED, PHOTO=name, OUTPUT=str(image))
@@ -180,15 +166,3 @@ def test_the_layers_of_a_virtual_dataset_are_kept(image: Path, tmp_path: Path) -
         given = {"SEAMLINES": str(virtual), "MOSAIC": str(image), "SIDE": 7}
         assert_refused("placewindows", REFUSED, **given, OUTPUT=str(seam))
         assert_refused("placewindows", REFUSED, **given, OUTPUT=str(virtual))
-
-
-def test_the_layers_of_a_query_are_kept(image: Path, tmp_path: Path, project: QgsProject) -> None:
-    seam = seamlines_file(tmp_path)
-    lines = QgsVectorLayer(str(seam), "lines", "ogr")
-    project.addMapLayer(lines)
-    by_name, by_id = (f'?query=select * from "{name}"' for name in (lines.name(), lines.id()))
-    brought_along = f"?layer=ogr:{QUrl.toPercentEncoding(str(seam)).data().decode()}:s:UTF-8&query=select * from s"
-    for address in (by_name, by_id, brought_along):
-        queried = QgsVectorLayer(address.replace(" ", "%20"), "queried", "virtual")
-        assert queried.isValid()
-        assert_refused("placewindows", REFUSED, SEAMLINES=queried, MOSAIC=str(image), SIDE=7, OUTPUT=str(seam))

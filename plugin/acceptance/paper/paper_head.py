@@ -33,7 +33,7 @@ def head_rows(head: Mapping[str, str]) -> Iterator[tuple[str, str]]:
 
 def add_head(algorithm: SeamInspectorAlgorithm) -> None:
     for name, (title, help_text) in _TEXTS.items():
-        algorithm.addDescribed(common.remembered_text(name, tr(title)), tr(help_text))
+        algorithm.addDescribed(common.with_last_value(common.words(name, tr(title))), tr(help_text))
 
 
 def stated_head(run: Run) -> dict[str, str]:

@@ -16,8 +16,8 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
-from ...toolkit.layers import box_extent
-from ...toolkit.pages.templates import environment, system_code, whole_path
+from ...toolkit.layers import box_extent, reference_system
+from ...toolkit.pages.templates import environment, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, RuleOutcome
@@ -162,7 +162,7 @@ def quality_document(record: InspectionRecord) -> str:
         title=f"{record.title}: {names}",
         head="; ".join(f"{name}: {value}" for name, value in head_rows(record.head)),
         sentences=[*map(sentence, decision.sentences)],
-        system=system_code(decision.delivery.wkt),
+        system=reference_system(decision.delivery.wkt).authid(),
         extent=_in_degrees(decision),
         report=Path(record.report).name if record.report else "",
         elements=list(quality_elements(decision)),

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
+from typing import Any
 from xml.etree.ElementTree import ParseError
 
 import numpy as np
@@ -25,8 +26,9 @@ MIN_MARK_DISTANCE = 0.01  # of the frame: nearer ones are one mark with two name
 
 Point = tuple[float, float]
 
-PRINCIPAL_POINT, FOCAL_LENGTH, DATA_STRIP = "principal_point", "focal_length", "data_strip"
-"""Rows of the CSV that are no marks."""
+FOCAL_LENGTH = "focal_length"
+OTHER_ROWS = ("principal_point", FOCAL_LENGTH, "data_strip")
+"""Rows of the CSV that are no marks, as ``CameraCalibration`` has them."""
 
 
 @dataclass(frozen=True)
@@ -92,27 +94,22 @@ def _table(text: str, name: str) -> CameraCalibration:
     rows = csv.DictReader(io.StringIO(text.lstrip()), delimiter=separator, skipinitialspace=True)
     rows.fieldnames = [(field or "").strip().lower() for field in rows.fieldnames or ()]
     if not {"mark", "x_mm", "y_mm"} <= set(rows.fieldnames):
-        raise PhotoError(messages.CALIBRATION_COLUMNS(name=name))
+        raise PhotoError(messages.CALIBRATION_UNKNOWN(name=name))
     marks: dict[str, Point] = {}
-    special: dict[str, Point | None] = {}
-    focal_length: float | None = None
+    others: dict[str, Any] = {}
     for number, row in enumerate(rows, 2):
         mark, texts = (row["mark"] or "").strip(), (row["x_mm"], row["y_mm"])
         values = [_number(text) for text in texts]
         if not mark and values == [None, None]:
             continue
         key = re.sub(r"[\s-]+", "_", mark.lower())
-        if key == FOCAL_LENGTH:
-            focal_length = values[0]
-        elif key in (PRINCIPAL_POINT, DATA_STRIP):
-            special[key] = _point(texts)
-        else:
+        if key not in OTHER_ROWS:
             _add(marks, mark, _point(texts), name, number)
-        if (key == FOCAL_LENGTH and focal_length is None) or (key in special and special[key] is None):
+            continue
+        others[key] = values[0] if key == FOCAL_LENGTH else _point(texts)
+        if others[key] is None:
             raise PhotoError(messages.CALIBRATION_ROW(name=name, row=number))
-    return CameraCalibration(
-        marks, special.get(PRINCIPAL_POINT) or (0.0, 0.0), focal_length, special.get(DATA_STRIP)
-    )
+    return CameraCalibration(marks, **others)
 
 
 def _add(marks: dict[str, Point], mark: str, point: Point | None, name: str, row: object) -> None:

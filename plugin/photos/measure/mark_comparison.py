@@ -3,8 +3,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -66,8 +67,8 @@ class DifferenceStatistics:
 
 def mark_differences(
     first: Sequence[ComparedMark], second: Sequence[ComparedMark]
-) -> tuple[list[MarkDifference], list[str]]:
-    """The marks that both have, in the first one's order, and those that one of them has only, with their photos. Marks
+) -> tuple[list[MarkDifference], list[MarkKey]]:
+    """The marks that both have, in the first one's order, and those that one of them has only. Marks
     are joined by photo and mark where both say the photo, else by mark. Raises PhotoError for a mark that a measurement
     has twice and where nothing is in both."""
     by_photo = any(mark.photo for mark in first) and any(mark.photo for mark in second)
@@ -78,14 +79,14 @@ def mark_differences(
             x, y = theirs[key].place
             differences.append(MarkDifference(mark.photo, mark.mark, x - mark.place[0], y - mark.place[1]))
     if not differences:
-        raise PhotoError(messages.NOTHING_IN_COMMON(first=_some_names(ours), second=_some_names(theirs)))
-    alone = [*(key for key in ours if key not in theirs), *(key for key in theirs if key not in ours)]
-    return differences, [" ".join(filter(None, key)) for key in alone]
+        raise PhotoError(messages.NOTHING_IN_COMMON(first=some_names(ours), second=some_names(theirs)))
+    return differences, [*(key for key in ours if key not in theirs), *(key for key in theirs if key not in ours)]
 
 
-def _some_names(marks: Mapping[MarkKey, ComparedMark]) -> str:
-    names = [" ".join(filter(None, key)) for key in marks]
-    return ", ".join(names[:3]) + (", ..." if len(names) > 3 else "") if names else "-"
+def some_names(marks: Collection[MarkKey]) -> str:
+    """The first marks with their photos."""
+    names = [" ".join(filter(None, key)) for key in islice(marks, 5)]
+    return ", ".join([*names, "..."] if len(marks) > len(names) else names) or "-"
 
 
 def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, ComparedMark]:

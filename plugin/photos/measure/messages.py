@@ -17,7 +17,6 @@ CALIBRATION_NOT_READ = Message("The calibration {path} can't be read ({error}); 
 CALIBRATION_UNKNOWN = Message(
     "{name} is neither a CSV with the columns mark, x_mm and y_mm nor a MeasuresCamera.xml of MicMac; choose one of "
     "these.")
-CALIBRATION_COLUMNS = Message("{name} lacks a column; a calibration has the columns mark, x_mm and y_mm.")
 CALIBRATION_ROW = Message("Row {row} of {name} has no mark with two numbers; complete or remove it.")
 CALIBRATION_TWICE = Message("{name} has the mark '{mark}' twice; give every mark a name of its own.")
 CALIBRATION_EMPTY = Message("{name} holds no marks; a calibration has one row with mark, x_mm and y_mm for each.")
@@ -106,9 +105,8 @@ PHOTO_WITHOUT_TRANSFORMATION = Message(
 MEASURES_NOT_READ = Message("The measurement {name} can't be read ({error}); remove it from the folder or correct it.")
 MEASURES_ROW = Message("The mark '{mark}' in {name} has no column and row; complete or remove it.")
 COMPARED_EITHER = Message("Give each of the two measurements either as a layer or as a folder.")
-COMPARED_NO_FOLDER = Message("The folder {path} does not exist; choose the folder with the measured marks.")
-COMPARED_EMPTY_FOLDER = Message(
-    "The folder {path} holds no measured marks: neither layers with a field 'mark' nor MicMac's MeasuresIm-*.xml.")
+COMPARED_NO_MARKS = Message(
+    "The folder {path} does not exist, or holds neither layers with a field 'mark' nor MicMac's MeasuresIm-*.xml.")
 COMPARED_ALONE = Message(
     "Marks in only one of the measurements, which are not compared: {count} ({names}).", WARNING)
 COMPARED_WITHOUT_MARK = Message("The layer {layer} has no field 'mark'; choose layers of measured marks.")

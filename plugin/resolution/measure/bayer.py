@@ -47,8 +47,6 @@ def simulate_file(
         raise RasterError(messages.BANDS_NOT_COLOURS(name=raster.ref.name, count=len(names)))
     source = OpenRaster(raster.ref)
     kind = source.read(PixelWindow(0, 0, 1, 1)).bands.dtype
-    if demosaic == EDGE_AWARE:
-        _check_kind(kind)
     with raster_writer(path, raster, WrittenBands(3, kind, True, source.nodata)) as writer:
         for row, seen in _strips(source, pattern, demosaic):
             writer.write(row, seen)

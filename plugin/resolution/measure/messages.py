@@ -77,8 +77,7 @@ REFERENCE_HEIGHT_IMPOSSIBLE = Message(
     "The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.")
 NO_OBSERVATIONS = Message("No row has a height and a distance to compute with; fill in 'height' and 'grd'.")
 OBSERVATIONS_LEFT_OUT = Message("Row {row} is left out: {why}", WARNING)
-OBSERVATION_EMPTY = Message("'height' or 'grd' holds no number; fill in both.", INFO)
-OBSERVATION_NO_NUMBER = Message("'{word}' is not a number; give metres and centimetres.", INFO)
+OBSERVATION_NO_NUMBER = Message("'height' or 'grd' holds no number; fill in both.", INFO)
 OBSERVATION_IMPOSSIBLE = Message(
     "Height {height:g} m and distance {grd:g} cm give no minimum height; give positive numbers, metres up to "
     "{highest:g} and centimetres from {least:g} to {most:g}.", INFO)

@@ -81,7 +81,6 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         from ..measure.calibration.threshold_calibration import calibrate
         from ..tables.result_tables import calibration_features, calibration_fields
 
-        run.check_chart()
         calibrations = []
         for verdicts in self._verdicts(run):
             most = float("inf") if verdicts.measure in _UNBOUNDED else _HIGHEST_RATIO

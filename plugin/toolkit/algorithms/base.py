@@ -5,7 +5,7 @@ Their groups in the toolbox are here too; each name, not translated, is its grou
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from qgis.core import (
@@ -39,7 +39,59 @@ INTERIOR_ORIENTATION = QT_TR_NOOP("Interior orientation of photos")
 SATELLITE_IMAGES = QT_TR_NOOP("Satellite images")
 
 
-class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
+class _Checked:
+    """What our algorithms and models share: their help, and values that are refused by one clear sentence."""
+
+    def helpUrl(self: Any) -> str:
+        return help_url(self.name())
+
+    def prepareAlgorithm(
+        self: Any, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> bool:
+        try:
+            with gdal_silenced():
+                self._refuse(parameters, context)  # models and scripts may not have checked the values
+                self._begin(Run(self, parameters, context, feedback))
+                return bool(super().prepareAlgorithm(parameters, context, feedback))  # type: ignore[misc]
+        except SeamInspectorError as error:
+            raise _for_qgis(error) from None
+
+    def checkParameterValues(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        try:
+            with gdal_silenced():
+                self.check(self._refuse(parameters, context))
+                return super().checkParameterValues(self.for_check(parameters), context)  # type: ignore[misc]
+        except SeamInspectorError as error:
+            return False, sentence(error.message)
+        except QgsProcessingException as error:
+            return False, str(error)
+
+    def check(self, run: Run) -> None:
+        """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
+
+    def _begin(self, run: Run) -> None:
+        """What is to be done in the thread of the layers."""
+
+    def for_check(self: Any, parameters: dict[str, Any]) -> dict[str, Any]:
+        """The values for QGIS's own check."""
+        return common.without_rasters(self, parameters)
+
+    def _refuse(self: Any, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
+        """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
+        common.check_values(self, self.for_check(parameters), context)
+        common.check_files(self, parameters)
+        refuse_outputs(self, parameters, context)
+        run = Run(self, parameters, context)
+        run.check_endings(self._named_by_format())
+        return run
+
+    def _named_by_format(self: Any) -> Iterable[str]:
+        """Output files whose ending has to be one that is offered."""
+        files = QgsProcessingParameterFileDestination
+        return [file.name() for file in self.destinationParameterDefinitions() if isinstance(file, files)]
+
+
+class SeamInspectorAlgorithm(_Checked, QgsProcessingAlgorithm):
     """An algorithm says its id, names and help in class attributes and does its work in ``execute``."""
 
     ID: str
@@ -49,7 +101,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)  # parameters with many rasters, which QGIS is not to open
     DRAWN: tuple[str, ...] = (common.CHART, common.REPORT)  # outputs with charts, which need matplotlib
     PAGES: tuple[str, ...] = (common.REPORT,)  # outputs that are made from templates, likewise
-    NAMED_BY_FORMAT: tuple[str, ...] = ()  # output files whose ending has to be one that is offered, beside pages
+    NAMED_BY_FORMAT: tuple[str, ...] = ()  # output files, beside charts and pages, that need an ending that is offered
 
     def name(self) -> str:
         return self.ID
@@ -70,9 +122,6 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             if definition.help()
         )
         return "".join(f"<p>{paragraph}</p>" for paragraph in (tr(self.HELP), *described))
-
-    def helpUrl(self) -> str:
-        return help_url(self.ID)
 
     def icon(self) -> QIcon:
         return QIcon(icon_path())
@@ -96,20 +145,6 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     def addNumbers(self, titles: Mapping[str, str]) -> None:
         for name, title in titles.items():
             self.addOutput(QgsProcessingOutputNumber(name, title))
-
-    def prepareAlgorithm(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> bool:
-        missing = self._missing_packages(parameters)
-        if missing:
-            raise QgsProcessingException(missing)
-        try:
-            with gdal_silenced():
-                self._refuse(parameters, context)  # models and scripts may not have checked the values
-                self.prepare(Run(self, parameters, context, feedback))
-        except SeamInspectorError as error:
-            raise _for_qgis(error) from None
-        return True
 
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -137,42 +172,27 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
                     raise
                 raise QgsProcessingException(sentence(messages.UNLOADED())) from None
 
-    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
-        missing = self._missing_packages(parameters)
-        if missing:
-            return False, missing
-        try:
-            with gdal_silenced():
-                self.check(self._refuse(parameters, context))
-        except SeamInspectorError as error:
-            return False, sentence(error.message)
-        with gdal_silenced():
-            return super().checkParameterValues(self.for_check(parameters), context)
-
-    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
-        """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
-        pages = [name for name in self.PAGES if self.parameterDefinition(name) is not None]
-        common.check_values(self, self.for_check(parameters), context)
-        return _refused(self, [*pages, *self.NAMED_BY_FORMAT], parameters, context)
-
-    def check(self, run: Run) -> None:
-        """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
-
     def prepare(self, run: Run) -> None:
         """Take from layers what the work needs of them, in plain data: this runs in their thread, the work may not."""
+
+    def _begin(self, run: Run) -> None:
+        self.prepare(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
         """The work; raises SeamInspectorError for what the user can mend. A result that there is not may be None."""
         raise NotImplementedError
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
-        """The values for QGIS's own check."""
         return common.without_rasters(self, parameters, self.RASTER_LISTS)
 
-    def _missing_packages(self, parameters: dict[str, Any]) -> str:
-        """A sentence on packages that lack for the outputs asked for; empty when none does."""
+    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
-        return missing_packages_sentence(charts, pages)
+        if missing := missing_packages_sentence(charts, pages):
+            raise QgsProcessingException(missing)
+        return super()._refuse(parameters, context)
+
+    def _named_by_format(self) -> Iterable[str]:
+        return common.CHART, *self.PAGES, *self.NAMED_BY_FORMAT
 
 
 def _for_qgis(error: SeamInspectorError) -> QgsProcessingException:
@@ -185,7 +205,7 @@ def _for_qgis(error: SeamInspectorError) -> QgsProcessingException:
 _TITLES, _HELP = ("description", "component_description", "model_group"), "help"
 
 
-class ReadyModel(QgsProcessingModelAlgorithm):
+class ReadyModel(_Checked, QgsProcessingModelAlgorithm):
     """A model that comes with the plugin, its values checked as a whole: a step knows only its inputs, and could write
     over what the model was given for another."""
 
@@ -205,27 +225,6 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         """Load the model with names, help and group in the user's language."""
         return super().fromFile(path) and self.loadVariant(_translated(self.toVariant()))
 
-    def helpUrl(self) -> str:
-        return help_url(self.name())
-
-    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
-        try:
-            self._refuse(parameters, context)
-        except SeamInspectorError as error:
-            return False, sentence(error.message)
-        with gdal_silenced():
-            return super().checkParameterValues(common.without_rasters(self, parameters), context)
-
-    def prepareAlgorithm(
-        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> bool:
-        try:
-            self._refuse(parameters, context)
-        except SeamInspectorError as error:
-            raise _for_qgis(error) from None
-        with gdal_silenced():
-            return super().prepareAlgorithm(parameters, context, feedback)
-
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
@@ -234,49 +233,25 @@ class ReadyModel(QgsProcessingModelAlgorithm):
 
     def _with_defaults(self, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values with the model's own defaults for those that scripts leave out, where QGIS takes those of its
-        steps, and temporary outputs for what is made whether asked for or not."""
+        steps, and temporary outputs for what other steps need."""
         inputs = (definition for definition in self.parameterDefinitions() if not definition.isDestination())
         known = {definition.name(): value for definition in inputs if (value := definition.defaultValue()) is not None}
-        needed = dict.fromkeys(self._always_made(), QgsProcessing.TEMPORARY_OUTPUT)
-        given = {name: value for name, value in parameters.items() if name not in needed or value is not None}
-        return {**known, **needed, **given}
-
-    def _always_made(self) -> Iterator[str]:
-        """Names of the model's outputs that are not optional, or that other steps need."""
-        for wanted in self.destinationParameterDefinitions():
-            if not wanted.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional:
-                yield wanted.name()
         steps = self.childAlgorithms()
         taken = {
             (source.outputChildId(), source.outputName())
             for step in steps.values() for several in step.parameterSources().values() for source in several
         }  # fmt: skip
-        for step_id, step in steps.items():
-            for name, of_model in step.modelOutputs().items():
-                if (step_id, of_model.childOutputName()) in taken:
-                    yield f"{step_id}:{name}"
+        needed = {
+            f"{step_id}:{name}": QgsProcessing.TEMPORARY_OUTPUT
+            for step_id, step in steps.items() for name, output in step.modelOutputs().items()
+            if (step_id, output.childOutputName()) in taken
+        }  # fmt: skip
+        given = {name: value for name, value in parameters.items() if name not in needed or value is not None}
+        return {**known, **needed, **given}
 
-    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
-        """Raise SeamInspectorError for what no step is to be asked for."""
+    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         common.check_rasters(self, parameters)
-        common.check_values(self, parameters, context)
-        files = [
-            definition.name() for definition in self.destinationParameterDefinitions()
-            if isinstance(definition, QgsProcessingParameterFileDestination)
-        ]  # fmt: skip
-        _refused(self, files, parameters, context)
-
-
-def _refused(
-    algorithm: QgsProcessingAlgorithm, named: Iterable[str], parameters: dict[str, Any], context: QgsProcessingContext
-) -> Run:
-    """The run of the values. Raises SettingsError for what no algorithm takes, and for output files among those named
-    whose ending says something else than is written."""
-    common.check_files(algorithm, parameters)
-    refuse_outputs(algorithm, parameters, context)
-    run = Run(algorithm, parameters, context)
-    run.check_endings(named)
-    return run
+        return super()._refuse(parameters, context)
 
 
 def _translated(content: Any, is_help: bool = False) -> Any:

@@ -113,50 +113,37 @@ class FeatureSinks:
                 gdal.ErrorReset()
                 sip.delete(layer.sink)
                 held = layer.count(gdal.GetLastErrorType() < gdal.CE_Failure)
-            file = layer.file
-            if file is None:
-                self._account(layer, held)
-            elif has_failed and not layer.written:
+            file, path = layer.file, layer.path
+            if file is not None and has_failed and not layer.written:
                 file.drop()
-            elif held < layer.written and (file.replaces or held <= 0):
+                continue
+            if file is not None and held < layer.written and (file.replaces or held <= 0):
                 file.drop()
-                self._account(layer, _NOT_THERE)
-            elif (has_failed or is_cancelled) and file.replaces:
-                if part := self._kept_beside(layer, file):
-                    self.beside[layer.destination] = part, messages.LAYER_NOT_REPLACED(path=layer.path, part=part)
+                held = _NOT_THERE
+            elif file is not None:
+                try:
+                    path = _placed(file, path, is_cancelled or has_failed)
+                except OSError:
+                    file.drop()
+                    held = _NOT_THERE
+            if held >= layer.written:
+                self.has_whole = True
+                if path != layer.path:
+                    self.beside[layer.destination] = path, messages.LAYER_BESIDE(path=layer.path, part=path)
+            elif held > 0:
+                self.lost[layer.destination] = messages.LAYER_IN_PART(path=path, held=held, count=layer.written)
             else:
-                self._replace(layer, file, held)
+                self.lost[layer.destination] = imagery_messages.RASTER_NOT_WRITTEN(path=path)
 
-    def _replace(self, layer: _OpenSink, file: UnfinishedFile, held: int) -> None:
-        """Let a file with so many features take its place."""
-        try:
+
+def _placed(file: UnfinishedFile, path: str, replaces_nothing: bool) -> str:
+    """The place that a file takes: where it was to be, else beside the older one. Raises OSError where it can't."""
+    if not (replaces_nothing and file.replaces):
+        with suppress(OSError):  # as on Windows, where the older one is open in QGIS
             file.keep(file.written.name + ending for ending in _OF_DATABASES)
-        except OSError:  # as on Windows, where the older one is open in QGIS
-            if part := self._kept_beside(layer, file):
-                self.beside[layer.destination] = part, messages.LAYER_IN_USE(path=layer.path, part=part)
-            return
-        drop_unfinished(Path(layer.path))  # what processes left that were killed
-        self._account(layer, held)
-
-    def _kept_beside(self, layer: _OpenSink, file: UnfinishedFile) -> str:
-        """The place beside the older file, which stays as it is; empty where there is none."""
-        try:
-            path = str(file.keep_beside())
-        except OSError:
-            file.drop()
-            self._account(layer, _NOT_THERE)
-            return ""
-        self.has_whole = True
-        return path
-
-    def _account(self, layer: _OpenSink, held: int) -> None:
-        """Note whether a layer holds all that was written to it."""
-        if held >= layer.written:
-            self.has_whole = True
-        elif held > 0:
-            self.lost[layer.destination] = messages.LAYER_IN_PART(path=layer.path, held=held, count=layer.written)
-        else:
-            self.lost[layer.destination] = imagery_messages.RASTER_NOT_WRITTEN(path=layer.path)
+            drop_unfinished(Path(path))  # what processes left that were killed
+            return path
+    return str(file.keep_beside())
 
 
 def _why_not(place: DataPlace | None, said: str) -> str:

@@ -6,13 +6,8 @@ from __future__ import annotations
 
 import os
 import re
-import sqlite3
 from collections.abc import Iterator
-from contextlib import closing
-from itertools import chain
-from pathlib import Path
 from typing import Any
-from urllib.parse import quote
 
 from qgis.core import (
     NULL,
@@ -25,16 +20,12 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterRasterDestination,
     QgsProcessingUtils,
-    QgsProject,
     QgsProperty,
     QgsProviderRegistry,
     QgsVectorFileWriter,
-    QgsVirtualLayerDefinition,
 )
-from qgis.PyQt.QtCore import QUrl
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
@@ -52,13 +43,6 @@ _MISREAD = re.compile(r"[:\\]|\|(?!layer(name|id)=)|%[0-9A-Fa-f]{2}(?=[^/]*\.(gp
 """What of a file's name QGIS takes for a provider, a folder or a part of an address, SQLite for another character."""
 _NO_TABLE_BEGINS_WITH = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,/"  # as GDAL's GeoPackage has it
 _OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
-_VECTORS = (
-    QgsProcessing.SourceType.TypeVector,
-    QgsProcessing.SourceType.TypeVectorAnyGeometry,
-    QgsProcessing.SourceType.TypeVectorPoint,
-    QgsProcessing.SourceType.TypeVectorLine,
-    QgsProcessing.SourceType.TypeVectorPolygon,
-)
 
 
 def value_text(value: object, context: QgsProcessingContext) -> str:
@@ -107,14 +91,6 @@ def refuse_outputs(
     check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
 
 
-def check_beside_layers(path: Path) -> None:
-    """Raise SettingsError for a file that would be written over a layer of the project."""
-    context, project = QgsProcessingContext(), QgsProject.instance()
-    context.setProject(project)
-    layers = (_places(layer, layer.providerType(), context) for layer in project.mapLayers().values())
-    check_outputs([(path.name, DataPlace(str(path)))], chain.from_iterable(layers))
-
-
 def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) -> None:
     """Raise SettingsError for an output of features or a raster that can't be written where it is to go.
 
@@ -137,19 +113,6 @@ def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) 
     misread = _MISREAD.search(shown)
     if misread or (begins and begins in _NO_TABLE_BEGINS_WITH):
         raise SettingsError(messages.NAME_MISREAD(output=title, path=text, found=misread[0] if misread else begins))
-    if is_database(path) and os.path.isfile(path) and _is_locked(path):
-        raise SettingsError(messages.OUTPUT_IN_USE(path=path))
-
-
-def _is_locked(path: str) -> bool:
-    """Whether another program is writing a database. Nothing is written to it."""
-    try:
-        with closing(sqlite3.connect(f"file:{quote(os.path.abspath(path))}?mode=rw", timeout=0, uri=True)) as database:
-            database.execute("BEGIN IMMEDIATE")
-            database.rollback()
-    except sqlite3.DatabaseError as error:
-        return "locked" in str(error)
-    return False
 
 
 def _inputs(
@@ -159,21 +122,16 @@ def _inputs(
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination() and definition.type() not in _OF_WORDS_AND_NUMBERS:
             value = parameters.get(definition.name())
-            is_list = isinstance(definition, QgsProcessingParameterMultipleLayers)
-            is_vector = definition.layerType() in _VECTORS if is_list else definition.type() in ("source", "vector")
+            is_list_of_layers = definition.type() == "multilayer" and not common.takes_rasters(definition)
+            is_vector = is_list_of_layers or definition.type() in ("source", "vector")
             yield from _places(value, "ogr" if is_vector else "gdal", context)
 
 
-def _places(
-    value: object, provider: str, context: QgsProcessingContext, queries: frozenset[str] = frozenset()
-) -> Iterator[DataPlace]:
-    """The files and tables that a value names: a layer, its id, name or address, a path, or a list of those.
-
-    ``queries``: virtual layers on the way to it, which may name each other.
-    """
+def _places(value: object, provider: str, context: QgsProcessingContext) -> Iterator[DataPlace]:
+    """The files and tables that a value names: a layer, its id, name or address, a path, or a list of those."""
     if isinstance(value, (list, tuple)):
         for item in value:
-            yield from _places(item, provider, context, queries)
+            yield from _places(item, provider, context)
         return
     if isinstance(value, QgsProcessingFeatureSourceDefinition):
         value = value.source
@@ -184,10 +142,6 @@ def _places(
         key, source = layer.providerType(), layer.source()
     elif not named:
         key, source = provider, text
-    if key == "virtual":
-        if source not in queries:
-            yield from _queried(source, context, queries | {source})
-        return
     parts = QgsProviderRegistry.instance().decodeUri(key, source)
     path = parts.get("path") or ""
     if is_database(path):
@@ -195,19 +149,6 @@ def _places(
     elif path:
         yield DataPlace(path)
         yield DataPlace(source)  # in an archive, or a part of a file
-
-
-def _queried(source: str, context: QgsProcessingContext, queries: frozenset[str]) -> Iterator[DataPlace]:
-    """The sources of a virtual layer: layers that it brings along, and layers of the project that its query names."""
-    definition = QgsVirtualLayerDefinition.fromUrl(QUrl.fromEncoded(source.encode()))
-    for layer in definition.sourceLayers():
-        address = layer.reference() if layer.isReferenced() else f"{layer.provider()}://{layer.source()}"
-        yield from _places(address, "ogr", context, queries)
-    project = context.project()
-    for layer in project.mapLayers().values() if project is not None else ():
-        names = "|".join(map(re.escape, (layer.id(), layer.name())))
-        if re.search(rf"(?<!\w)({names})(?!\w)", definition.query()):
-            yield from _places(layer, "ogr", context, queries)
 
 
 def _table(parts: dict[str, Any]) -> str:

@@ -108,11 +108,6 @@ def words(name: str, title: str) -> QgsProcessingParameterDefinition:
 _REMEMBERED = "seam_inspector/remembered/{}"  # the setting that keeps what was given for a parameter last, by its name
 
 
-def remembered_text(name: str, title: str) -> QgsProcessingParameterDefinition:
-    """A text that may be empty, as contract or client; the form begins with what was given last."""
-    return with_last_value(words(name, title))
-
-
 def with_last_value(definition: QgsProcessingParameterDefinition) -> QgsProcessingParameterDefinition:
     """The parameter, whose form begins with what was given for its name last, where that is remembered; those of models
     are written small."""
@@ -251,7 +246,7 @@ def check_values(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], cont
             raise SettingsError(messages.NO_NUMBER(parameter=title, value=given)) from None
         value = algorithm.parameterAsDouble(values, definition.name(), context)
         if not math.isfinite(value):
-            raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
+            raise SettingsError(messages.NO_NUMBER(parameter=title, value=f"{value:g}"))
         is_whole = definition.dataType() == QgsProcessingParameterNumber.Type.Integer
         largest = LARGEST_WHOLE if is_whole else sys.float_info.max / 2
         least, most = max(definition.minimum(), -largest), min(definition.maximum(), largest)

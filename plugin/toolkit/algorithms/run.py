@@ -267,20 +267,12 @@ class Run:
         path = self._algorithm.parameterAsFileOutput(self.parameters, name, self.context) if wanted else ""
         return Path(path) if path else None
 
-    def check_chart(self) -> None:
-        """Raise SettingsError for a chart whose ending can't be drawn."""
-        path = self.file_path(common.CHART)
-        if path is not None:
-            from ..charts.figure_files import check_figure_path
-
-            check_figure_path(path)
-
     def check_endings(self, files: Iterable[str]) -> None:
         """Raise SettingsError for a raster, or one of these files, whose ending says something else than is written."""
         for name in files:
-            path, filters = self.file_path(name), self._algorithm.parameterDefinition(name).fileFilter()
-            if path is not None:
-                _check_ending(path, filters)
+            definition, path = self._algorithm.parameterDefinition(name), self.file_path(name)
+            if definition is not None and path is not None:
+                _check_ending(path, definition.fileFilter())
         for definition in self._algorithm.destinationParameterDefinitions():
             path = Path(output_text(self.parameters.get(definition.name()), self.context))
             if isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix:
@@ -338,4 +330,4 @@ class Run:
 
 def _check_ending(path: Path, filters: str) -> None:
     if path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
-        raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters))
+        raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters.replace(";;", ", ")))

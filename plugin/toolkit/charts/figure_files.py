@@ -10,8 +10,6 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import ScalarFormatter
 
 from ...imagery.atomic_files import whole_file
-from ...imagery.errors import SettingsError
-from .. import messages
 from ..translation import local_digits
 
 
@@ -28,34 +26,19 @@ class _LocalFormatter(ScalarFormatter):
         return local_digits(super().__call__(value, position))
 
 
-FORMATS = ("png", "svg", "pdf")
 _DPI = 200
 _SVG = {"svg.fonttype": "none", "svg.hashsalt": "seam_inspector"}  # text stays text, and the same figure the same file
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """An empty figure, its size in inches, whose parts find their places by themselves."""
-    figure = Figure(figsize=(width, height), layout="constrained")
+def new_figure(width: float, height: float, layout: str | None = "constrained") -> Figure:
+    """An empty figure, its size in inches, whose parts find their places by themselves, unless ``layout`` is None."""
+    figure = Figure(figsize=(width, height), layout=layout)
     FigureCanvasAgg(figure)
     return figure
-
-
-def plain_figure(width: float, height: float) -> Figure:
-    """An empty figure, its size in inches, whose parts are put into their places: many alike, or to scale."""
-    figure = Figure(figsize=(width, height))
-    FigureCanvasAgg(figure)
-    return figure
-
-
-def check_figure_path(path: Path) -> None:
-    """Raise SettingsError for another ending than those that can be written."""
-    if path.suffix.lower().lstrip(".") not in FORMATS:
-        raise SettingsError(messages.CHART_FORMAT_UNKNOWN(name=path.name))
 
 
 def save_figure(figure: Figure, path: Path) -> None:
-    """Write PNG, SVG or PDF, by the path's ending. Raises SettingsError for another ending or where none can be."""
-    check_figure_path(path)
+    """Write PNG, SVG or PDF, by the path's ending. Raises SettingsError where no file can be."""
     set_local_ticks(figure)
     with whole_file(path) as unfinished, rc_context(_SVG):
         figure.savefig(unfinished, dpi=_DPI)

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from html import escape
 
-from qgis.core import Qgis, QgsProject
-from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool, QgsMessageBarItem
+from qgis.core import Qgis
+from qgis.gui import QgisInterface, QgsDockWidget, QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QKeyEvent
@@ -81,8 +81,6 @@ class ToolDock(QgsDockWidget):
         self.setObjectName(name)
         self._iface = iface
         self._canvas = iface.mapCanvas()
-        self._told: list[QgsMessageBarItem] = []  # that may be in the message bar yet
-        QgsProject.instance().cleared.connect(self._take_back)
 
     @property
     def standard_width(self) -> int:
@@ -96,9 +94,7 @@ class ToolDock(QgsDockWidget):
 
     def close_desk(self) -> None:
         """Leave nothing behind: map tool, canvas items, connections, tasks."""
-        QgsProject.instance().cleared.disconnect(self._take_back)
         self.visibilityChanged.disconnect(self._clear_map)
-        self._canvas.mapToolSet.disconnect(self._tool_set)
         self._leave_tool()
         self.tool.close()
 
@@ -109,8 +105,8 @@ class ToolDock(QgsDockWidget):
         self.draw.setToolTip(tip)
         self.draw.setCheckable(True)
         self.draw.triggered.connect(self._toggle_tool)
+        tool.setAction(self.draw)
         tool.finished.connect(self._leave_tool)
-        self._canvas.mapToolSet.connect(self._tool_set)
         self.visibilityChanged.connect(self._clear_map)
 
     def _clear_map(self, *_: object) -> None:
@@ -136,9 +132,6 @@ class ToolDock(QgsDockWidget):
         else:
             self._canvas.unsetMapTool(self.tool)
 
-    def _tool_set(self, tool: QgsMapTool, _old: QgsMapTool | None = None) -> None:
-        self.draw.setChecked(tool is self.tool)
-
     def _show_message(self, text: str, level: int) -> None:
         """Plain words: what others called their layers is no markup, as which the bar takes all it is given."""
         brief, rest = brief_words(text)
@@ -151,11 +144,3 @@ class ToolDock(QgsDockWidget):
             bar.pushMessage(title, text, more, shown, _MESSAGE_SECONDS)
         else:
             bar.pushMessage(title, text, shown, _MESSAGE_SECONDS)
-        self._told = [item for item in (*self._told, bar.currentItem()) if item is not None and not sip.isdeleted(item)]
-
-    def _take_back(self) -> None:
-        """What was told of the project that is closed."""
-        while self._told:
-            item = self._told.pop()
-            if not sip.isdeleted(item):
-                self._iface.messageBar().popWidget(item)

@@ -4,19 +4,18 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from html import escape
-from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsCoordinateReferenceSystem
-from qgis.gui import QgsCollapsibleGroupBoxBasic, QgsMapCanvas
+from qgis.gui import QgsCollapsibleGroupBoxBasic
 from qgis.PyQt import QtGui, QtWidgets
 from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer
-from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPaintEvent, QResizeEvent, QShowEvent
+from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractSpinBox,
     QAction,
     QComboBox,
     QFrame,
+    QLabel,
     QMessageBox,
     QScrollArea,
     QSizePolicy,
@@ -28,10 +27,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ..painting import painting
-from ..reference_systems import known_system
 from ..translation import tr
-from .theme import readable_palette
 
 QUndoStack: Any = getattr(QtWidgets, "QUndoStack", None) or QtGui.QUndoStack
 QUndoCommand: Any = getattr(QtWidgets, "QUndoCommand", None) or QtGui.QUndoCommand
@@ -42,19 +38,6 @@ def is_confirmed(widget: QWidget, question: str) -> bool:
     """Whether the user says yes; no is what Enter says."""
     yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
     return bool(QMessageBox.question(widget, tr("Seam Inspector"), question, yes | no, no) == yes)
-
-
-def check_chosen_file(path: Path) -> None:
-    """Raise SettingsError for a file to be saved that belongs to a layer of the project: it is chosen by its name."""
-    if path.exists():
-        from ..algorithms.outputs import check_beside_layers
-
-        check_beside_layers(path)
-
-
-def set_map_system(canvas: QgsMapCanvas, crs: QgsCoordinateReferenceSystem) -> None:
-    """Draw a map in the reference system of a layer; no other way is one that this thread has."""
-    canvas.setDestinationCrs(known_system(crs))
 
 
 _TIP = "seam_inspector_tip"
@@ -90,11 +73,10 @@ def plain_tip(text: str) -> str:
     return rich_tip(first, *lines) if "<" in text or "&" in text else text
 
 
-_CUT = "…"
 _WRAPPED = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter) | int(Qt.TextFlag.TextWordWrap)
 
 
-class ClippedLabel(QWidget):
+class ClippedLabel(QLabel):
     """Plain text on at most so many lines, as high as they are whatever it says, so that nothing around it jumps;
     of a range of lines as high as it needs.
 
@@ -103,16 +85,17 @@ class ClippedLabel(QWidget):
 
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._fewest = self._most = self._lines = lines
+        self._fewest = self._most = lines
         self._text = ""
+        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setWordWrap(True)
+        self.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._fit()
 
     def text(self) -> str:
+        """The whole text."""
         return self._text
-
-    def shown_text(self) -> str:
-        """What of it there is room for."""
-        return self._fitting(self.fontMetrics())
 
     def setText(self, text: str, tip: str = "") -> None:
         """Say something else; ``tip``: more than that, as rich text, for the tooltip."""
@@ -121,24 +104,11 @@ class ClippedLabel(QWidget):
             self._text = text
             self.setAccessibleName(text)
             self._fit()
-            self.update()
 
     def set_lines(self, fewest: int, most: int) -> None:
         """Set between how many lines the height follows the text."""
-        if (fewest, most) != (self._fewest, self._most):
-            self._fewest, self._most = fewest, most
-            self._fit()
-
-    def _fit(self) -> None:
-        """Take as many lines as the text needs, and as there may be."""
-        metrics, lines = self.fontMetrics(), self._fewest if self._text or self._fewest == self._most else 1
-        while lines < self._most and not self._fits(metrics, self._text, lines):
-            lines += 1
-        if lines != self._lines:
-            self._lines = lines
-            self.updateGeometry()
-        is_cut = self._fitting(metrics).endswith(_CUT)
-        self.setCursor(Qt.CursorShape.PointingHandCursor if is_cut else Qt.CursorShape.ArrowCursor)
+        self._fewest, self._most = fewest, most
+        self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -148,40 +118,28 @@ class ClippedLabel(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         QToolTip.showText(self.mapToGlobal(event.pos()), self.toolTip(), self)
 
-    def sizeHint(self) -> QSize:
-        metrics, margins = self.fontMetrics(), self.contentsMargins()
-        return QSize(30 * metrics.averageCharWidth(), _height(metrics, self._lines) + margins.top() + margins.bottom())
+    def _fit(self) -> None:
+        """Take as many lines as the text needs, and as there may be, and show what they have room for."""
+        lines = self._fewest if self._text or self._fewest == self._most else 1
+        while lines < self._most and not self._fits(self._text, lines):
+            lines += 1
+        shown = self._text
+        if not self._fits(shown, lines):
+            shortest, longest = 0, len(shown)
+            while longest - shortest > 1:
+                middle = (shortest + longest) // 2
+                if self._fits(shown[:middle].rstrip() + "…", lines):
+                    shortest = middle
+                else:
+                    longest = middle
+            shown = shown[:shortest].rstrip() + "…"
+        super().setText(with_units(shown))
+        margins = self.contentsMargins()
+        self.setFixedHeight(_height(self.fontMetrics(), lines) + margins.top() + margins.bottom())
+        self.setCursor(Qt.CursorShape.ArrowCursor if shown == self._text else Qt.CursorShape.PointingHandCursor)
 
-    def minimumSizeHint(self) -> QSize:
-        return QSize(10 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._fit()
-            self.updateGeometry()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        with painting(self) as painter:
-            painter.setPen(readable_palette(self).color(self.foregroundRole()))
-            painter.drawText(self.contentsRect(), _WRAPPED, with_units(self.shown_text()))
-
-    def _fitting(self, metrics: QFontMetrics) -> str:
-        """The text as far as there are lines for it."""
-        text = self._text
-        if self._fits(metrics, text, self._lines):
-            return text
-        shortest, longest = 0, len(text)
-        while longest - shortest > 1:
-            middle = (shortest + longest) // 2
-            if self._fits(metrics, text[:middle].rstrip() + _CUT, self._lines):
-                shortest = middle
-            else:
-                longest = middle
-        return text[:shortest].rstrip() + _CUT
-
-    def _fits(self, metrics: QFontMetrics, text: str, lines: int) -> bool:
-        width = self.contentsRect().width()
+    def _fits(self, text: str, lines: int) -> bool:
+        width, metrics = self.contentsRect().width(), self.fontMetrics()
         needed = metrics.boundingRect(0, 0, width, 10000, _WRAPPED, with_units(text))
         return needed.height() <= _height(metrics, lines) and needed.width() <= width
 

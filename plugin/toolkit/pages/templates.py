@@ -106,11 +106,6 @@ def system_name(wkt: str) -> str:
     return f"{crs.authid()}, {crs.description()}" if crs.authid() else crs.description()
 
 
-def system_code(wkt: str) -> str:
-    """The code of a reference system, such as EPSG:2180; empty for one without."""
-    return str(reference_system(wkt).authid())
-
-
 _LONGEST_WORD = 24  # letters that a column of a table makes room for
 _LONGEST_UNBROKEN = 18  # letters of a cell that stays in one line
 _NUMBER = re.compile(r"[-+]?\d[\d.,]*%?(\s|$)")  # in whatever language its decimals are, and what may follow it

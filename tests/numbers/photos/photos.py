@@ -17,6 +17,8 @@ CAMERA: dict[str, Place] = {
     "1": (106.004, -106.002), "2": (-105.998, -105.998), "3": (-106.007, 106.006), "4": (106.0, 105.999)
 }
 """mm, x to the right, y upwards; corners as a Wild camera has them."""
+EIGHT = {**CAMERA, "5": (110.0, 0.01), "6": (-110.0, -0.02), "7": (0.01, 110.0), "8": (0.0, -110.0)}
+"""That camera with marks at its sides, too."""
 
 
 @dataclass(frozen=True)

@@ -121,17 +121,6 @@ def test_positions_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrient
     assert (made.scan_orientation, made.evidence) == (orientation, OrientationEvidence.POSITIONS)
 
 
-def test_a_mark_under_a_blot_fails_and_the_others_are_measured(tmp_path: Path) -> None:
-    frame = make_frame(Look(dots=True, diagonal=True), side=640, seed=12)
-    column, row = (int(value) for value in frame.places["3"])
-    pixels = frame.pixels.copy()
-    pixels[row - 30 : row + 30, column - 30 : column + 30] = 200
-    made = measured(pixels, tmp_path, settings=OrientationSettings(shapes=chosen_shapes("ring with cross", None, None)))
-    assert [mark.status.value for mark in made.marks] == ["measured", "measured", "failed", "measured"]
-    assert made.marks[2].reason is not None
-    assert max(errors(made, frame)) < 0.1
-
-
 @pytest.mark.parametrize("beyond", [-12, 0, 12], ids=["half", "edge in its middle", "gone"])
 def test_a_mark_cut_off_by_the_scan_fails_alone(tmp_path: Path, beyond: int) -> None:
     """What lies beyond the edge was made up of its last pixels, where half a wedge looks like a whole one."""
@@ -165,12 +154,6 @@ def test_things_that_lie_as_the_marks_do_are_not_taken_for_them(tmp_path: Path, 
     made = measured(with_four_alike(frame, covered), tmp_path)
     assert max(errors(made, frame)) < 0.1
     assert made.count(MarkStatus.MEASURED) == 4
-
-
-def test_a_picture_without_marks_is_refused(tmp_path: Path) -> None:
-    frame = make_frame(Look(contrast=0.0, grain=2.0), side=500, seed=13)
-    with pytest.raises(PhotoError, match="No mark was found"):
-        measured(frame.pixels, tmp_path)
 
 
 def test_bits_and_colours_do_not_matter(tmp_path: Path) -> None:

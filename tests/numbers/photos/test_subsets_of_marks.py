@@ -17,10 +17,9 @@ from seam_inspector.plugin.photos.measure.photo import Photo
 from seam_inspector.plugin.photos.measure.scan_orientation import OrientationEvidence
 from seam_inspector.plugin.photos.measure.transformations import PlaneModel
 
-from tests.numbers.photos.photos import CAMERA, Look, Place, make_frame
+from tests.numbers.photos.photos import EIGHT, Look, Place, make_frame
 from tests.numbers.synthetic import write_plain
 
-EIGHT = {**CAMERA, "5": (110.0, 0.01), "6": (-110.0, -0.02), "7": (0.01, 110.0), "8": (0.0, -110.0)}
 SUBSETS = [names for count in range(9) for names in combinations(EIGHT, count)]
 
 

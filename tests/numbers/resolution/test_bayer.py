@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe_north_up
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure import bayer
@@ -162,12 +162,3 @@ def test_a_single_band_is_a_grey_scene_and_nodata_stays(make_raster: MakeRaster)
     seen = read_pixels(target, 0, 0, 32, 32)
     assert seen.shape == (3, 32, 32)
     assert not seen[:, :4].any()
-
-
-def test_what_has_no_colours_is_refused(make_raster: MakeRaster) -> None:
-    raster = describe_north_up(RasterRef(make_raster("two.tif", orthoimage((16, 16))[:2])))
-    with pytest.raises(RasterError, match="has 2 bands and no red, green and blue"):
-        bayer.simulate_file(raster, make_raster("out.tif", orthoimage((16, 16))), "RGGB", "bilinear")
-    floats = describe_north_up(RasterRef(make_raster("f.tif", orthoimage((16, 16), dtype=np.float32))))
-    with pytest.raises(RasterError, match="choose malvar or bilinear"):
-        bayer.simulate_file(floats, make_raster("out.tif", orthoimage((16, 16))), "RGGB", "edge_aware")

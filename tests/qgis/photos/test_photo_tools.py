@@ -122,7 +122,7 @@ def test_measurements_that_can_not_be_compared(folders: dict[str, Path], tmp_pat
     empty = tmp_path / "empty"
     empty.mkdir()
     not_there = ((tmp_path / "gone", "does not exist"), ("x" * 5000, "does not exist"))
-    for folder, words in ((empty, "holds no measured marks"), *not_there):
+    for folder, words in ((empty, "holds neither layers"), *not_there):
         assert_sentence(run("comparemarks", FIRST=layer, SECOND_FOLDER=str(folder)).complaint, words)
     no_numbers = re.sub("<PtIm>[^<]*", "<PtIm>a b", measures(1, True))
     for text, words in (("<a", "can't be read"), (no_numbers, "has no column and row")):

@@ -3,15 +3,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFeature, QgsVectorLayer
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 from seam_inspector.plugin.toolkit.resources import style_path
-
-from tools.template_texts import texts
 
 
 class Shouting(QTranslator):
@@ -101,8 +98,3 @@ def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplicatio
     load_style(ours, "windows")
     assert tip(plain, **FOUND) == tip(ours, **FOUND)
     assert plain.renderer().dump() == ours.renderer().dump()
-
-
-def test_all_texts_of_styles_are_collected_for_translation(repository: Path) -> None:
-    result = set(texts(repository / "resources" / "styles"))
-    assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= result

@@ -21,7 +21,8 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....toolkit.desk.widgets import ClippedLabel, set_map_system, single_shot
+from ....toolkit.desk.widgets import ClippedLabel, single_shot
+from ....toolkit.reference_systems import known_system
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
 from ...words import loss_rgba
@@ -55,7 +56,7 @@ class WindowMap(QgsMapCanvas):
     def show_layers(self, layers: list[QgsMapLayer], crs: QgsCoordinateReferenceSystem) -> None:
         """These and no others, the topmost first, in this reference system."""
         if self.mapSettings().destinationCrs() != crs:
-            set_map_system(self, crs)
+            self.setDestinationCrs(known_system(crs))
         if self.layers() != layers:
             self.setLayers(layers)
 
