@@ -16,6 +16,7 @@ from qgis.core import (
     QgsProperty,
     QgsVectorLayer,
 )
+from qgis.PyQt.QtCore import QUrl
 from seam_inspector.plugin.imagery import file_identity
 
 from tests.numbers.disks import names_of
@@ -166,3 +167,15 @@ def test_the_layers_of_a_virtual_dataset_are_kept(image: Path, tmp_path: Path) -
         given = {"SEAMLINES": str(virtual), "MOSAIC": str(image), "SIDE": 7}
         assert_refused("placewindows", REFUSED, **given, OUTPUT=str(seam))
         assert_refused("placewindows", REFUSED, **given, OUTPUT=str(virtual))
+
+
+def test_the_layers_of_a_query_are_kept(image: Path, tmp_path: Path, project: QgsProject) -> None:
+    seam = seamlines_file(tmp_path)
+    lines = QgsVectorLayer(str(seam), "lines", "ogr")
+    project.addMapLayer(lines)
+    by_name, by_id = (f'?query=select * from "{name}"' for name in (lines.name(), lines.id()))
+    brought_along = f"?layer=ogr:{QUrl.toPercentEncoding(str(seam)).data().decode()}:s:UTF-8&query=select * from s"
+    for address in (by_name, by_id, brought_along):
+        queried = QgsVectorLayer(address.replace(" ", "%20"), "queried", "virtual")
+        assert queried.isValid()
+        assert_refused("placewindows", REFUSED, SEAMLINES=queried, MOSAIC=str(image), SIDE=7, OUTPUT=str(seam))

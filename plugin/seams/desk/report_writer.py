@@ -11,6 +11,7 @@ from qgis.PyQt.QtCore import QObject, QUrl, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QWidget
 
 from ...imagery.errors import Message, SeamInspectorError
+from ...toolkit.algorithms.outputs import check_chosen_file
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.packages import missing_packages_sentence
@@ -66,6 +67,7 @@ class ReportWriter(QObject):
             return
         self._folder = path.parent
         try:
+            check_chosen_file(path)
             request = report_request(
                 session.windows(), session.result, layer.crs(), session.block(), session.inputs.max_ratio,
                 session.inputs.min_kept, project,

@@ -7,6 +7,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from itertools import chain
+from pathlib import Path
 from typing import Any
 
 from qgis.core import (
@@ -22,10 +24,13 @@ from qgis.core import (
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterRasterDestination,
     QgsProcessingUtils,
+    QgsProject,
     QgsProperty,
     QgsProviderRegistry,
     QgsVectorFileWriter,
+    QgsVirtualLayerDefinition,
 )
+from qgis.PyQt.QtCore import QUrl
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
@@ -91,6 +96,15 @@ def refuse_outputs(
     check_outputs(wanted, _inputs(algorithm, parameters, context), _indexed(algorithm, parameters, context))
 
 
+def check_chosen_file(path: Path) -> None:
+    """Raise SettingsError for a file to be saved that belongs to a layer of the project: it is chosen by its name."""
+    if path.exists():
+        context, project = QgsProcessingContext(), QgsProject.instance()
+        context.setProject(project)
+        layers = (_places(layer, layer.providerType(), context) for layer in project.mapLayers().values())
+        check_outputs([(path.name, DataPlace(str(path)))], chain.from_iterable(layers))
+
+
 def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) -> None:
     """Raise SettingsError for an output of features or a raster that can't be written where it is to go.
 
@@ -127,11 +141,16 @@ def _inputs(
             yield from _places(value, "ogr" if is_vector else "gdal", context)
 
 
-def _places(value: object, provider: str, context: QgsProcessingContext) -> Iterator[DataPlace]:
-    """The files and tables that a value names: a layer, its id, name or address, a path, or a list of those."""
+def _places(
+    value: object, provider: str, context: QgsProcessingContext, queries: frozenset[str] = frozenset()
+) -> Iterator[DataPlace]:
+    """The files and tables that a value names: a layer, its id, name or address, a path, or a list of those.
+
+    ``queries``: virtual layers on the way to it, which may name each other.
+    """
     if isinstance(value, (list, tuple)):
         for item in value:
-            yield from _places(item, provider, context)
+            yield from _places(item, provider, context, queries)
         return
     if isinstance(value, QgsProcessingFeatureSourceDefinition):
         value = value.source
@@ -142,6 +161,10 @@ def _places(value: object, provider: str, context: QgsProcessingContext) -> Iter
         key, source = layer.providerType(), layer.source()
     elif not named:
         key, source = provider, text
+    if key == "virtual":
+        if source not in queries:
+            yield from _queried(source, context, queries | {source})
+        return
     parts = QgsProviderRegistry.instance().decodeUri(key, source)
     path = parts.get("path") or ""
     if is_database(path):
@@ -149,6 +172,19 @@ def _places(value: object, provider: str, context: QgsProcessingContext) -> Iter
     elif path:
         yield DataPlace(path)
         yield DataPlace(source)  # in an archive, or a part of a file
+
+
+def _queried(source: str, context: QgsProcessingContext, queries: frozenset[str]) -> Iterator[DataPlace]:
+    """The sources of a virtual layer: layers that it brings along, and layers of the project that its query names."""
+    definition = QgsVirtualLayerDefinition.fromUrl(QUrl.fromEncoded(source.encode()))
+    for layer in definition.sourceLayers():
+        address = layer.reference() if layer.isReferenced() else f"{layer.provider()}://{layer.source()}"
+        yield from _places(address, "ogr", context, queries)
+    project = context.project()
+    for layer in project.mapLayers().values() if project is not None else ():
+        names = "|".join(map(re.escape, (layer.id(), layer.name())))
+        if re.search(rf"(?<!\w)({names})(?!\w)", definition.query()):
+            yield from _places(layer, "ogr", context, queries)
 
 
 def _table(parts: dict[str, Any]) -> str:

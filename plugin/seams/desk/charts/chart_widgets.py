@@ -12,12 +12,14 @@ from qgis.PyQt.QtGui import QMouseEvent, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QFileDialog, QSizePolicy, QToolButton, QToolTip, QWidget
 
 from ....imagery.atomic_files import replacing
+from ....imagery.errors import SettingsError
+from ....toolkit.algorithms.outputs import check_chosen_file
 from ....toolkit.charts.chart_painter import ChartPainter, chart_image, paper_font
 from ....toolkit.charts.chart_style import PAPER
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import plain_tip
 from ....toolkit.painting import painting
-from ....toolkit.translation import filled, formatted, tr
+from ....toolkit.translation import filled, formatted, sentence, tr
 from ...charts.curves_painter import Chart, LegendedCurves
 from ...charts.profile_painter import ProfilePainter, ShownProfile
 
@@ -175,9 +177,12 @@ class PictureButton(QToolButton):
             path = Path(f"{chosen}.png")
         self._folder = path.parent
         try:
+            check_chosen_file(path)
             with replacing(path) as unfinished:
                 if not chart_image(picture.paint, *picture.size, _DOTS).save(str(unfinished), "PNG"):
                     raise OSError(tr("it can't be written"))
+        except SettingsError as error:
+            said, level = sentence(error.message), Qgis.MessageLevel.Warning
         except OSError as error:
             text = tr("The picture was not saved to {path}: {error}. Choose another folder.")
             said, level = filled(text, path=path, error=error.strerror or error), Qgis.MessageLevel.Warning

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QEvent, QPoint
 from qgis.PyQt.QtGui import QColor, QHelpEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QToolTip
@@ -242,6 +243,19 @@ def save(panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, path: Path) -> lis
     monkeypatch.setattr(QFileDialog, "getSaveFileName", staticmethod(lambda *_: (str(path), "")))
     panel._save.click()
     return said
+
+
+@pytest.mark.parametrize("ending", ["png"])
+def test_no_layer_of_the_project_is_written_over(
+    session: CurvesSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, project: QgsProject,
+    ending: str,
+) -> None:
+    select_one(session)
+    path = tmp_path / f"points.{ending}"
+    path.write_text("x\n1\n")
+    project.addMapLayer(QgsVectorLayer(f"file://{path}?type=csv", "points", "delimitedtext"))
+    assert "which belongs to an input; choose another file" in save(panel, monkeypatch, path)[0]
+    assert path.read_text() == "x\n1\n"
 
 
 @pytest.mark.parametrize(("name", "start"), [("a.png", b"\x89PNG"), ("a", b"\x89PNG")])
