@@ -24,7 +24,7 @@ from qgis.PyQt.QtWidgets import (
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.desk.widgets import ClippedLabel, rich_tip
 from ...toolkit.translation import filled, tr
-from ..window_summary import window_sentence
+from ..window_summary import window_sentence, window_why
 from .judging import Judging, JudgingProgress
 from .windows.window_columns import verdict_chip, window_tip
 
@@ -164,7 +164,7 @@ class JudgeBar(QWidget):
                 sentence = tr("Measuring ...")
             else:
                 result = self._session.result(row.fid)
-                sentence, tip = window_sentence(row, result), window_tip(row, result)
+                sentence, tip = window_sentence(row, result), window_tip(row, result) if window_why(row, result) else ""
             side = self.fontMetrics().ascent()
             self._chip.setPixmap(verdict_chip(row.verdict).pixmap(side, side))
         elif selected:

@@ -184,8 +184,7 @@ class Session(SessionInputs):
             others = [fid for fid, said in held.items() if any(said.get(name) != values[name] for name in values)]
             rows = [row for row in map(self.row, others) if row is not None]
             if rows:  # the same again is no step
-                words = words_of(rows, tr("judging window {number}"), tr("judging {count} windows"))
-                self._steps.change({row.fid: values for row in rows}, words)
+                self._steps.change({row.fid: values for row in rows}, _words_of_notes(rows, values))
                 self._mosaics.note()
 
     def _follow_step(self, numbers: list[int]) -> None:
@@ -292,10 +291,11 @@ class Session(SessionInputs):
             self._tell(messages.WINDOWS_BACK(path=path))
 
     def _save(self, *_: object) -> None:
-        """Windows and scans of a project that had no file move beside it."""
+        """Windows and scans of a project that had no file move beside it, and failures that lie in no lasting one."""
         self._results.write()
         with self._raised():
             self._home.move_scans()
+            self._home.keep_failures()
         layer, path = self._watch.layer, self._watch.path
         if layer is None or path is None or not self._home.is_to_be_moved(path):
             return
@@ -335,3 +335,13 @@ class Session(SessionInputs):
         self._watch.watch(None)
         self._results.forget()
         self._steps.stack.clear()
+
+
+def _words_of_notes(rows: Sequence[WindowRecord], names: Iterable[str]) -> str:
+    """What the step is called that writes what an operator says, by the fields that he fills."""
+    kinds = {name.partition("_")[0] for name in names}
+    if "remark" in kinds:
+        return words_of(rows, tr("remark on window {number}"), tr("remark on {count} windows"))
+    if "observer" in kinds:
+        return words_of(rows, tr("judging window {number}"), tr("judging {count} windows"))
+    return words_of(rows, tr("how sure you are of window {number}"), tr("how sure you are of {count} windows"))

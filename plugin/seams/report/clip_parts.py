@@ -38,15 +38,16 @@ class PlacedLoss:
 
     window: PixelWindow
     loss: LossPicture
+    width_px: float = 0.0  # how wide its seam took detail; 0 where more did
 
 
-def measured_loss(block: Block, window: PixelWindow) -> PlacedLoss | None:
-    """Lost detail of some pixels of a mosaic; None where that can't be told."""
+def measured_loss(block: Block, window: PixelWindow, width_px: float = 0.0) -> PlacedLoss | None:
+    """Lost detail of some pixels of a mosaic; None where that can't be told. ``width_px``: of its seam."""
     extent = block.mosaic.grid.window_extent(window)
     request = window_request(block, 0, extent, InspectionSettings())
     measured = measure_window(request, partial(one_by_one, opened=open_raster))
     loss = window_lost(measured) if isinstance(measured, MeasuredWindow) else None
-    return None if loss is None or request.window is None else PlacedLoss(request.window, loss)
+    return None if loss is None or request.window is None else PlacedLoss(request.window, loss, width_px)
 
 
 def most_lost(shown: PixelWindow, placed: PlacedLoss, side: int) -> tuple[int, int]:
@@ -63,7 +64,7 @@ def loss_overview(pixels: np.ndarray, shown: PixelWindow, placed: PlacedLoss, pa
     and its columns."""
     step = -(-max(shown.width, shown.height) // _OVERVIEW_PX)
     picture = _reduced(pixels, step)
-    colours, inside = _by_pixel(loss_rgba(placed.loss.kept), shown, placed)
+    colours, inside = _by_pixel(loss_rgba(placed.loss, placed.width_px), shown, placed)
     colours = _reduced(colours * inside[..., np.newaxis], step)  # transparent beyond what was measured
     opacity = LOSS_OPACITY * colours[..., 3:] / 255
     painted = np.rint(picture * (1 - opacity) + colours[..., :3] * opacity).astype(np.uint8)
@@ -107,6 +108,7 @@ class ClipJob:
     extent: Extent | None  # in the mosaic's reference system; None: no clips
     names: tuple[str, ...]  # file names of the sources, those to be shown first in front; empty: as they come
     loss: LossPicture | None = None  # lost detail of the whole window where it was measured already
+    width_m: float = 0.0  # how wide its seam took detail; 0 where more did
 
 
 @dataclass(frozen=True)
@@ -167,7 +169,8 @@ def _parts(block: Block, job: ClipJob) -> WindowParts:
         except RasterError:  # the inspection has said so
             continue
     side = min(REPORT_CLIP_PX, searched.width, searched.height)
-    placed = measured_loss(block, searched) if job.loss is None else PlacedLoss(window, job.loss)
+    width_px = job.width_m / block.mosaic.ground_sample_distance
+    placed = PlacedLoss(window, job.loss, width_px) if job.loss else measured_loss(block, searched, width_px)
     row, column = (searched.height - side) // 2, (searched.width - side) // 2  # its middle, where nothing is told
     if placed is not None:
         row, column = most_lost(searched, placed, side)

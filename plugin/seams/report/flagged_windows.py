@@ -21,7 +21,7 @@ from ..measure import messages
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord, contrast_of
-from ..window_summary import by_the_paper, judged_words, window_sentence, window_why
+from ..window_summary import by_the_paper, judged_words, painted_width_m, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -120,14 +120,15 @@ class WindowSections:
 
     def _job(self, record: WindowRecord) -> ClipJob:
         """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""
-        pairs, loss = self._request.pairs.get(record.window_id, ()), self._request.losses.get(record.window_id)
+        request, window = self._request, record.window_id
+        pairs, result = request.pairs.get(window, ()), request.results.get(window)
+        names = [curve.raster for curve in request.curves.get(window, ()) if curve.role == "source"]
         if pairs:
             band = judged_band(pair.band for pair in pairs)
             judged = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
-            judged.sort(key=lambda pair: -(pair.ratio or 0))
-            return ClipJob(record.extent, tuple(pair.source for pair in judged), loss)
-        curves = self._request.curves.get(record.window_id, ())
-        return ClipJob(record.extent, tuple(curve.raster for curve in curves if curve.role == "source"), loss)
+            names = [pair.source for pair in sorted(judged, key=lambda pair: -(pair.ratio or 0))]
+        loss = None if result is None else result.loss
+        return ClipJob(record.extent, tuple(names), loss, painted_width_m(record))
 
     def _section(self, record: WindowRecord, clips: WindowParts) -> dict[str, object]:
         request, window = self._request, record.window_id
@@ -158,8 +159,8 @@ class WindowSections:
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
-        pixel_m = self._pixel_m
-        yield " ".join([window_sentence(record, pixel_m=pixel_m), *window_why(record, pixel_m=pixel_m)])
+        known = record, self._request.results.get(record.window_id), self._pixel_m
+        yield " ".join([window_sentence(*known), *window_why(*known)])
         facts = []
         if record.cause and record.cause != "none":
             words = tr("Found: {cause}.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 import re
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -113,8 +114,10 @@ def test_the_clips_show_where_most_was_lost(qgis_app: object, tmp_path: Path) ->
     assert match is not None
     middle = (block.mosaic.extent[0] + block.mosaic.extent[2]) / 2
     assert float(match[1]) == pytest.approx(middle, abs=80 * PIXEL)
-    known = LossPicture(np.full((64, 64), 0.4, np.float32))
-    given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, losses={1: known})
+    known = SimpleNamespace(
+        loss=LossPicture(np.full((64, 64), 0.4, np.float32)), explanation=None, ground_sample_distance=PIXEL
+    )
+    given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, results={1: known})
     assert "lost detail over the mosaic; in the frame the clips" in page_of(tmp_path / "given.html", given).captions
 
 

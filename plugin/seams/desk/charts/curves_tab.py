@@ -10,7 +10,7 @@ from qgis.PyQt.QtWidgets import QHBoxLayout, QSplitter, QWidget
 from ....imagery.limits import judged_band
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
-from ....toolkit.translation import filled, sentence, tr
+from ....toolkit.translation import filled, tr
 from ...charts.curves_painter import (
     Chart,
     window_curves,
@@ -136,7 +136,7 @@ def _title(session: Session, result: WindowCurves) -> str:
 
 def _live_title(live: LiveWindow) -> str:
     """The window that is drawn while it is being moved."""
-    return filled(tr("Live: {columns} x {rows} px under the mouse"), columns=live.window.width, rows=live.window.height)
+    return filled(tr("Live: {columns} x {rows} px"), columns=live.window.width, rows=live.window.height)
 
 
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
@@ -147,15 +147,12 @@ def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     if len(selected) > 1:
         return tr("Select one window to see its curves.")
     result, row = session.result(selected[0]), session.row(selected[0])
-    if result is not None:
-        reason = result.judgement.reason
-        return sentence(reason) if reason else tr("This window can't be compared.")
-    if session.is_pending(selected[0]):
+    if result is None and session.is_pending(selected[0]):
         return tr("Measuring ...")
-    if row is None or not row.verdict:
+    if result is None and (row is None or not row.verdict):
         return tr("Not inspected yet")
-    if not row.is_compared and row.reason and not row.stale:
-        return row.reason
+    if result is not None or (row is not None and not row.is_compared and not row.stale):  # whose sentence says why
+        return tr("This window can't be compared.")
     return tr("The curves are not saved with the project. Inspect again to see them.")
 
 
@@ -220,7 +217,7 @@ class ProfilePanel(ChartPanel):
 
     def _build(self) -> None:
         self._pages.addWidget(self.chart)
-        self._status = ClippedLabel(1)
+        self._status = ClippedLabel(2)  # beside the curves there is little room
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         self.chart.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")

@@ -24,9 +24,8 @@ from qgis.PyQt.QtWidgets import (
 from ....toolkit.desk.widgets import ClippedLabel, set_map_system, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
-from ...words import loss_rgba
 from ..map.hard_cut import Compared, ComparedLayer, looks_alike
-from ..map.lost_detail import PictureOverlay, placed_picture, rgba_image
+from ..map.lost_detail import PictureOverlay, loss_of, placed_picture
 from ..map.window_view import WindowOutline, WindowView
 
 if TYPE_CHECKING:
@@ -218,11 +217,12 @@ class ImagesPanel(QWidget):
     def _show_loss(self, *_: object) -> None:
         """Over both maps, where it was measured and is asked for."""
         selected, grid = self._session.selected(), self._session.mosaic_grid()
-        result = self._session.result(selected[0]) if selected and self._session.lost_detail.isChecked() else None
+        row = self._session.row(selected[0]) if selected and self._session.lost_detail.isChecked() else None
+        result = self._session.result(row.fid) if row is not None else None
+        picture = loss_of(row, result) if row is not None and result is not None else None
         placed = []
-        if result is not None and result.window is not None and result.loss is not None and grid is not None:
-            image = rgba_image(loss_rgba(result.loss.kept))
-            placed = [placed_picture(image, result.window, result.loss.cell_px, grid)]
+        if picture is not None and picture.image is not None and picture.window is not None and grid is not None:
+            placed = [placed_picture(picture.image, picture.window, picture.cell_px, grid)]
         for canvas in (self.mosaic, self.other):
             canvas.loss.show(placed, canvas.mapSettings().destinationCrs())
 

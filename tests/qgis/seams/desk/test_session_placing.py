@@ -9,10 +9,12 @@ from pathlib import Path
 import pytest
 from qgis.core import Qgis, QgsApplication, QgsCoordinateReferenceSystem, QgsGeometry, QgsProject
 from qgis.PyQt.QtCore import QThreadPool
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.toolkit.layers import system_wkt
 
+from tests.numbers.synthetic import write_raster
 from tests.qgis.emptied import emptied_system
-from tests.qgis.scenes import UTM33, Scene, layer, line
+from tests.qgis.scenes import UTM33, Box, Scene, layer, line, whole, windows
 from tests.qgis.seams.desk.session_desk import Desk, settle, wait_for_tasks
 
 _WHOLE = line((256, 0), (256, 256))
@@ -70,6 +72,45 @@ def test_placing_twice_doubles_nothing(desk: Desk) -> None:
     said = place(desk, [_WHOLE])
     assert said.startswith(f"Windows placed along the seams: 1; places that had theirs already: {len(before) - 1}.")
     assert sorted(row.extent for row in desk.session.windows()) == sorted(before.values())
+
+
+@pytest.mark.parametrize(
+    ("judged", "places", "numbers"),
+    [
+        ((0, 0, 64, 64), [(16, 0, 64, 64), (0, 40, 64, 64)], [1, 2]),  # most of the first was judged
+        ((0, 0, 128, 128), [(8, 8, 64, 64), (60, 56, 64, 64)], [1, 1]),  # both lie in it
+        ((32, 32, 64, 64), [(0, 0, 128, 128)], [2]),  # of which a quarter was judged
+    ],
+)
+def test_a_place_of_a_scan_is_the_judged_window_that_holds_most_of_it(
+    desk: Desk, judged: Box, places: list[Box], numbers: list[int]
+) -> None:
+    desk.session.judge([desk.add(PixelWindow(*judged))], "visible")
+    count = len(places)
+    worst = windows(
+        *places, window_id=("integer", list(range(count))), seam_id=("integer", [1] * count),
+        station=("double", [0.0] * count),
+    )  # fmt: skip
+    taken: list[list[int]] = []
+    desk.session.placesTaken.connect(taken.append)
+    desk.session.take_places(worst)
+    desk.wait()
+    (fids,) = taken
+    assert [desk.session.row(fid).window_id for fid in fids] == numbers  # type: ignore[union-attr]
+
+
+def test_no_window_is_drawn_where_the_mosaic_has_no_pixels(desk: Desk, tmp_path: Path) -> None:
+    pixels = whole(Path(desk.mosaic.source()))
+    pixels[..., :70, :] = 0
+    desk.mosaic = desk.raster(Path(write_raster(tmp_path / "holed.tif", pixels, nodata=0)))
+    desk.set(desk.inputs())
+    desk.session.add_window(PixelWindow(0, 0, 128, 128))
+    desk.wait()
+    assert desk.messages == ["No window there: more than 0.1\xa0% of the mosaic's pixels have no value."]
+    assert desk.session.window_layer() is None
+    desk.session.add_window(PixelWindow(0, 72, 128, 128))
+    desk.wait()
+    assert len(desk.session.windows()) == 1
 
 
 @pytest.mark.slow
