@@ -384,7 +384,7 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="211"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="213"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -414,7 +414,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="319"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="328"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -469,7 +469,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="165"/>
+        <location filename="../plugin/seams/window_summary.py" line="171"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -589,17 +589,17 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="132"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="129"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="134"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="131"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="146"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="143"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
@@ -609,17 +609,17 @@
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="154"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="148"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="159"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="153"/>
         <source>The curves are not saved with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="156"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="150"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -689,47 +689,47 @@
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="108"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="103"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="203"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="189"/>
+        <location filename="../plugin/seams/desk/dock.py" line="203"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="192"/>
+        <location filename="../plugin/seams/desk/dock.py" line="206"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="224"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="210"/>
+        <location filename="../plugin/seams/desk/dock.py" line="224"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="213"/>
+        <location filename="../plugin/seams/desk/dock.py" line="227"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="213"/>
+        <location filename="../plugin/seams/desk/dock.py" line="227"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -739,12 +739,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="242"/>
+        <location filename="../plugin/seams/desk/dock.py" line="256"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="380"/>
+        <location filename="../plugin/seams/desk/dock.py" line="394"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -839,7 +839,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="77"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
@@ -854,7 +854,7 @@
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="157"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
@@ -944,7 +944,7 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="101"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="103"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -1004,19 +1004,14 @@
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="79"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="80"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="87"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="88"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
-        <source>{count} of them have no curves in it, as these are not saved with the project; inspect them again to have them.</source>
-        <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
     <message>
         <location filename="../plugin/resolution/desk/bar_dock.py" line="182"/>
@@ -3303,32 +3298,32 @@
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="146"/>
+        <location filename="../plugin/seams/words.py" line="145"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="153"/>
+        <location filename="../plugin/seams/words.py" line="152"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="162"/>
+        <location filename="../plugin/seams/words.py" line="161"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="172"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="179"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="260"/>
+        <location filename="../plugin/seams/words.py" line="258"/>
         <source>unclear</source>
         <translation>niejasne</translation>
     </message>
@@ -3338,27 +3333,27 @@
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="147"/>
+        <location filename="../plugin/seams/words.py" line="146"/>
         <source>The range of grey values was narrowed by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="154"/>
+        <location filename="../plugin/seams/words.py" line="153"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="162"/>
         <source>Highlights or shadows were cut off at the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="254"/>
+        <location filename="../plugin/seams/words.py" line="252"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="261"/>
+        <location filename="../plugin/seams/words.py" line="259"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -3517,7 +3512,7 @@
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="146"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="147"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -3526,27 +3521,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="169"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="170"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="188"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="189"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="190"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="191"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="216"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="217"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -3844,22 +3839,22 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="208"/>
+        <location filename="../plugin/seams/window_summary.py" line="214"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="210"/>
+        <location filename="../plugin/seams/window_summary.py" line="216"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="212"/>
+        <location filename="../plugin/seams/window_summary.py" line="218"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="214"/>
+        <location filename="../plugin/seams/window_summary.py" line="220"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -3874,22 +3869,22 @@
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="156"/>
+        <location filename="../plugin/seams/words.py" line="155"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="164"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="176"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
@@ -3904,32 +3899,32 @@
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="148"/>
+        <location filename="../plugin/seams/words.py" line="147"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="155"/>
+        <location filename="../plugin/seams/words.py" line="154"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="163"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="175"/>
+        <location filename="../plugin/seams/words.py" line="174"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="240"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="241"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="239"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="240"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4058,7 +4053,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="229"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4143,17 +4138,17 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="202"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="203"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="203"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="204"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="242"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="243"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
@@ -4228,122 +4223,122 @@
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="189"/>
+        <location filename="../plugin/seams/words.py" line="187"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="200"/>
+        <location filename="../plugin/seams/words.py" line="198"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="201"/>
+        <location filename="../plugin/seams/words.py" line="199"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="202"/>
+        <location filename="../plugin/seams/words.py" line="200"/>
         <source>the mosaic was resampled</source>
         <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="203"/>
+        <location filename="../plugin/seams/words.py" line="201"/>
         <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
         <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="211"/>
+        <location filename="../plugin/seams/words.py" line="209"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="212"/>
+        <location filename="../plugin/seams/words.py" line="210"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>the mosaic was sharpened</source>
         <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="219"/>
+        <location filename="../plugin/seams/words.py" line="217"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="220"/>
+        <location filename="../plugin/seams/words.py" line="218"/>
         <source>Lossy compression, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
+        <location filename="../plugin/seams/words.py" line="219"/>
         <source>the mosaic was compressed with loss</source>
         <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="222"/>
+        <location filename="../plugin/seams/words.py" line="220"/>
         <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="230"/>
+        <location filename="../plugin/seams/words.py" line="228"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="231"/>
+        <location filename="../plugin/seams/words.py" line="229"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="232"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="233"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="238"/>
+        <location filename="../plugin/seams/words.py" line="236"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="240"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="246"/>
+        <location filename="../plugin/seams/words.py" line="244"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="247"/>
+        <location filename="../plugin/seams/words.py" line="245"/>
         <source>The sources&apos; tones were matched, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="248"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="249"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="255"/>
+        <location filename="../plugin/seams/words.py" line="253"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -4413,22 +4408,22 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="196"/>
+        <location filename="../plugin/seams/desk/dock.py" line="210"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="201"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -4863,27 +4858,27 @@
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="312"/>
+        <location filename="../plugin/seams/words.py" line="310"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="313"/>
+        <location filename="../plugin/seams/words.py" line="311"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="314"/>
+        <location filename="../plugin/seams/words.py" line="312"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="315"/>
+        <location filename="../plugin/seams/words.py" line="313"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="316"/>
+        <location filename="../plugin/seams/words.py" line="314"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
@@ -4898,27 +4893,27 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="165"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="178"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="179"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="205"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="204"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="202"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5023,7 +5018,7 @@
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="186"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
@@ -5048,42 +5043,42 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="226"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="220"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="242"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="233"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="247"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="238"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="248"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="239"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="265"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="256"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="343"/>
+        <location filename="../plugin/seams/desk/dock.py" line="357"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="352"/>
+        <location filename="../plugin/seams/desk/dock.py" line="366"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="349"/>
+        <location filename="../plugin/seams/desk/dock.py" line="363"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -5098,7 +5093,7 @@
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="293"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="294"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
@@ -5320,7 +5315,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="305"/>
+        <location filename="../plugin/seams/desk/dock.py" line="319"/>
         <source>Results are hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7704,12 +7699,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="233"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="219"/>
+        <location filename="../plugin/seams/desk/dock.py" line="233"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -7787,7 +7782,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="212"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="213"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -8043,22 +8038,22 @@
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="191"/>
+        <location filename="../plugin/seams/words.py" line="189"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="193"/>
+        <location filename="../plugin/seams/words.py" line="191"/>
         <source>a part of the mosaic matches none of these sources</source>
         <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="194"/>
+        <location filename="../plugin/seams/words.py" line="192"/>
         <source>{value} % of the mosaic match none of these sources</source>
         <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="181"/>
+        <location filename="../plugin/seams/window_summary.py" line="187"/>
         <source>{percent} % of the pixels match none of the given sources and are left out.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -8112,52 +8107,52 @@
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="140"/>
+        <location filename="../plugin/seams/words.py" line="139"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>Images were mixed along the seam, but not by weights: by the darker pixel, at random, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="168"/>
+        <location filename="../plugin/seams/words.py" line="167"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="181"/>
+        <location filename="../plugin/seams/words.py" line="180"/>
         <source>Images that meet in the mosaic do not line up there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
+        <location filename="../plugin/seams/words.py" line="204"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="225"/>
+        <location filename="../plugin/seams/words.py" line="223"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="182"/>
+        <location filename="../plugin/seams/words.py" line="181"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="182"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="262"/>
+        <location filename="../plugin/seams/words.py" line="260"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -8172,22 +8167,17 @@
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
-        <source>misfit</source>
-        <translation>niedopasowanie</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="107"/>
         <source>It is unclear whether the loss is significant, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="131"/>
+        <location filename="../plugin/seams/window_summary.py" line="136"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="376"/>
+        <location filename="../plugin/seams/window_summary.py" line="389"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -8211,12 +8201,12 @@
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="371"/>
+        <location filename="../plugin/seams/window_summary.py" line="384"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="370"/>
+        <location filename="../plugin/seams/window_summary.py" line="383"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -8651,7 +8641,7 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="205"/>
+        <location filename="../plugin/seams/desk/dock.py" line="219"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
@@ -8706,7 +8696,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="320"/>
+        <location filename="../plugin/seams/window_summary.py" line="333"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -8716,32 +8706,32 @@
         <translation>{area} m²</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="322"/>
+        <location filename="../plugin/seams/window_summary.py" line="335"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <location filename="../plugin/seams/window_summary.py" line="345"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="335"/>
+        <location filename="../plugin/seams/window_summary.py" line="348"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="319"/>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="344"/>
+        <location filename="../plugin/seams/window_summary.py" line="357"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="375"/>
+        <location filename="../plugin/seams/window_summary.py" line="388"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -8751,7 +8741,7 @@
         <translation>strata: {area}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="227"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>Compress it less.</source>
         <translation>Zastosuj słabszą kompresję.</translation>
     </message>
@@ -9129,22 +9119,22 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="161"/>
+        <location filename="../plugin/seams/desk/dock.py" line="175"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="22"/>
+        <location filename="../plugin/seams/desk/messages.py" line="23"/>
         <source>The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.</source>
         <translation>Okna w {name} zmierzono i oceniono na {older}, a teraz ortofotomapą jest {newer}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="25"/>
+        <location filename="../plugin/seams/desk/messages.py" line="26"/>
         <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
         <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
     </message>
@@ -9312,7 +9302,7 @@
         <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="168"/>
         <source>Main cause in the whole window: {cause}.</source>
         <translation>Główna przyczyna w całym oknie: {cause}.</translation>
     </message>
@@ -9517,7 +9507,7 @@
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="174"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>The channels were corrected one by one, so the colours shifted.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
@@ -9844,22 +9834,22 @@
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych: dodaj te, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="113"/>
+        <location filename="../plugin/seams/window_summary.py" line="118"/>
         <source>Mixing alone would have taken {percent} % there.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="96"/>
+        <location filename="../plugin/seams/window_summary.py" line="95"/>
         <source>cause unclear</source>
         <translation>przyczyna niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="98"/>
+        <location filename="../plugin/seams/window_summary.py" line="97"/>
         <source>softened there</source>
         <translation>zmiękczono tam obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="100"/>
+        <location filename="../plugin/seams/window_summary.py" line="99"/>
         <source>mixed, but not by weights</source>
         <translation>zmieszano inaczej niż wagami</translation>
     </message>
@@ -9869,37 +9859,32 @@
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="115"/>
+        <location filename="../plugin/seams/window_summary.py" line="120"/>
         <source>Mixing alone would have taken {percent} % there; the cause of the rest is unclear.</source>
         <translation>Samo mieszanie zabrałoby tam {percent} %; co zabrało resztę, nie wiadomo.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="281"/>
+        <location filename="../plugin/seams/window_summary.py" line="294"/>
         <source>{lost} % of detail lost beside the seam</source>
         <translation>{lost} % detali utracono przy linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
-        <source>{apart} px misfit</source>
-        <translation>niedopasowanie {apart} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="280"/>
+        <location filename="../plugin/seams/window_summary.py" line="293"/>
         <source>{lost} % of detail lost in {width} m along the seam</source>
         <translation>{lost} % detali utracono w pasie {width} m wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="304"/>
+        <location filename="../plugin/seams/window_summary.py" line="317"/>
         <source>It may be more: judge by eye.</source>
         <translation>Może być większa: oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="308"/>
+        <location filename="../plugin/seams/window_summary.py" line="321"/>
         <source>Judge by eye.</source>
         <translation>Oceń wzrokiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="110"/>
+        <location filename="../plugin/seams/window_summary.py" line="115"/>
         <source>The cause of the loss along the seam is unclear.</source>
         <translation>Nie wiadomo, co zabrało detale wzdłuż linii.</translation>
     </message>
@@ -9914,37 +9899,37 @@
         <translation>Pomiń ten filtr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>Cut hard there.</source>
         <translation>Tnij tam ostro.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="169"/>
+        <location filename="../plugin/seams/words.py" line="168"/>
         <source>clipped</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="170"/>
+        <location filename="../plugin/seams/words.py" line="169"/>
         <source>Stretch it less.</source>
         <translation>Rozciągaj ją słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="186"/>
+        <location filename="../plugin/seams/words.py" line="184"/>
         <source>Register images.</source>
         <translation>Dopasuj obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="197"/>
+        <location filename="../plugin/seams/words.py" line="195"/>
         <source>Add the missing orthoimage.</source>
         <translation>Dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="208"/>
+        <location filename="../plugin/seams/words.py" line="206"/>
         <source>Don&apos;t resample it.</source>
         <translation>Zachowaj piksele ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="226"/>
+        <location filename="../plugin/seams/words.py" line="224"/>
         <source>compressed with loss</source>
         <translation>kompresja stratna</translation>
     </message>
@@ -9964,22 +9949,22 @@
         <translation>{name} przedstawia {share:.0%} drobnych detali, które ortofotomapa ma przy linii mozaikowania (kanał {band}), więc nie może ich zastąpić; wybierz ortoobrazy, z których ją wykonano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="296"/>
+        <location filename="../plugin/seams/window_summary.py" line="309"/>
         <source>{said}, no more along the seam</source>
         <translation>{said}, wzdłuż linii nie więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="248"/>
+        <location filename="../plugin/seams/window_summary.py" line="261"/>
         <source>In all {area}.</source>
         <translation>Łącznie {area}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="289"/>
+        <location filename="../plugin/seams/window_summary.py" line="302"/>
         <source>{lost} % of the window&apos;s detail lost</source>
         <translation>{lost} % detali okna utracono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="293"/>
+        <location filename="../plugin/seams/window_summary.py" line="306"/>
         <source>{said}, {lost} % of the rest along the seam</source>
         <translation>{said}, wzdłuż linii {lost} % reszty</translation>
     </message>
@@ -10019,22 +10004,22 @@
         <translation>Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="241"/>
+        <location filename="../plugin/seams/words.py" line="239"/>
         <source>dodging took {value} %</source>
         <translation>wyrównanie jasności zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="242"/>
+        <location filename="../plugin/seams/words.py" line="240"/>
         <source>dodged</source>
         <translation>wyrównana jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="243"/>
+        <location filename="../plugin/seams/words.py" line="241"/>
         <source>Dodge it less.</source>
         <translation>Wyrównaj jasność słabiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="239"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>Brightness was evened out from place to place; from a coarse overview, this removes detail.</source>
         <translation>Jasność wyrównano zmiennie z miejsca na miejsce; zrobione według zgrubnego podglądu zabiera to szczegóły.</translation>
     </message>
@@ -10174,7 +10159,7 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L podczas oceny). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="295"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="296"/>
         <source>Detail kept</source>
         <translation>Zachowane detale</translation>
     </message>
@@ -10281,7 +10266,7 @@
         <translation>Ortofotomapy skanowano osobno (liczba: {count}): linii mozaikowania, która biegnie po granicy dwóch z nich, nie ma w żadnej liczbie. Stykające się arkusze skanuj jako jedną ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="256"/>
+        <location filename="../plugin/seams/words.py" line="254"/>
         <source>the sources were compressed with loss, and the mosaic holds more than they do</source>
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
@@ -10311,7 +10296,7 @@
         <translation>nie można go zapisać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="243"/>
+        <location filename="../plugin/seams/desk/dock.py" line="257"/>
         <source>The selected window at 2x, the mosaic beside its hard cut or a source, to judge the loss by eye</source>
         <translation>Zaznaczone okno w powiększeniu 2×, ortofotomapa obok ostrego cięcia albo ortoobrazu, do oceny straty okiem</translation>
     </message>
@@ -10321,12 +10306,12 @@
         <translation>Otwórz ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="111"/>
         <source>What the mosaic is compared with</source>
         <translation>Z czym porównywana jest ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="203"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="202"/>
         <source>no source here</source>
         <translation>brak tu ortoobrazów</translation>
     </message>
@@ -10492,22 +10477,17 @@
         <translation>Kontroluje pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję w jednym przebiegu: podajesz katalog lub indeks, a dostajesz jeden raport z obiema kontrolami na okładce, zapis, usterki i arkusze z ich ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
         <source>Only look at them</source>
         <translation>Tylko je oglądam</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="166"/>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
         <source>Copy them</source>
         <translation>Skopiuj je</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="13"/>
-        <source>Places of the scan added: {count}; windows that were there already: {there}.</source>
-        <translation>Dodane miejsca ze skanowania: {count}; okna, które już tam były: {there}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/messages.py" line="18"/>
+        <location filename="../plugin/seams/desk/messages.py" line="19"/>
         <source>The windows in {name} are not in a windows file, so results and verdicts can&apos;t be saved with them. Copy them into one?</source>
         <translation>Okna w {name} nie są w pliku okien, więc nie można z nimi zachować pomiarów i ocen. Skopiować je do takiego pliku?</translation>
     </message>
@@ -10522,27 +10502,27 @@
         <translation>usunięcie okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="346"/>
         <source>judging window {number}</source>
         <translation>ocena okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="187"/>
+        <location filename="../plugin/seams/desk/session.py" line="346"/>
         <source>judging {count} windows</source>
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="68"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="93"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="97"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="134"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="138"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
@@ -10632,67 +10612,67 @@
         <translation>zachowano {kept} % ({low} do {high} %) na {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="255"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="253"/>
         <source>Save the decision</source>
         <translation>Zapisz decyzję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="299"/>
         <source>Decide</source>
         <translation>Rozstrzygnij</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="301"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="299"/>
         <source>Decides in the background, by these limits.</source>
         <translation>Rozstrzyga w tle, według tych granic.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>Open report</source>
         <translation>Otwórz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="313"/>
         <source>The page to sign, in the browser.</source>
         <translation>Strona do podpisu, w przeglądarce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>Failures on the map</source>
         <translation>Usterki na mapie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="317"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="315"/>
         <source>A line for each failure without a break.</source>
         <translation>Linia dla każdej nieprzerwanej usterki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
         <source>Save as ...</source>
         <translation>Zapisz jako...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="320"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="318"/>
         <source>Report, failures with their pictures and quality record, into a folder.</source>
         <translation>Raport, usterki z obrazami i zapis jakości, do katalogu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="182"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="179"/>
         <source>Saved in {folder}.</source>
         <translation>Zapisano w {folder}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="210"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="209"/>
         <source>Not saved yet.</source>
         <translation>Jeszcze nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="294"/>
         <source>Limits</source>
         <translation>Granice</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="296"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="294"/>
         <source>Scans and their sheets</source>
         <translation>Badania i ich arkusze</translation>
     </message>
@@ -10707,12 +10687,12 @@
         <translation>Okna są w Twoim profilu, dopóki projekt nie zostanie zapisany, potem obok niego. Teraz są w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="15"/>
+        <location filename="../plugin/seams/desk/messages.py" line="16"/>
         <source>{path} exists already: choose another folder, so that no document is replaced.</source>
         <translation>{path} już istnieje: wybierz inny katalog, aby żaden dokument nie został zastąpiony.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="16"/>
+        <location filename="../plugin/seams/desk/messages.py" line="17"/>
         <source>The decision could not be saved in {folder} ({error}); choose another folder.</source>
         <translation>Nie udało się zapisać decyzji w {folder} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -10835,32 +10815,32 @@
         <translation>zachowane według odległości od linii łączenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/accept_page.py" line="291"/>
+        <location filename="../plugin/seams/desk/accept_page.py" line="289"/>
         <source>No mosaic is scanned yet: scan it, or run Accept delivery in the toolbox, which does.</source>
         <translation>Żadnej ortofotomapy jeszcze nie zbadano: zbadaj ją albo uruchom w panelu algorytmów Odbiór dostawy od plików, który to robi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="148"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="145"/>
         <source>Select one window to see its curves.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć jego krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="206"/>
+        <location filename="../plugin/seams/desk/dock.py" line="220"/>
         <source>Accept or reject the delivery by its scans</source>
         <translation>Przyjmij lub odrzuć dostawę według jej badań</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="240"/>
+        <location filename="../plugin/seams/desk/dock.py" line="254"/>
         <source>How the variance of the selected window spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonego okna rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="353"/>
+        <location filename="../plugin/seams/window_summary.py" line="366"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source.</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="134"/>
+        <location filename="../plugin/seams/window_summary.py" line="140"/>
         <source>{clause} over {width} m</source>
         <translation>{clause} na szerokości {width} m</translation>
     </message>
@@ -10910,7 +10890,7 @@
         <translation>Tabela {table} nie ma pola „{field}”; wybierz tę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="137"/>
+        <location filename="../plugin/seams/words.py" line="136"/>
         <source>Feather less.</source>
         <translation>Wtapiaj węziej.</translation>
     </message>
@@ -11124,7 +11104,7 @@
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="287"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="291"/>
         <source>and {count} more</source>
         <translation>i {count} więcej</translation>
     </message>
@@ -11307,19 +11287,9 @@
         <translation>Zapisz wykres jako obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="139"/>
-        <source>Live: {columns} x {rows} px under the mouse</source>
-        <translation>Na żywo: {columns} × {rows} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/dock.py" line="61"/>
+        <location filename="../plugin/seams/desk/dock.py" line="62"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt. Ctrl+kliknięcie: okno na innym oknie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
-        <source>{asked} m does not fit this mosaic: {side} m, every {spacing} m</source>
-        <translation>{asked} m nie pasuje do tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="171"/>
@@ -11500,7 +11470,7 @@
         <translation>{near} do {far} m: zachowano {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="144"/>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="141"/>
         <source>There are no curves where the window around the piece has pixels without a value.</source>
         <translation>Nie ma krzywych tam, gdzie okno wokół odcinka ma piksele bez wartości.</translation>
     </message>
@@ -11525,7 +11495,7 @@
         <translation>Warstwa {name} zostaje w {old}, bo nie można jej przenieść do {folder} ({error}); wyeksportuj ją stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <location filename="../plugin/seams/desk/messages.py" line="15"/>
         <source>Windows of this mosaic were restored. The project lacked them; they are in {path}.</source>
         <translation>Przywrócono okna tej ortofotomapy. Projekt ich nie miał; są w {path}.</translation>
     </message>
@@ -11557,6 +11527,61 @@
         <location filename="../plugin/seams/desk/judging.py" line="74"/>
         <source>{count} not comparable or not inspected</source>
         <translation>nieporównywalne lub nieskontrolowane: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/charts/curves_tab.py" line="136"/>
+        <source>Live: {columns} x {rows} px</source>
+        <translation>Na żywo: {columns} × {rows} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
+        <source>{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m</source>
+        <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="13"/>
+        <source>No window there: more than {most:.1%} of the mosaic&apos;s pixels have no value.</source>
+        <translation>Nie ma tam okna: ponad {most:.1%} pikseli ortofotomapy nie ma wartości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="14"/>
+        <source>Places added: {count}; there already: {there}.</source>
+        <translation>Dodane miejsca: {count}; już były: {there}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/report_writer.py" line="90"/>
+        <source>{count} have no curves in it: inspect them again.</source>
+        <translation>{count} {count:okno|okna|okien} nie ma w nim krzywych: skontroluj je ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="347"/>
+        <source>how sure you are of window {number}</source>
+        <translation>pewność oceny okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="347"/>
+        <source>how sure you are of {count} windows</source>
+        <translation>pewność oceny okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="344"/>
+        <source>remark on window {number}</source>
+        <translation>uwaga do okna {number}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/session.py" line="344"/>
+        <source>remark on {count} windows</source>
+        <translation>uwaga do okien: {count}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <source>images {value} px apart</source>
+        <translation>obrazy przesunięte o {value} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <source>images do not fit</source>
+        <translation>obrazy nie pasują do siebie</translation>
     </message>
 </context>
 </TS>

@@ -7,7 +7,7 @@ from typing import Callable
 from qgis.core import QgsApplication, QgsProject
 from qgis.gui import QgisInterface, QgsMessageBarItem
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtCore import QCoreApplication, Qt
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import (
     QAction,
@@ -24,6 +24,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ...imagery.errors import Message
+from ...toolkit.background_tasks import BackgroundTask
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.resources import icon_path, show_first_page
@@ -88,6 +89,8 @@ class InspectionDock(ToolDock):
         self.judging.action.toggled.connect(self._begin_judging)
         self.judging.action.toggled.connect(self.flicker.hide)
         self._findings: QgsMessageBarItem | None = None
+        iface.messageBar().widgetAdded.connect(self._drop_notice)
+        self.session.lost_detail.toggled.connect(self._uncover)
         self.scans.scanned.connect(self._tell_findings)
         self.steps = UndoActions(self.session.steps, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
@@ -123,6 +126,7 @@ class InspectionDock(ToolDock):
     def close_desk(self) -> None:
         super().close_desk()
         self._forget_findings()
+        self._iface.messageBar().widgetAdded.disconnect(self._drop_notice)
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self._keys, self.reports, self.flicker,
@@ -133,10 +137,20 @@ class InspectionDock(ToolDock):
 
     def judge_worst(self) -> None:
         """Take the worst places of the last scan into the windows: inspected, and walked through, worst first."""
-        layer = self.scans.worst_layer()
-        if layer is not None:
-            uncover(QgsProject.instance(), layer)
+        if (layer := self.scans.worst_layer()) is not None:
+            self._uncover()
             self.session.take_places(layer)
+
+    def _uncover(self, is_to_be_seen: bool = True) -> None:
+        """The scan's picture gives way to the mosaic, and to lost detail."""
+        if is_to_be_seen and (layer := self.scans.worst_layer()) is not None:
+            uncover(QgsProject.instance(), layer)
+
+    def _drop_notice(self, item: QgsMessageBarItem) -> None:
+        """QGIS before 3.26 says that a task is complete, over what the desk says of it."""
+        is_notice = item.title() == QCoreApplication.translate("QgisApp", "Task complete")
+        if is_notice and item.text() in BackgroundTask.described:
+            self._iface.messageBar().popWidget(item)
 
     def _tell_findings(self, done: ScanDone) -> None:
         self._forget_findings()
@@ -279,8 +293,8 @@ class InspectionDock(ToolDock):
         whole.setContentsMargins(4, 2, 4, 4)
         whole.setSpacing(3)
         whole.addWidget(ScrollBody(upper), 1)
+        whole.addWidget(self._progress_row())  # above the buttons that judge, which stay where they are
         whole.addWidget(self.judge)
-        whole.addWidget(self._progress_row())
         return body
 
     def _begin_judging(self, is_on: bool) -> None:

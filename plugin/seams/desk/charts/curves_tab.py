@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QHBoxLayout, QSplitter, QWidget
+from qgis.PyQt.QtWidgets import QSplitter, QWidget
 
 from ....imagery.limits import judged_band
 from ....toolkit.desk.chart_panel import ChartPanel
@@ -57,12 +57,9 @@ class CurvesPanel(ChartPanel):
             "have. On or below the limit a loss is significant by curves."
         )))
         self._pages.addWidget(self._chart)
-        self._status = ClippedLabel(1)
+        self._status = ClippedLabel(2)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
-        tools = QHBoxLayout()
-        tools.addStretch()
-        tools.addWidget(self._save)
-        self._lay_out(tools, self._status)
+        self._lay_out(self._status, self._save)
 
     # when to draw
 
@@ -217,17 +214,14 @@ class ProfilePanel(ChartPanel):
 
     def _build(self) -> None:
         self._pages.addWidget(self.chart)
-        self._status = ClippedLabel(2)  # beside the curves there is little room
+        self._status = ClippedLabel(2)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         self.chart.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
         )
         self._save = PictureButton()
         self._save.notified.connect(self._session.messageRaised)
-        tools = QHBoxLayout()
-        tools.addStretch()
-        tools.addWidget(self._save)
-        self._lay_out(tools, self._status)
+        self._lay_out(self._status, self._save)
 
     def _refresh(self) -> None:
         if self.isVisible():

@@ -192,7 +192,7 @@ class InputsPanel(QWidget):
             note = filled(tr("few windows below {pixels} px can be measured"), pixels=limits.MEASURABLE_SIDE_PX)
         if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
             asked, side, spacing = map(shown_metres, (*self._fitted, inputs.spacing_m))
-            note = filled(tr("{asked} m does not fit this mosaic: {side} m, every {spacing} m"),
+            note = filled(tr("{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m"),
                           asked=asked, side=side, spacing=spacing)  # fmt: skip
         self.side_note.setText(note)
         self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title

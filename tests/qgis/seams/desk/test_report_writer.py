@@ -54,7 +54,7 @@ def test_the_report_tells_windows_curves_and_cause(desk: Desk, writer: Writer, t
 def test_windows_that_were_measured_elsewhere_have_no_curves(
     desk: Desk, writer: Writer, tmp_path: Path
 ) -> None:
-    """Of one that can't be compared nothing would be there by inspecting it again."""
+    """Inspecting one again that can't be compared would give none."""
     verdicts = ["preserved", "not_comparable"]
     desk.use(windows(SHARP, BLURRED, window_id=("integer", [1, 2]), verdict=("string", verdicts)))
     said = writer.write(tmp_path / "report.html")
