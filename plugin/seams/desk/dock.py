@@ -146,11 +146,12 @@ class InspectionDock(ToolDock):
         if is_to_be_seen and (layer := self.scans.worst_layer()) is not None:
             uncover(QgsProject.instance(), layer)
 
-    def _drop_notice(self, item: QgsMessageBarItem) -> None:
+    def _drop_notice(self, *_: object) -> None:
         """QGIS before 3.26 says that a task is complete, over what the desk says of it."""
-        is_notice = item.title() == QCoreApplication.translate("QgisApp", "Task complete")
-        if is_notice and item.text() in BackgroundTask.described:
-            self._iface.messageBar().popWidget(item)
+        bar, title = self._iface.messageBar(), QCoreApplication.translate("QgisApp", "Task complete")
+        item = bar.currentItem()
+        if item is not None and item.title() == title and item.text() in BackgroundTask.described:
+            bar.popWidget(item)
 
     def _tell_findings(self, done: ScanDone) -> None:
         self._forget_findings()
