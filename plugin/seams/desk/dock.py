@@ -1,8 +1,8 @@
 """The inspection desk: a dock beside the map that puts the panels together."""
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Callable
 
 from qgis.core import QgsApplication, QgsProject
 from qgis.gui import QgisInterface, QgsMessageBarItem
@@ -107,8 +107,13 @@ class InspectionDock(ToolDock):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
         self.session.placesTaken.connect(self._go_to_worst)
         self.session.stepped.connect(self.zoom_to)
-        self.session.mosaicDoubted.connect(self._ask_about_mosaic)
-        self.session.copyDoubted.connect(self._ask_for_copy)
+        self.session.mosaicDoubted.connect(lambda message: self._ask(message, {
+            tr("The windows are of this mosaic"): self.session.take_windows,  # nothing goes on with them before
+            tr("Leave these windows as they are"): self.session.leave_windows,
+        }))
+        self.session.copyDoubted.connect(lambda message: self._ask(message, {
+            tr("Copy them"): self.session.copy_to_file, tr("Only look at them"): lambda: None,
+        }))
         self.question: QMessageBox | None = None
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
@@ -171,18 +176,8 @@ class InspectionDock(ToolDock):
             self.session.select([fid])
             self.zoom_to(fid)
 
-    def _ask_about_mosaic(self, message: Message) -> None:
-        """What is to become of windows when the mosaic is another; nothing goes on with them before."""
-        answer = tr("The windows are of this mosaic"), self.session.take_windows
-        self._ask(message, answer, tr("Leave these windows as they are"), self.session.leave_windows)
-
-    def _ask_for_copy(self, message: Message) -> None:
-        """Whether windows of another format are copied into a windows file."""
-        self._ask(message, (tr("Copy them"), self.session.copy_to_file), tr("Only look at them"), lambda: None)
-
-    def _ask(
-        self, message: Message, answer: tuple[str, Callable[[], None]], otherwise: str, leave: Callable[[], None]
-    ) -> None:
+    def _ask(self, message: Message, answers: Mapping[str, Callable[[], None]]) -> None:
+        """``answers``: what is done by what the operator says; the last is what closing the question says."""
         if self.question is not None and not sip.isdeleted(self.question):
             return
         self.question = box = QMessageBox(
@@ -190,7 +185,7 @@ class InspectionDock(ToolDock):
         )
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         roles = QMessageBox.ButtonRole
-        for role, (text, do) in ((roles.AcceptRole, answer), (roles.RejectRole, (otherwise, leave))):
+        for role, (text, do) in zip((roles.AcceptRole, roles.RejectRole), answers.items()):
             box.addButton(text, role).clicked.connect(partial(self._answer, do))
         QgsProject.instance().cleared.connect(box.deleteLater)
         box.open()

@@ -236,7 +236,8 @@ class WindowsMosaic(QObject):
                 layer.setCrs(system if system.isValid() else layers.mosaic_crs(block.mosaic))
         if layer is None or now is None or before is None or before == now:
             return
-        if before.content == now.content or not self._holds_something():
+        holds_something = any(row.verdict or row.observer or row.observer_2 for row in self._watch.rows())
+        if before.content == now.content or not holds_something:
             self.take()
             return
         names = RasterRef(before.path).name, RasterRef(now.path).name
@@ -258,6 +259,3 @@ class WindowsMosaic(QObject):
         if layer.id() not in self._known:
             self._known[layer.id()] = window_file.known_mosaic(path)
         return self._known[layer.id()]
-
-    def _holds_something(self) -> bool:
-        return any(row.verdict or row.observer or row.observer_2 for row in self._watch.rows())

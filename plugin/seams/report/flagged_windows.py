@@ -149,13 +149,23 @@ class WindowSections:
             "levels": levels,
             "ratios": ratios,
             "problem": problem,
-            "profile": profile_picture(record, request.profiles.get(window, ()), self._pixel_m, request.min_kept),
+            "profile": profile_picture(self._profile(record)),
             "chart": curves_svg(same, request.max_ratio) if same else "",
             "legend": curve_legend(same) if same else (),
             "clips": clips.pictures,
             "place": "" if clips.extent is None else _place_words(clips),
             "loss": clips.loss,
         }
+
+    def _profile(self, record: WindowRecord) -> ShownProfile | None:
+        """The profile that was measured, where that is known, else that of the rows of the table."""
+        request, result = self._request, self._request.results.get(record.window_id)
+        if result is None or result.profile is None:
+            return shown_profile(record, request.profiles.get(record.window_id, ()), self._pixel_m, request.min_kept)
+        levels = frozenset(bin_.level for bin_ in result.profile.bins)
+        return ShownProfile(
+            result.profile, result.ground_sample_distance, request.min_kept, levels, result.ground_left
+        )
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
@@ -260,27 +270,15 @@ class ProfilePicture:
     legend: Sequence[tuple[str, str]]  # colours and names of the levels
 
 
-def profile_picture(
-    record: WindowRecord, rows: Sequence[ProfileRecord], pixel_m: float | None, min_kept: float
-) -> ProfilePicture | None:
+def profile_picture(shown: ShownProfile | None) -> ProfilePicture | None:
     """The chart of a window's profile, all levels; None where nothing was measured."""
-    shown = shown_profile(record, rows, pixel_m, min_kept)
     if shown is None:
         return None
-    svg = profile_svg(shown)
+    chart = ProfilePainter(shown, QRectF(0, 0, *PROFILE_PX), PAPER, paper_font(_PROFILE_LETTERS_PX))
+    svg = chart_svg(chart.paint, *PROFILE_PX)
     as_wide_as_its_room = re.sub(r' (width|height)="[\d.]+mm"', "", svg[svg.index("<svg") :])
-    return ProfilePicture(Markup(as_wide_as_its_room), level_legend(shown.levels))
-
-
-def profile_svg(shown: ShownProfile, size: tuple[int, int] = PROFILE_PX) -> str:
-    """The chart as a file of so many px across and down."""
-    chart = ProfilePainter(shown, QRectF(0, 0, *size), PAPER, paper_font(_PROFILE_LETTERS_PX))
-    return chart_svg(chart.paint, *size)
-
-
-def level_legend(levels: Set[int]) -> list[tuple[str, str]]:
-    """Colours and names of levels."""
-    return [(level_colour(level, PAPER), filled(tr("level {number}"), number=level)) for level in sorted(levels)]
+    names = [(level_colour(level, PAPER), filled(tr("level {number}"), number=level)) for level in sorted(shown.levels)]
+    return ProfilePicture(Markup(as_wide_as_its_room), names)
 
 
 def shown_profile(

@@ -58,7 +58,6 @@ def report_request(
         tuple(_on_mosaic(row, measured.get(row.window_id), crs, target, project) for row in inspected),
         curves={number: _curves(window) for number, window in measured.items() if window.clips},
         pairs={number: _pairs(window) for number, window in measured.items() if window.pairs},
-        profiles={number: _profile(window) for number, window in measured.items() if window.profile is not None},
         results=measured,
         block=block,
         wkt=layers.system_wkt(target),
@@ -90,12 +89,6 @@ def _curves(result: WindowResult) -> list[CurveRecord]:
     return [
         CurveRecord(clip.raster, clip.role, clip.curves[band].detail, clip.curves[band].background) for clip in clips
     ]
-
-
-def _profile(result: WindowResult) -> list[ProfileRecord]:
-    pixel_m, bins = result.ground_sample_distance, result.profile.bins if result.profile is not None else ()
-    return [ProfileRecord(bin_.level, pixel_m * bin_.middle_px, bin_.kept, bin_.low, bin_.high, bin_.mixture)
-            for bin_ in bins]  # fmt: skip
 
 
 def _pairs(result: WindowResult) -> list[PairRecord]:

@@ -9,23 +9,14 @@ from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.compared_image import Change
-from seam_inspector.plugin.seams.measure.judgement.causes import (
-    Cause,
-    CauseEvidence,
-    Misfit,
-    SourceTone,
-    Texture,
-)
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause, CauseEvidence, Misfit, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, WindowRecord
-from seam_inspector.plugin.seams.window_summary import (
-    named_causes,
-    window_sentence,
-)
+from seam_inspector.plugin.seams.window_summary import named_causes, window_sentence
 
 from tests.qgis.seams.desk.windows_session import window
 

@@ -11,17 +11,13 @@ from ....imagery.limits import judged_band
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
 from ....toolkit.translation import filled, tr
-from ...charts.curves_painter import (
-    Chart,
-    window_curves,
-)
+from ...charts.curves_painter import Chart, window_curves
 from ...charts.profile_painter import ShownProfile, bin_words, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ...measure.window.explained_window import LiveWindow
     from ...measure.window.window_result import WindowCurves, WindowResult
     from ..session import Session
 
@@ -81,7 +77,8 @@ class CurvesPanel(ChartPanel):
         live = self._session.live
         result, missing = shown_window(self._session)
         if live is not None:
-            self._draw(live.clips, _live_title(live))
+            size = {"columns": live.window.width, "rows": live.window.height}
+            self._draw(live.clips, filled(tr("Live: {columns} x {rows} px"), **size))
             self._save.offer(None)
         elif result is not None:
             chart = self._draw(result, _title(self._session, result))
@@ -129,11 +126,6 @@ def _title(session: Session, result: WindowCurves) -> str:
     text = filled(tr("Window {number}"), number=result.window_id)
     row = session.row(session.selected()[0])
     return text + tr(", out of date: inspect it again") if row is not None and row.stale else text
-
-
-def _live_title(live: LiveWindow) -> str:
-    """The window that is drawn while it is being moved."""
-    return filled(tr("Live: {columns} x {rows} px"), columns=live.window.width, rows=live.window.height)
 
 
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
