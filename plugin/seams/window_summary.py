@@ -346,15 +346,11 @@ def _interval(row: WindowRecord) -> list[str]:
         return [] if _is_blurred(row) else [filled(text, kept=percent(row.kept_1), low=low, high=high)]
     least, most = percent(1 - row.kept_high), percent(1 - row.kept_low)
     text = tr("The loss along the seam lies between {least} and {most} % (95 % interval).")
-    said = filled(text, least=least, most=most)
-    return [said, *_to_an_eye(row)]
-
-
-def _to_an_eye(row: WindowRecord) -> list[str]:
-    """What the loss along the seam means to an eye, by a model of one."""
-    if row.visibility is None:
-        return []
-    return [filled(tr("It is {times} times what an eye just sees at 2x."), times=shown_number(row.visibility, 1))]
+    said = [filled(text, least=least, most=most)]
+    if row.visibility is not None:  # by a model of an eye
+        text = tr("It is {times} times what an eye just sees at 2x.")
+        said.append(filled(text, times=shown_number(row.visibility, 1)))
+    return said
 
 
 def by_the_paper(row: WindowRecord) -> list[str]:

@@ -19,7 +19,6 @@ from .measure.profile.seam_profile import WIDEST_FEATHER_PX
 if TYPE_CHECKING:
     import numpy as np
 
-    from .measure.compared_image import Change
     from .measure.judgement.explanation import Explanation
     from .measure.profile.window_detail import LossPicture
 
@@ -85,11 +84,6 @@ def observer_word(observer: str) -> str:
     """The observer's word for the user."""
     words = {"visible": tr("visible"), "invisible": tr("invisible"), "unsure": tr("not sure")}
     return words.get(observer, observer)
-
-
-def judged_change(explanation: Explanation) -> Change:
-    """The mosaic against the composite, in the judged band, which is the first."""
-    return next(iter(explanation.changes[-1].values()))
 
 
 def _noise(explanation: Explanation) -> float | None:
@@ -162,7 +156,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("Highlights or shadows were cut off at the limits."),
         QT_TR_NOOP("highlights or shadows are clipped"),
         QT_TR_NOOP("{value} % of the pixels are clipped"),
-        lambda explanation: judged_change(explanation).clipped,
+        lambda explanation: next(iter(explanation.changes[-1].values())).clipped,  # in the judged band
         percent,
         QT_TR_NOOP("clipping took {value} %"),
         brief=QT_TR_NOOP("clipped"),

@@ -78,11 +78,6 @@ def share_range(chart: Chart) -> tuple[float, float]:
     return round_below(lowest), 1.25
 
 
-def share_ticks(low: float, high: float, room: float) -> list[float]:
-    """Round shares within an axis: as many as there is room for, in lines of the font."""
-    return decade_ticks(low, high, max(room / _TICK_LINES, 2))
-
-
 def window_curves(
     result: WindowCurves, band: str, colours: Mapping[str, int], reference: str = REFERENCES[0]
 ) -> list[ChartCurve]:
@@ -198,7 +193,7 @@ class CurvesPainter(ChartPainter):
 
     def _paint_frame(self, painter: QPainter) -> None:
         axes, style = self.axes, self.style
-        for share in share_ticks(self.low, self.high, axes.height() / self.line):
+        for share in decade_ticks(self.low, self.high, max(axes.height() / self.line / _TICK_LINES, 2)):
             self._share_tick(painter, self.y_of(share), formatted(share, "g"), style.grid, _LABEL_PX / 2)
         for component in range(self._levels + 1):
             x = self.x_of(component)

@@ -120,7 +120,6 @@ class InspectionDock(ToolDock):
         self.session.inputsChanged.connect(self._enable_actions)
         self.scans.scanned.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._enable_actions)
-        self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.zoomRequested.connect(self.zoom_to)
         self.judging.model.stepped.connect(self.zoom_to)
         self._is_blind = False
@@ -363,11 +362,6 @@ class InspectionDock(ToolDock):
         allow(self.worst, unset or unscanned)
         self._offer_stop()
         allow(self.report, "" if any(row.verdict for row in windows) else uninspected)
-
-    def _repaint_windows(self) -> None:
-        """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""
-        if (layer := self.session.window_layer()) is not None:
-            layer.triggerRepaint()
 
     def _show_progress(self, done: int, asked: int) -> None:
         self._asked = done, asked
