@@ -275,6 +275,7 @@ class InspectionDock(ToolDock):
         for widget, share in ((self.windows, 2), (tabs, 3)):
             splitter.addWidget(widget)
             splitter.setStretchFactor(splitter.count() - 1, share)
+        splitter.setSizes([2000, 3000])
         splitter.setChildrenCollapsible(False)
         self.windows.table.set_fewest_rows(_FEWEST_ROWS)
         upper, body = QWidget(), QWidget()

@@ -105,7 +105,7 @@ class ImagesPanel(QWidget):
         self.choice.activated.connect(self._refresh)
         row = QHBoxLayout()
         row.addWidget(self.status, 1)
-        row.addWidget(self.choice)
+        row.addWidget(self.choice, 2)
         self._hint = QLabel()
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
