@@ -138,10 +138,10 @@ def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     result, row = session.result(selected[0]), session.row(selected[0])
     if result is None and session.is_pending(selected[0]):
         return tr("Measuring ...")
-    if result is None and (row is None or not row.verdict):
+    if row is None or (result is None and not row.verdict):
         return tr("Not inspected yet")
-    if result is not None or (row is not None and not row.is_compared and not row.stale):  # whose sentence says why
-        return tr("This window can't be compared.")
+    if result is not None or not (row.is_compared or row.stale):
+        return tr("This window can't be compared.")  # its sentence says why
     return tr("The curves are not saved with the project. Inspect again to see them.")
 
 
