@@ -138,7 +138,9 @@ class WindowsPanel(QWidget):
         self._search.setShowSearchIcon(True)
         self._search.setShowClearButton(True)
         self._search.setPlaceholderText(tr("Filter windows"))
-        self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches."))
+        self._search.setToolTip(
+            tr("Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches.")
+        )
         self._lay_out()
 
         self._search.textChanged.connect(self._filter)
