@@ -414,7 +414,7 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curves_painter.py" line="323"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="324"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -644,7 +644,7 @@
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="140"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -654,27 +654,27 @@
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="66"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="58"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="59"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
@@ -839,7 +839,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="81"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="80"/>
         <source>Place windows</source>
         <translation>Rozmieść okna</translation>
     </message>
@@ -962,11 +962,6 @@
         <location filename="../plugin/seams/desk/inputs/block_cache.py" line="105"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="140"/>
-        <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
-        <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="297"/>
@@ -4878,7 +4873,7 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -4998,12 +4993,12 @@
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="69"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
@@ -5153,17 +5148,17 @@
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="65"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="69"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="69"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="70"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
@@ -5305,7 +5300,7 @@
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="251"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="254"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -10507,17 +10502,17 @@
         <translation>ocena okien: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="67"/>
         <source>drawing window {number}</source>
         <translation>narysowanie okna {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="97"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="96"/>
         <source>adding {count} places of a scan</source>
         <translation>dodanie miejsc ze skanowania: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="138"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="137"/>
         <source>placing {count} windows</source>
         <translation>rozmieszczenie okien: {count}</translation>
     </message>
@@ -11119,7 +11114,7 @@
         <translation>Stosunek wariancji detali na poziomie 1: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="134"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="135"/>
         <source>A click goes to a window on the map, Enter once more; Del removes the selected ones.</source>
         <translation>Kliknięcie przenosi mapę do okna, Enter ponownie; Del usuwa zaznaczone.</translation>
     </message>
@@ -11534,11 +11529,6 @@
         <translation>{asked} m nie pasuje do tej ortofotomapy: teraz {side} m, okno co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="13"/>
-        <source>No window there: more than {most:.1%} of the mosaic&apos;s pixels have no value.</source>
-        <translation>Nie ma tam okna: ponad {most:.1%} pikseli ortofotomapy nie ma wartości.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/messages.py" line="14"/>
         <source>Places added: {count}; there already: {there}.</source>
         <translation>Dodane miejsca: {count}; już były: {there}.</translation>
@@ -11577,6 +11567,16 @@
         <location filename="../plugin/seams/window_summary.py" line="102"/>
         <source>images do not fit</source>
         <translation>obrazy nie pasują do siebie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="13"/>
+        <source>No window there: parts of it have no pixels.</source>
+        <translation>Nie ma tam okna: części pikseli brak.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="142"/>
+        <source>Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches.</source>
+        <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator, pochodzenie (scan) lub powód pasuje.</translation>
     </message>
 </context>
 </TS>

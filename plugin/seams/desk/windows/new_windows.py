@@ -11,7 +11,6 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import Message, SeamInspectorError, WindowError
 from ....imagery.grids import Extent, PixelWindow
-from ....imagery.limits import MAX_INVALID_SHARE
 from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
@@ -61,7 +60,7 @@ class NewWindows(QObject):
     def draw(self, window: PixelWindow) -> list[int]:
         """Add one window, or take the one that is there already; the feature id."""
         if not OpenRaster(self._block.required().mosaic.ref).is_valid(window):
-            raise WindowError(keeping_messages.NO_PIXELS_THERE(most=MAX_INVALID_SHARE))
+            raise WindowError(keeping_messages.NO_PIXELS_THERE())
         block = self._with_layer()
         outlines = self._outlines(block, [window])
         there = [fid for fid in self._there(outlines, window.width) if fid is not None]
