@@ -218,9 +218,9 @@ class Session(QObject):
     def add_window(self, window: PixelWindow) -> None:
         """Add one window, or take the one that is there already."""
         with self._raised():
-            fids = self._new.draw(window)
-            self.select(fids)
-            self.inspect(fids, is_step=False)
+            if fids := self._new.draw(window):
+                self.select(fids)
+                self.inspect(fids, is_step=False)
 
     def take_places(self, worst: QgsVectorLayer) -> None:
         """Add the worst places of a scan, inspect them, and tell ``placesTaken``."""

@@ -9,7 +9,7 @@ from typing import Any
 from qgis.core import QgsGeometry, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.errors import Message, SeamInspectorError, WindowError
+from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
@@ -58,9 +58,10 @@ class NewWindows(QObject):
         self._background = background
 
     def draw(self, window: PixelWindow) -> list[int]:
-        """Add one window, or take the one that is there already; the feature id."""
+        """Add one window, or take the one that is there already; the feature id, none where the mosaic lacks pixels."""
         if not OpenRaster(self._block.required().mosaic.ref).is_valid(window):
-            raise WindowError(keeping_messages.NO_PIXELS_THERE())
+            self.notified.emit(keeping_messages.NO_PIXELS_THERE())
+            return []
         block = self._with_layer()
         outlines = self._outlines(block, [window])
         there = [fid for fid in self._there(outlines, window.width) if fid is not None]
