@@ -319,7 +319,8 @@ def loss_rgba(loss: LossPicture, width_px: float = 0.0) -> np.ndarray:
     """The colours of what a window kept, (rows, columns, 4) uint8, alpha not multiplied in; transparent where the
     ground is even or nothing can be told (NaN).
 
-    ``width_px``: how wide the seam took detail. What smoothing spreads beside that is not painted; 0: all is.
+    ``width_px``: how wide the seam took detail, of which a cell and a half are painted at least, and not what smoothing
+    spreads beside that; 0: all is.
     """
     import numpy as np  # not when QGIS starts
     from scipy.ndimage import distance_transform_edt
@@ -333,7 +334,8 @@ def loss_rgba(loss: LossPicture, width_px: float = 0.0) -> np.ndarray:
         is_away = np.ones(tuple(cells * side for side in loss.kept.shape), bool)
         is_away[tuple(loss.seam.T)] = False
         away_px = SAMPLE_PX * (distance_transform_edt(is_away)[cells // 2 :: cells, cells // 2 :: cells] + 0.5)
-        rgba[(away_px > width_px / 2) & (away_px < width_px / 2 + _SPREAD_PX)] = _NO_COLOUR
+        reach_px = max(width_px, 1.5 * loss.cell_px) / 2
+        rgba[(away_px > reach_px) & (away_px < reach_px + _SPREAD_PX)] = _NO_COLOUR
     return rgba
 
 

@@ -29,7 +29,7 @@ def test_what_can_not_be_told_is_transparent() -> None:
     assert loss_rgba(LossPicture(np.array([[np.nan, 0.2]], np.float32)))[0, :, 3].tolist() == [0, 255]
 
 
-@pytest.mark.parametrize("width_px", [20, 43, 70])
+@pytest.mark.parametrize("width_px", [4, 20, 43, 70])
 def test_a_seam_is_painted_as_wide_as_it_is_told(width_px: int) -> None:
     """On average over places of the seam on the cells, whatever their smoothing spread."""
     widths = []
@@ -41,4 +41,5 @@ def test_a_seam_is_painted_as_wide_as_it_is_told(width_px: int) -> None:
         painted = loss_rgba(LossPicture(kept, seam=seam), width_px)[0, :, 3] > 0
         widths.append(8 * int(painted[:50].sum()))
         assert painted[60:].all()
-    assert np.mean(widths) == pytest.approx(width_px, abs=3)
+    assert min(widths) > 0  # a narrow one is seen all the same
+    assert np.mean(widths) == pytest.approx(max(width_px, 12), abs=3)

@@ -195,12 +195,9 @@ def _share(row: WindowRecord, extent: Extent, place: Extent) -> float:
     """How much of a place a window at an extent holds, 0 where it is not at that place."""
     width = min(extent[2], place[2]) - max(extent[0], place[0])
     height = min(extent[3], place[3]) - max(extent[1], place[1])
-    shared = max(width, 0.0) * max(height, 0.0)
-    if row.observer or row.observer_2:
-        share, least = shared / _area(place), _SAME_PLACE
-    else:
-        share, least = shared / max(_area(extent), _area(place)), _SAME
-    return share if share > least else 0.0
+    is_judged = bool(row.observer or row.observer_2)
+    share = max(width, 0.0) * max(height, 0.0) / (_area(place) if is_judged else max(_area(extent), _area(place)))
+    return share if share > (_SAME_PLACE if is_judged else _SAME) else 0.0
 
 
 def _area(extent: Extent) -> float:
