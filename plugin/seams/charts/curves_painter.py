@@ -307,8 +307,7 @@ class LegendedCurves(CurvesPainter):
             painter.setPen(QColor(self.style.text))
             room = width - (end - left) - 0.75 * line
             words = entry.name if self.metrics.horizontalAdvance(entry.name) <= room else entry.brief
-            side = Qt.TextElideMode.ElideMiddle if words == entry.name else Qt.TextElideMode.ElideRight
-            words = self.metrics.elidedText(words, side, room)
+            words = self.metrics.elidedText(words, Qt.TextElideMode.ElideMiddle, room)
             painter.drawText(QPointF(end + line / 3, middle + line / 3), words)
 
 
