@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
 from .measure.judgement.causes import ALONG_THE_SEAM, Cause, causes_taken
-from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
+from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, MIN_MISREGISTRATION_PX, SHARPNESS_TOLERANCE
 from .measure.profile.seam_profile import Measure
 from .measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST, SEAM
 from .words import (
@@ -91,16 +91,21 @@ def _is_softened_seam(cause: str, explanation: Explanation | None) -> bool:
 
 def _brief_at_seam(causes: list[str], row: WindowRecord) -> str:
     """What took detail there, in a few words."""
-    apart = row.misfit if Cause.MISREGISTRATION in causes else None
     if causes[0] == Cause.UNCLEAR:
         return tr("cause unclear")
     if Cause.BLUR in causes:
         return tr("softened there")
     if Cause.OTHER_MIXTURE in causes:
         return tr("mixed, but not by weights")
-    misfit = tr("misfit") if apart is None else filled(tr("{apart} px misfit"), apart=shown_number(apart, 1))
-    words = {Cause.MISREGISTRATION.value: misfit, Cause.FEATHERING.value: tr("feathered")}
-    return ", ".join(words[cause] for cause in causes if cause in words)
+    px = _misfit_px(row)
+    apart = "" if px is None else filled(tr("images {value} px apart"), value=shown_number(px, 1))
+    words = {Cause.MISREGISTRATION.value: apart or tr("images do not fit"), Cause.FEATHERING.value: tr("feathered")}
+    return ", ".join(dict.fromkeys(filter(None, (*map(words.get, causes), apart))))
+
+
+def _misfit_px(row: WindowRecord) -> float | None:
+    """How far apart the images lie that meet; None where that is next to nothing, or not known."""
+    return row.misfit if (row.misfit or 0) >= MIN_MISREGISTRATION_PX else None
 
 
 def _mixing_alone(row: WindowRecord, explanation: Explanation | None) -> list[str]:
@@ -129,7 +134,8 @@ def _done(row: WindowRecord, explanation: Explanation | None, width: str, along_
 def _clause(cause: str, row: WindowRecord, explanation: Explanation | None, width: str) -> str:
     if _is_softened_seam(cause, explanation):
         return tr("the mosaic is softened along the seam")
-    clause = cause_clause(cause, explanation, row.misfit if cause == Cause.MISREGISTRATION else None)
+    is_of_images = cause in (Cause.FEATHERING, Cause.MISREGISTRATION)
+    clause = cause_clause(cause, explanation, _misfit_px(row) if is_of_images else None)
     if width and cause in (Cause.FEATHERING, Cause.OTHER_MIXTURE):
         return filled(tr("{clause} over {width} m"), clause=clause, width=width)
     return clause
@@ -199,7 +205,7 @@ def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanatio
 def _by_ratio(row: WindowRecord, explanation: Explanation | None) -> str:
     """The sentence where the verdict was taken by whole windows."""
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
-    because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else cause_clause(row.cause, explanation)
+    because = "" if row.cause == Cause.NONE and row.verdict not in LOSSES else _clause(row.cause, row, explanation, "")
     if ratio is None:
         return f"{verdict} {_as_sentence(because)}".rstrip()
     values = {"percent": percent(ratio)}
@@ -220,6 +226,13 @@ def is_lost_along_the_seam(row: WindowRecord) -> bool:
     """Whether the loss that was found lies there; what is kept there says nothing where the whole is blurred badly."""
     has_kept = row.kept_1 is not None and row.kept_low is not None and row.kept_high is not None
     return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not _is_blurred(row)
+
+
+def painted_width_m(row: WindowRecord) -> float:
+    """How far across its seam the loss of a window is painted: as wide as it is told. 0 where more took detail than the
+    seam, or nothing is told, and all that was measured is painted."""
+    is_alone = is_lost_along_the_seam(row) and not any(loss_words(cause, 0.0) for cause in _causes_of(row))
+    return max(row.band_width or 0.0, row.feather_width or 0.0) if is_alone else 0.0
 
 
 def _is_blurred(row: WindowRecord) -> bool:
@@ -333,15 +346,11 @@ def _interval(row: WindowRecord) -> list[str]:
         return [] if _is_blurred(row) else [filled(text, kept=percent(row.kept_1), low=low, high=high)]
     least, most = percent(1 - row.kept_high), percent(1 - row.kept_low)
     text = tr("The loss along the seam lies between {least} and {most} % (95 % interval).")
-    said = filled(text, least=least, most=most)
-    return [said, *_to_an_eye(row)]
-
-
-def _to_an_eye(row: WindowRecord) -> list[str]:
-    """What the loss along the seam means to an eye, by a model of one."""
-    if row.visibility is None:
-        return []
-    return [filled(tr("It is {times} times what an eye just sees at 2x."), times=shown_number(row.visibility, 1))]
+    said = [filled(text, least=least, most=most)]
+    if row.visibility is not None:  # by a model of an eye
+        text = tr("It is {times} times what an eye just sees at 2x.")
+        said.append(filled(text, times=shown_number(row.visibility, 1)))
+    return said
 
 
 def by_the_paper(row: WindowRecord) -> list[str]:

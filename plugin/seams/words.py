@@ -14,14 +14,13 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.judgement.causes import MIN_GAIN_RATIO, Cause
-from .measure.limits import MIN_MISREGISTRATION_PX
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from .measure.compared_image import Change
     from .measure.judgement.explanation import Explanation
+    from .measure.profile.window_detail import LossPicture
 
 
 class ShownVerdict(NamedTuple):
@@ -87,11 +86,6 @@ def observer_word(observer: str) -> str:
     return words.get(observer, observer)
 
 
-def judged_change(explanation: Explanation) -> Change:
-    """The mosaic against the composite, in the judged band, which is the first."""
-    return next(iter(explanation.changes[-1].values()))
-
-
 def _noise(explanation: Explanation) -> float | None:
     return explanation.evidence.texture.noise_dn if explanation.evidence.texture else None
 
@@ -132,8 +126,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("Two images that differ were mixed by weights along the seam."),
         QT_TR_NOOP("images are feathered"),
         QT_TR_NOOP("images {value} px apart are feathered"),
-        lambda explanation: explanation.misfit if (explanation.misfit or 0) >= MIN_MISREGISTRATION_PX else None,
-        _tenths,
+        shown=_tenths,
         to_do=QT_TR_NOOP("Feather less."),
     ),
     Cause.OTHER_MIXTURE.value: ShownCause(
@@ -163,7 +156,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("Highlights or shadows were cut off at the limits."),
         QT_TR_NOOP("highlights or shadows are clipped"),
         QT_TR_NOOP("{value} % of the pixels are clipped"),
-        lambda explanation: judged_change(explanation).clipped,
+        lambda explanation: next(iter(explanation.changes[-1].values())).clipped,  # in the judged band
         percent,
         QT_TR_NOOP("clipping took {value} %"),
         brief=QT_TR_NOOP("clipped"),
@@ -181,8 +174,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TR_NOOP("Images that meet in the mosaic do not line up there."),
         QT_TR_NOOP("images do not fit where they meet"),
         QT_TR_NOOP("images lie {value} px apart where they meet"),
-        lambda explanation: explanation.misfit,
-        _tenths,
+        shown=_tenths,
         to_do=QT_TR_NOOP("Register images."),
     ),
     Cause.MISSING_SOURCE.value: ShownCause(
@@ -292,12 +284,12 @@ def to_do(cause: str) -> str:
 
 
 def cause_clause(cause: str, explanation: Explanation | None, number: float | None = None) -> str:
-    """What the cause did, to go on a sentence with; empty for an unknown one. With its number where that is at hand,
-    else with the one given."""
+    """What the cause did, to go on a sentence with; empty for an unknown one. With the number given, else with its own
+    where that is at hand."""
     if cause not in CAUSES:
         return ""
     shown = CAUSES[cause]
-    number = number if explanation is None else shown.number(explanation)
+    number = shown.number(explanation) if number is None and explanation is not None else number
     return filled(tr(shown.measured), value=shown.shown(number)) if number else tr(shown.clause)
 
 
@@ -320,15 +312,31 @@ is even ground and has none."""
 LOSS_OPACITY = 0.6
 """With which pictures of lost detail are painted: what lies beneath is what is judged."""
 _NO_COLOUR = (0, 0, 0, 0)
+_SPREAD_PX = 24  # as far as a picture's smoothing carries a loss
 
 
-def loss_rgba(kept: np.ndarray) -> np.ndarray:
-    """The colours of shares that are kept, (rows, columns) -> (rows, columns, 4) uint8, alpha not multiplied in;
-    transparent where the ground is even or nothing can be told (NaN)."""
+def loss_rgba(loss: LossPicture, width_px: float = 0.0) -> np.ndarray:
+    """The colours of what a window kept, (rows, columns, 4) uint8, alpha not multiplied in; transparent where the
+    ground is even or nothing can be told (NaN).
+
+    ``width_px``: how wide the seam took detail, of which a cell and a half are painted at least, and not what smoothing
+    spreads beside that; 0: all is.
+    """
     import numpy as np  # not when QGIS starts
+    from scipy.ndimage import distance_transform_edt
+
+    from .measure.profile.window_detail import SAMPLE_PX
 
     colours = np.array([*(colour for _, colour, _ in LOSS_CLASSES), _NO_COLOUR], np.uint8)
-    return np.asarray(colours[np.searchsorted([limit for limit, _, _ in LOSS_CLASSES], kept)])  # NaN after all limits
+    rgba = np.asarray(colours[np.searchsorted([limit for limit, _, _ in LOSS_CLASSES], loss.kept)])  # NaN after all
+    if width_px and len(loss.seam):
+        cells = loss.cell_px // SAMPLE_PX
+        is_away = np.ones(tuple(cells * side for side in loss.kept.shape), bool)
+        is_away[tuple(loss.seam.T)] = False
+        away_px = SAMPLE_PX * (distance_transform_edt(is_away)[cells // 2 :: cells, cells // 2 :: cells] + 0.5)
+        reach_px = max(width_px, 1.5 * loss.cell_px) / 2
+        rgba[(away_px > reach_px) & (away_px < reach_px + _SPREAD_PX)] = _NO_COLOUR
+    return rgba
 
 
 def loss_legend() -> list[tuple[str, Rgba]]:

@@ -8,7 +8,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from enum import Enum
 from threading import Lock
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable, ClassVar, NamedTuple
 
 from qgis.core import QgsApplication, QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -47,6 +47,7 @@ class Outcome:
 class BackgroundTask(QgsTask):
     """Runs a job. Keep a reference until it has ended, or it is collected before it runs."""
 
+    described: ClassVar[set[str]] = set()  # all descriptions, by which QGIS tells of a task
     arrived = pyqtSignal(object)
     ended = pyqtSignal(object)
 
@@ -62,6 +63,7 @@ class BackgroundTask(QgsTask):
         if not steps:
             flags |= QgsTask.Flag.CancelWithoutPrompt
         super().__init__(description, flags if SILENT_TASK is None else flags | SILENT_TASK)
+        self.described.add(description)
         self.take, self.key, self.steps = take, key, steps
         self._job = job
         self._failure: Message | None = None

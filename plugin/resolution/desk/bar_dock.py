@@ -342,8 +342,8 @@ class BarDock(ToolDock):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Side by side when the dock is wide, one above the other when it is narrow."""
         super().resizeEvent(event)
-        directions = QBoxLayout.Direction
-        self._sides.setDirection(directions.LeftToRight if self.is_wide else directions.TopToBottom)
+        ways = QBoxLayout.Direction
+        self._sides.setDirection(ways.LeftToRight if self.width() > 1.4 * self.height() else ways.TopToBottom)
 
     def _warn(self, message: Message) -> None:
         self._show_message(sentence(message), bar_level(message))

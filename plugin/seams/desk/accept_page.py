@@ -55,6 +55,7 @@ from ..words import verdict_colour
 from . import messages
 from .inputs.project_inputs import Inputs
 from .mosaic_scans import file_stem, worst_layer
+from .window_home import FAILURES, pictures_beside
 
 DECISION = "seaminspector:acceptmosaic"
 _FILES = {"REPORT": "report.html", "DEFECTS": "defects.gpkg", "QUALITY": "quality.xml"}
@@ -105,11 +106,6 @@ def suggested_files(project: QgsProject, inputs: Inputs) -> dict[str, Path]:
     return files
 
 
-def pictures_beside(failures: Path) -> Path:
-    """The folder with the pictures of a layer of failures."""
-    return failures.with_name(f"{failures.stem}_pictures")
-
-
 _HEAD = ("TITLE", "CONTRACT", "PRODUCER", "CLIENT")
 _LIMITS = ("MAX_SHARE", "MAX_RUN", "MIN_MEASURED")
 """Parameters of the algorithm, which has their words and what was given last."""
@@ -133,6 +129,7 @@ class AcceptPage(QDialog):
         self._scans = delivered_scans(project, inputs.mosaic)
         self._task: DecisionTask | None = None
         self.files: dict[str, Path] = {}  # what the last decision made, by the outputs' names
+        self._shown = ""  # id of the layer of its failures
         self._lay_out()
         self._show_state()
         project.cleared.connect(self.close)
@@ -175,9 +172,9 @@ class AcceptPage(QDialog):
                 (shutil.copytree if made.is_dir() else shutil.copyfile)(made, folder / made.name)
         except OSError as error:
             raise SettingsError(messages.DECISION_NOT_SAVED(folder=folder, error=system_reason(error))) from None
-        shown = self._shown_failures()
+        shown, defects = self._shown_failures(), self.files.get("DEFECTS")
         self.files = {name: folder / file.name for name, file in self.files.items()}
-        if shown is not None:  # its file is gone with QGIS
+        if shown is not None and shown.source() == str(defects):  # which is gone with QGIS
             shown.setDataSource(str(self.files["DEFECTS"]), shown.name(), "ogr")
         self._saved.setText(filled(tr("Saved in {folder}."), folder=folder))
 
@@ -186,6 +183,8 @@ class AcceptPage(QDialog):
         layer = self._shown_failures() or QgsVectorLayer(str(self.files["DEFECTS"]), tr("Failures"), "ogr")
         if layer.isValid() and layer.id() not in self._project.mapLayers():
             load_style(layer, "defects")
+            layer.setCustomProperty(FAILURES, True)
+            self._shown = layer.id()
             self._project.addMapLayer(layer, False)
             self._project.layerTreeRoot().insertLayer(0, layer)
         if layer.isValid() and layer.featureCount():
@@ -203,7 +202,7 @@ class AcceptPage(QDialog):
     # What was decided
 
     def _decided(self, is_successful: bool, results: Mapping[str, Any]) -> None:
-        self._task = None
+        self._task, self._shown = None, ""
         self.files = {name: file for name, file in self._made.items() if is_successful and file.is_file()}
         if is_successful:
             self._say(str(results["DECISION"]), f"{results['REASONS']}.")
@@ -226,9 +225,8 @@ class AcceptPage(QDialog):
         self._saved.setText("")
 
     def _shown_failures(self) -> QgsVectorLayer | None:
-        source = str(self.files.get("DEFECTS", ""))
-        failures = (layer for layer in self._project.mapLayers().values() if source and layer.source() == source)
-        return next((layer for layer in failures if isinstance(layer, QgsVectorLayer)), None)
+        layer = self._project.mapLayer(self._shown)
+        return layer if isinstance(layer, QgsVectorLayer) else None
 
     def _show_state(self, *_: object) -> None:
         is_busy = self._task is not None

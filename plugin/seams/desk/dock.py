@@ -1,13 +1,13 @@
 """The inspection desk: a dock beside the map that puts the panels together."""
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Callable
 
 from qgis.core import QgsApplication, QgsProject
 from qgis.gui import QgisInterface, QgsMessageBarItem
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtCore import QCoreApplication, Qt
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import (
     QAction,
@@ -24,6 +24,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ...imagery.errors import Message
+from ...toolkit.background_tasks import BackgroundTask
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.resources import icon_path, show_first_page
@@ -88,6 +89,8 @@ class InspectionDock(ToolDock):
         self.judging.action.toggled.connect(self._begin_judging)
         self.judging.action.toggled.connect(self.flicker.hide)
         self._findings: QgsMessageBarItem | None = None
+        iface.messageBar().widgetAdded.connect(self._drop_notice)
+        self.session.lost_detail.toggled.connect(self._uncover)
         self.scans.scanned.connect(self._tell_findings)
         self.steps = UndoActions(self.session.steps, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
@@ -104,15 +107,19 @@ class InspectionDock(ToolDock):
             choice.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # after a click letters judge; by Tab they are the choice's
         self.session.placesTaken.connect(self._go_to_worst)
         self.session.stepped.connect(self.zoom_to)
-        self.session.mosaicDoubted.connect(self._ask_about_mosaic)
-        self.session.copyDoubted.connect(self._ask_for_copy)
+        self.session.mosaicDoubted.connect(lambda message: self._ask(message, {
+            tr("The windows are of this mosaic"): self.session.take_windows,  # nothing goes on with them before
+            tr("Leave these windows as they are"): self.session.leave_windows,
+        }))
+        self.session.copyDoubted.connect(lambda message: self._ask(message, {
+            tr("Copy them"): self.session.copy_to_file, tr("Only look at them"): lambda: None,
+        }))
         self.question: QMessageBox | None = None
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
         self.session.inputsChanged.connect(self._enable_actions)
         self.scans.scanned.connect(self._enable_actions)
         self.session.windowsChanged.connect(self._enable_actions)
-        self.session.windowsChanged.connect(self._repaint_windows)
         self.windows.zoomRequested.connect(self.zoom_to)
         self.judging.model.stepped.connect(self.zoom_to)
         self._is_blind = False
@@ -123,6 +130,7 @@ class InspectionDock(ToolDock):
     def close_desk(self) -> None:
         super().close_desk()
         self._forget_findings()
+        self._iface.messageBar().widgetAdded.disconnect(self._drop_notice)
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self._keys, self.reports, self.flicker,
@@ -133,10 +141,21 @@ class InspectionDock(ToolDock):
 
     def judge_worst(self) -> None:
         """Take the worst places of the last scan into the windows: inspected, and walked through, worst first."""
-        layer = self.scans.worst_layer()
-        if layer is not None:
-            uncover(QgsProject.instance(), layer)
+        if (layer := self.scans.worst_layer()) is not None:
+            self._uncover()
             self.session.take_places(layer)
+
+    def _uncover(self, is_to_be_seen: bool = True) -> None:
+        """The scan's picture gives way to the mosaic, and to lost detail."""
+        if is_to_be_seen and (layer := self.scans.worst_layer()) is not None:
+            uncover(QgsProject.instance(), layer)
+
+    def _drop_notice(self, *_: object) -> None:
+        """QGIS before 3.26 says that a task is complete, over what the desk says of it."""
+        bar, title = self._iface.messageBar(), QCoreApplication.translate("QgisApp", "Task complete")
+        item = bar.currentItem()
+        if item is not None and item.title() == title and item.text() in BackgroundTask.described:
+            bar.popWidget(item)
 
     def _tell_findings(self, done: ScanDone) -> None:
         self._forget_findings()
@@ -156,18 +175,8 @@ class InspectionDock(ToolDock):
             self.session.select([fid])
             self.zoom_to(fid)
 
-    def _ask_about_mosaic(self, message: Message) -> None:
-        """What is to become of windows when the mosaic is another; nothing goes on with them before."""
-        answer = tr("The windows are of this mosaic"), self.session.take_windows
-        self._ask(message, answer, tr("Leave these windows as they are"), self.session.leave_windows)
-
-    def _ask_for_copy(self, message: Message) -> None:
-        """Whether windows of another format are copied into a windows file."""
-        self._ask(message, (tr("Copy them"), self.session.copy_to_file), tr("Only look at them"), lambda: None)
-
-    def _ask(
-        self, message: Message, answer: tuple[str, Callable[[], None]], otherwise: str, leave: Callable[[], None]
-    ) -> None:
+    def _ask(self, message: Message, answers: Mapping[str, Callable[[], None]]) -> None:
+        """``answers``: what is done by what the operator says; the last is what closing the question says."""
         if self.question is not None and not sip.isdeleted(self.question):
             return
         self.question = box = QMessageBox(
@@ -175,7 +184,7 @@ class InspectionDock(ToolDock):
         )
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         roles = QMessageBox.ButtonRole
-        for role, (text, do) in ((roles.AcceptRole, answer), (roles.RejectRole, (otherwise, leave))):
+        for role, (text, do) in zip((roles.AcceptRole, roles.RejectRole), answers.items()):
             box.addButton(text, role).clicked.connect(partial(self._answer, do))
         QgsProject.instance().cleared.connect(box.deleteLater)
         box.open()
@@ -266,6 +275,7 @@ class InspectionDock(ToolDock):
         for widget, share in ((self.windows, 2), (tabs, 3)):
             splitter.addWidget(widget)
             splitter.setStretchFactor(splitter.count() - 1, share)
+        splitter.setSizes([2000, 3000])
         splitter.setChildrenCollapsible(False)
         self.windows.table.set_fewest_rows(_FEWEST_ROWS)
         upper, body = QWidget(), QWidget()
@@ -279,8 +289,8 @@ class InspectionDock(ToolDock):
         whole.setContentsMargins(4, 2, 4, 4)
         whole.setSpacing(3)
         whole.addWidget(ScrollBody(upper), 1)
+        whole.addWidget(self._progress_row())  # above the buttons that judge, which stay where they are
         whole.addWidget(self.judge)
-        whole.addWidget(self._progress_row())
         return body
 
     def _begin_judging(self, is_on: bool) -> None:
@@ -353,11 +363,6 @@ class InspectionDock(ToolDock):
         allow(self.worst, unset or unscanned)
         self._offer_stop()
         allow(self.report, "" if any(row.verdict for row in windows) else uninspected)
-
-    def _repaint_windows(self) -> None:
-        """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""
-        if (layer := self.session.window_layer()) is not None:
-            layer.triggerRepaint()
 
     def _show_progress(self, done: int, asked: int) -> None:
         self._asked = done, asked

@@ -24,7 +24,7 @@ from qgis.PyQt.QtWidgets import (
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.desk.widgets import ClippedLabel, rich_tip
 from ...toolkit.translation import filled, tr
-from ..window_summary import window_sentence
+from ..window_summary import window_sentence, window_why
 from .judging import Judging, JudgingProgress
 from .windows.window_columns import verdict_chip, window_tip
 
@@ -118,7 +118,10 @@ class JudgeBar(QWidget):
         chosen = [row for row in map(self._session.row, self._session.selected()) if row is not None]
         selected, progress = sorted(chosen, key=attrgetter("window_id")), judging.progress()
         self._say(selected, progress)
-        self._say_progress(progress)
+        words = progress.words()
+        if (sure := judging.just_sure) is not None:  # a digit that did not go to the selected window
+            words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
+        self._progress.setText(words, rich_tip(words))
         remark = self._remark(selected)
         self.remark.setChecked(bool(remark))
         tip = tr("A remark on the window (R); Enter saves it, Esc discards the change.")
@@ -128,12 +131,6 @@ class JudgeBar(QWidget):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
         self._next.setEnabled(judging.can_go_on())
-
-    def _say_progress(self, progress: JudgingProgress) -> None:
-        words = progress.words()
-        if (sure := self._judging.just_sure) is not None:  # a digit that did not go to the selected window
-            words = filled(tr("Window {number}: {percent} % sure"), number=sure[0], percent=sure[1])
-        self._progress.setText(words, rich_tip(words))
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
@@ -164,7 +161,7 @@ class JudgeBar(QWidget):
                 sentence = tr("Measuring ...")
             else:
                 result = self._session.result(row.fid)
-                sentence, tip = window_sentence(row, result), window_tip(row, result)
+                sentence, tip = window_sentence(row, result), window_tip(row, result) if window_why(row, result) else ""
             side = self.fontMetrics().ascent()
             self._chip.setPixmap(verdict_chip(row.verdict).pixmap(side, side))
         elif selected:

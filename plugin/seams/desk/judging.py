@@ -37,11 +37,6 @@ def load_judging(project: QgsProject) -> JudgingSettings:
     return read_settings(JudgingSettings, load_settings(project, _KEY))
 
 
-def save_judging(project: QgsProject, settings: JudgingSettings) -> None:
-    """Write them into the project, which is saved by its user."""
-    save_settings(project, _KEY, asdict(settings))
-
-
 @dataclass(frozen=True)
 class JudgingProgress:
     """How far the present operator is with all windows."""
@@ -151,7 +146,7 @@ class Judging(QObject):
         changed = replace(self._settings, **settings)  # type: ignore[arg-type]
         if changed != self._settings:
             self._settings = changed
-            save_judging(self._project, changed)
+            save_settings(self._project, _KEY, asdict(changed))
             self._went_to = self.just_sure = None
             self.changed.emit()
 

@@ -5,13 +5,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
-from qgis.core import (
-    QgsApplication,
-    QgsLayerTreeNode,
-    QgsProject,
-    QgsRasterLayer,
-    QgsRectangle,
-)
+from qgis.core import QgsApplication, QgsLayerTreeNode, QgsProject, QgsRasterLayer, QgsRectangle
 from qgis.gui import QgisInterface
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject

@@ -75,22 +75,19 @@ class ReportWriter(QObject):
         except SeamInspectorError as error:
             self._failed(error.message)
             return
-        take = partial(self._take, path, len(request.records), len(request.curves))
+        compared = {record.window_id for record in request.records if record.is_compared}
+        take = partial(self._take, path, len(request.records), len(compared - request.curves.keys()))
         self._background.start(tr("Write the report"), report_job(path, request), take, _KEY, steps=1)
 
     def close(self) -> None:
         """Cancel what is under way."""
         self._background.close()
 
-    def _take(self, path: Path, windows: int, measured: int, notices: Any) -> None:
+    def _take(self, path: Path, windows: int, without: int, notices: Any) -> None:
         link = f'<a href="{escape(QUrl.fromLocalFile(str(path)).toString())}">{escape(path.name)}</a>'
         words = [filled(tr("Report of {count} windows: {link}."), count=windows, link=link)]
-        if measured < windows:
-            more = tr(
-                "{count} of them have no curves in it, as these are not saved with the project; inspect them again to "
-                "have them."
-            )
-            words.append(filled(more, count=windows - measured))
+        if without:
+            words.append(filled(tr("{count} have no curves in it: inspect them again."), count=without))
         words += [escape(sentence(notice), quote=False) for notice in notices]
         level = Qgis.MessageLevel.Warning if len(words) > 1 else Qgis.MessageLevel.Success
         self.notified.emit(" ".join(words), int(level))

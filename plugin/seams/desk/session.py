@@ -10,32 +10,42 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtGui import QIcon
+from qgis.PyQt.QtWidgets import QAction
 
 from ...imagery.errors import Message, SeamInspectorError
-from ...imagery.grids import PixelWindow
+from ...imagery.grids import Grid, PixelWindow
 from ...imagery.statistics import FIRST, Operator
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.connections import Connections
-from ...toolkit.translation import tr
-from ..measure.window.inspection import WindowRequest
+from ...toolkit.desk.message_bar import bar_level
+from ...toolkit.resources import icon_path
+from ...toolkit.translation import sentence, tr
+from ..jobs import ScanOrder
+from ..measure.window.explained_window import LiveWindow
+from ..measure.window.inspection import Block, WindowRequest
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..measure.window_records import WindowRecord
 from ..tables import window_layer
 from ..tables.window_layer import style_once
 from . import messages
-from .inputs.project_inputs import Inputs
-from .session_inputs import SessionInputs
+from .inputs.block_cache import BlockCache
+from .inputs.project_inputs import Inputs, InputsWatch, load_inputs, save_inputs
+from .map.under_mouse import ClickedPiece, LiveWindows, SeamFinder
 from .window_home import WindowHome, WindowsMosaic
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults, WindowSteps, words_of
 from .windows.window_watch import WindowWatch
 
 
-class Session(SessionInputs):
+class Session(QObject):
     """Inputs, windows, results. Everything that reads pixels runs in tasks; results come back by signals."""
 
+    inputsChanged = pyqtSignal()
+    liveChanged = pyqtSignal()
+    messageRaised = pyqtSignal(str, int)
     windowsChanged = pyqtSignal()
     selectionChanged = pyqtSignal()
     curvesArrived = pyqtSignal(int)
@@ -50,7 +60,19 @@ class Session(SessionInputs):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        project, block = self._project, self._block
+        self._project = project = QgsProject.instance()
+        self.lost_detail = QAction(QIcon(icon_path("loss")), tr("Lost detail"), self)
+        """Checked while lost detail is painted over the map and the images."""
+        self.lost_detail.setToolTip(
+            tr("Show where detail was lost, over the map and the images (L while judging). One scale for all windows")
+        )
+        self.lost_detail.setCheckable(True)
+        self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
+        self._block = block = BlockCache(project, self._opening, self)
+        self._seams = SeamFinder(block, self._opening)
+        self._live = LiveWindows(block, self)
+        self._layers = InputsWatch(project, self)
+        self.piece: ClickedPiece | None = None  # of a scanned seam, which is looked at; ``liveChanged`` tells
         self._background = BackgroundTasks(self)
         self._watch = watch = WindowWatch(self)
         self._home = home = WindowHome(project)
@@ -72,9 +94,12 @@ class Session(SessionInputs):
 
     def _connect_parts(self) -> None:
         for signal, slot in (
+            (self._live.changed, self.liveChanged),
+            (self._block.opened, self._follow_block),
+            (self._layers.layersChanged, self._files_changed),
             (self._watch.windowsChanged, self.windowsChanged),
             (self._watch.selectionChanged, self.selectionChanged),
-            (self._watch.replaced, self._windows_replaced),
+            (self._watch.replaced, self._forget_windows), (self._watch.replaced, self._layers_changed),
             (self._results.curvesArrived, self._live.stay_open),
             (self._results.curvesArrived, self.curvesArrived),
             (self._results.arrived, self.resultArrived),
@@ -83,8 +108,8 @@ class Session(SessionInputs):
             (self._mosaics.doubted, self.mosaicDoubted),
             (self._steps.stepped, self._follow_step),
             *((notifier, self._tell) for notifier in (
-                self._background.failed, self._results.failed, self._mosaics.notified, self._new.notified,
-                self._steps.failed,
+                self._opening.failed, self._live.failed, self._block.notified, self._background.failed,
+                self._results.failed, self._mosaics.notified, self._new.notified, self._steps.failed,
             )),
         ):  # fmt: skip
             signal.connect(slot)
@@ -92,17 +117,65 @@ class Session(SessionInputs):
     def close(self) -> None:
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
         self._connections.close()
-        super().close()
-        for part in (self._background, self._results, self._watch):
+        for part in (self._layers, self._live, self._opening, self._background, self._results, self._watch):
             part.close()
         self._home.let_go()
 
     # Inputs
 
+    @property
+    def inputs(self) -> Inputs:
+        """What is inspected and how."""
+        return self._block.inputs
+
     def set_inputs(self, inputs: Inputs) -> None:
+        """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
         if self.inputs.windows != inputs.windows:
             self._results.write()  # into the layer they are of
-        super().set_inputs(inputs)
+        if self.inputs == inputs:
+            self._block.inputs = inputs  # the same, but chosen by whoever sets them now
+            return
+        self._block.inputs = inputs
+        save_inputs(self._project, inputs)
+        self._layers_changed()
+
+    def mosaic_grid(self) -> Grid | None:
+        """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
+        block = self.block()
+        return block.mosaic.grid if block is not None else None
+
+    @property
+    def live(self) -> LiveWindow | None:
+        """The window that is being drawn or moved, as far as it is known; ``liveChanged`` tells."""
+        return self._live.current
+
+    def block(self) -> Block | None:
+        """The mosaic and its sources; None while there are none, or they are being opened."""
+        return self._block.silent()
+
+    def problem(self) -> Message | None:
+        """Why there is no block; None when there is one."""
+        return self._block.problem()
+
+    def mosaic_layer(self) -> QgsRasterLayer | None:
+        """The mosaic, while it is there."""
+        return self._block.mosaic_layer()
+
+    def scan_order(self) -> ScanOrder:
+        """What a scan of the mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
+        return self._block.scan_order()
+
+    def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
+        """The nearest point of a seam within reach; None where there is none, or while they are being found."""
+        return self._seams.index.nearest(x, y, reach)
+
+    def hover(self, window: PixelWindow, is_live: bool) -> None:
+        """The mouse is over this window; ``is_live``: its curves follow."""
+        self._live.hover(window, is_live)
+
+    def leave(self) -> None:
+        """The mouse is over no window any more."""
+        self._live.leave()
 
     def request(self, fid: int) -> WindowRequest | None:
         """A window as it is measured, and the sources over it; None while there is no block."""
@@ -145,9 +218,9 @@ class Session(SessionInputs):
     def add_window(self, window: PixelWindow) -> None:
         """Add one window, or take the one that is there already."""
         with self._raised():
-            fids = self._new.draw(window)
-            self.select(fids)
-            self.inspect(fids, is_step=False)
+            if fids := self._new.draw(window):
+                self.select(fids)
+                self.inspect(fids, is_step=False)
 
     def take_places(self, worst: QgsVectorLayer) -> None:
         """Add the worst places of a scan, inspect them, and tell ``placesTaken``."""
@@ -184,8 +257,7 @@ class Session(SessionInputs):
             others = [fid for fid, said in held.items() if any(said.get(name) != values[name] for name in values)]
             rows = [row for row in map(self.row, others) if row is not None]
             if rows:  # the same again is no step
-                words = words_of(rows, tr("judging window {number}"), tr("judging {count} windows"))
-                self._steps.change({row.fid: values for row in rows}, words)
+                self._steps.change({row.fid: values for row in rows}, _words_of_notes(rows, values))
                 self._mosaics.note()
 
     def _follow_step(self, numbers: list[int]) -> None:
@@ -261,7 +333,7 @@ class Session(SessionInputs):
         if message.template == messages.WINDOWS_TO_COPY.template:
             self.copyDoubted.emit(message)
         else:
-            super()._tell(message)
+            self.messageRaised.emit(sentence(message), bar_level(message))
 
     @contextmanager
     def _raised(self) -> Iterator[None]:
@@ -278,7 +350,14 @@ class Session(SessionInputs):
         self._watch.state = None
         self._home.let_go()
         self._searched.clear()
-        super()._load()
+        self.lost_detail.setChecked(False)
+        self._live.leave()
+        self._live.let_go()
+        self._opening.abandon()
+        self._block.forget()
+        self._seams.forget()
+        self._block.inputs = load_inputs(self._project)
+        self._layers_changed()
         self._home.tidy()
 
     def _find_windows(self) -> None:
@@ -292,10 +371,11 @@ class Session(SessionInputs):
             self._tell(messages.WINDOWS_BACK(path=path))
 
     def _save(self, *_: object) -> None:
-        """Windows and scans of a project that had no file move beside it."""
+        """Windows and scans of a project that had no file move beside it, and failures that lie in no lasting one."""
         self._results.write()
         with self._raised():
             self._home.move_scans()
+            self._home.keep_failures()
         layer, path = self._watch.layer, self._watch.path
         if layer is None or path is None or not self._home.is_to_be_moved(path):
             return
@@ -312,20 +392,27 @@ class Session(SessionInputs):
             if self._watch.layer is not None and self._watch.path is not None:
                 style_once(self._watch.layer)
                 self._home.hold(self._watch.path)
-        super()._layers_changed()
+        self._block.refresh()
+        self._layers.follow(self.inputs)
+        self._follow_block()
 
     def _follow_block(self) -> None:
+        """There may be another block, or none any more."""
         self._mosaics.check()
         self._watch.set_state(self._block.state())
-        super()._follow_block()
+        self._seams.refresh()
+        self.inputsChanged.emit()
         self._find_windows()
 
-    def _windows_replaced(self) -> None:
-        self._forget_windows()
-        self._layers_changed()
+    def _files_changed(self) -> None:
+        self._live.let_go()
+        self._block.refresh(anew=True)
+        self._seams.refresh(anew=True)
+        self._follow_block()
 
     def _forget_layers(self, ids: list[str]) -> None:
-        super()._forget_layers(ids)
+        self._live.let_go()  # or their files could not be moved or deleted
+        self._layers.leave(ids)
         if (layer := self._watch.layer) is not None and layer.id() in ids:
             self._forget_windows()
 
@@ -335,3 +422,13 @@ class Session(SessionInputs):
         self._watch.watch(None)
         self._results.forget()
         self._steps.stack.clear()
+
+
+def _words_of_notes(rows: Sequence[WindowRecord], names: Iterable[str]) -> str:
+    """What the step is called that writes what an operator says, by the fields that he fills."""
+    kinds = {name.partition("_")[0] for name in names}
+    if "remark" in kinds:
+        return words_of(rows, tr("remark on window {number}"), tr("remark on {count} windows"))
+    if "observer" in kinds:
+        return words_of(rows, tr("judging window {number}"), tr("judging {count} windows"))
+    return words_of(rows, tr("how sure you are of window {number}"), tr("how sure you are of {count} windows"))

@@ -13,7 +13,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsMapLayer, QgsProject, QgsVectorLayer
+from qgis.core import QgsApplication, QgsMapLayer, QgsProcessingUtils, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QLockFile, QObject, pyqtSignal
 
 from ...imagery.errors import SeamInspectorError, WindowLayerError
@@ -32,6 +32,14 @@ _FOLDER = "seam_inspector"  # of the user's profile of QGIS
 _LOCK = ".lock"
 _KEPT_S = 30 * 24 * 3600.0  # s; of a project that was discarded: a month to ask for it back
 _LEFT_S = 60.0  # s; a file without windows may be one that is just being made
+
+
+FAILURES = "seam_inspector/failures"  # custom property of the failures of a decision
+
+
+def pictures_beside(failures: Path) -> Path:
+    """The folder with the pictures of a layer of failures."""
+    return failures.with_name(f"{failures.stem}_pictures")
 
 
 def unsaved_folder() -> Path:
@@ -106,6 +114,7 @@ class WindowHome:
         """
         old, new = Path(layers.layer_path(layer)), free_path(self.folder, window_file.TABLE)
         _move(old, new, [layer])
+        _remove(old)
         if (lock := self._locks.pop(old, None)) is not None:
             lock.unlock()
         return new
@@ -120,6 +129,19 @@ class WindowHome:
         for old, shown in of_file.items():
             if not any(layer.isEditable() for layer in shown):
                 _move(old, free_path(self.folder, old.stem, old.suffix), shown)
+                _remove(old)
+
+    def keep_failures(self) -> None:
+        """Copy failures that are shown, and gone with QGIS, beside the project with their pictures. Raises
+        WindowLayerError."""
+        layers_shown = self._project.mapLayers().values() if self._project.homePath() else ()
+        for layer in layers_shown:
+            old = Path(layers.layer_path(layer))
+            if layer.customProperty(FAILURES) and Path(QgsProcessingUtils.tempFolder()) in old.parents:
+                _move(old, free_path(self.folder, old.stem), [layer])
+                pictures = pictures_beside(old)
+                with contextlib.suppress(OSError):  # of an earlier decision; the layer is what counts
+                    shutil.copytree(pictures, self.folder / pictures.name)
 
     def _known(self) -> set[str]:
         """The files of the project's vector layers."""
@@ -139,7 +161,7 @@ class WindowHome:
 
 
 def _move(old: Path, new: Path, shown: Sequence[QgsMapLayer]) -> None:
-    """Put a file with the layers that show it elsewhere. Raises WindowLayerError when it stays where it was."""
+    """Copy a file, of which the layers that show it show the copy. Raises WindowLayerError when that can't be."""
     sources, why = [layer.source() for layer in shown], ""
     try:
         (window_file.copy_file if old.suffix == ".gpkg" else shutil.copyfile)(old, new)
@@ -151,7 +173,6 @@ def _move(old: Path, new: Path, shown: Sequence[QgsMapLayer]) -> None:
         for layer, source in zip(shown, sources):
             layer.setDataSource(source, layer.name(), layer.providerType())
         raise WindowLayerError(messages.NOT_MOVED(name=shown[0].name(), old=old, folder=new.parent, error=why or new))
-    _remove(old)
 
 
 def _take(lock: QLockFile) -> bool:
@@ -215,7 +236,8 @@ class WindowsMosaic(QObject):
                 layer.setCrs(system if system.isValid() else layers.mosaic_crs(block.mosaic))
         if layer is None or now is None or before is None or before == now:
             return
-        if before.content == now.content or not self._holds_something():
+        holds_something = any(row.verdict or row.observer or row.observer_2 for row in self._watch.rows())
+        if before.content == now.content or not holds_something:
             self.take()
             return
         names = RasterRef(before.path).name, RasterRef(now.path).name
@@ -237,6 +259,3 @@ class WindowsMosaic(QObject):
         if layer.id() not in self._known:
             self._known[layer.id()] = window_file.known_mosaic(path)
         return self._known[layer.id()]
-
-    def _holds_something(self) -> bool:
-        return any(row.verdict or row.observer or row.observer_2 for row in self._watch.rows())

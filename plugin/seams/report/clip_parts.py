@@ -3,18 +3,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Future
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 
-from ...imagery.clips import Clip, read_clip
+from ...imagery.clips import read_clip, read_overview
 from ...imagery.errors import Message, RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.raster_pool import one_by_one, open_raster, reading_threads
+from ...imagery.rasters import Raster
 from ...toolkit.pages.picture_files import encoded
-from ..clip_pictures import stretched
-from ..measure.judgement.greatest_loss import SHOWN_PX
+from ..clip_pictures import bytes_picture, stretched
+from ..measure.judgement.greatest_loss import SHOWN_PX, worst_places
 from ..measure.profile.window_detail import LossPicture
 from ..measure.source_images import Source
 from ..measure.window.explained_window import window_lost
@@ -38,64 +40,51 @@ class PlacedLoss:
 
     window: PixelWindow
     loss: LossPicture
+    width_px: float = 0.0  # how wide its seam took detail; 0 where more did
 
 
-def measured_loss(block: Block, window: PixelWindow) -> PlacedLoss | None:
-    """Lost detail of some pixels of a mosaic; None where that can't be told."""
+def measured_loss(block: Block, window: PixelWindow, width_px: float = 0.0) -> PlacedLoss | None:
+    """Lost detail of some pixels of a mosaic; None where that can't be told. ``width_px``: of its seam."""
     extent = block.mosaic.grid.window_extent(window)
     request = window_request(block, 0, extent, InspectionSettings())
     measured = measure_window(request, partial(one_by_one, opened=open_raster))
     loss = window_lost(measured) if isinstance(measured, MeasuredWindow) else None
-    return None if loss is None or request.window is None else PlacedLoss(request.window, loss)
+    return None if loss is None or request.window is None else PlacedLoss(request.window, loss, width_px)
 
 
-def most_lost(shown: PixelWindow, placed: PlacedLoss, side: int) -> tuple[int, int]:
-    """Row and column, in the pixels shown, of the square in which most detail was lost."""
-    shares, inside = _by_pixel(1 - np.clip(np.nan_to_num(placed.loss.kept, nan=1.0), 0, 1), shown, placed)
-    sums = np.pad((shares * inside).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    lost = sums[side:, side:] - sums[:-side, side:] - sums[side:, :-side] + sums[:-side, :-side]
-    row, column = np.unravel_index(lost.argmax(), lost.shape)
-    return int(row), int(column)
+def most_lost(window: PixelWindow, placed: PlacedLoss | None) -> PixelWindow:
+    """The part of a window that lost most; its middle, where nothing is told."""
+    side = min(REPORT_CLIP_PX, window.width, window.height)
+    places = [] if placed is None else worst_places(placed.loss)
+    x, y = places[0] if places else (window.width / 2, window.height / 2)
+    column, row = (
+        min(max(round(at - side / 2), 0), length - side) for at, length in ((x, window.width), (y, window.height))
+    )
+    return PixelWindow(window.column + column, window.row + row, side, side)
 
 
-def loss_overview(pixels: np.ndarray, shown: PixelWindow, placed: PlacedLoss, part: PixelWindow) -> tuple[bytes, int]:
-    """A JPEG file of the pixels shown, (rows, columns, 3) uint8, under lost detail and a frame around a part of them,
-    and its columns."""
-    step = -(-max(shown.width, shown.height) // _OVERVIEW_PX)
-    picture = _reduced(pixels, step)
-    colours, inside = _by_pixel(loss_rgba(placed.loss.kept), shown, placed)
-    colours = _reduced(colours * inside[..., np.newaxis], step)  # transparent beyond what was measured
+def loss_overview(mosaic: Raster, placed: PlacedLoss, part: PixelWindow) -> tuple[bytes, int] | None:
+    """A JPEG file of a window under lost detail and a frame around a part of it, and its columns; None where no small
+    picture of the mosaic can be had."""
+    window = placed.window
+    overview = read_overview(mosaic, mosaic.grid.window_extent(window), _OVERVIEW_PX)
+    if overview is None:
+        return None
+    picture = bytes_picture(overview[0].bands, mosaic.has_luminance, overview[0].valid)
+    step = window.width / picture.shape[1]
+    colours = loss_rgba(placed.loss, placed.width_px)
+    cells = (np.arange(px) * step // placed.loss.cell_px for px in picture.shape[:2])
+    colours = colours[np.ix_(*(np.minimum(at, most - 1).astype(int) for at, most in zip(cells, colours.shape)))]
     opacity = LOSS_OPACITY * colours[..., 3:] / 255
     painted = np.rint(picture * (1 - opacity) + colours[..., :3] * opacity).astype(np.uint8)
-    row, column = (part.row - shown.row) // step, (part.column - shown.column) // step
+    row, column, side = (int(px / step) for px in (part.row - window.row, part.column - window.column, part.width))
     for inset, colour in enumerate(_FRAME):
-        _draw_frame(painted, row + inset, column + inset, part.height // step - 2 * inset,
-                    part.width // step - 2 * inset, colour)  # fmt: skip
+        _draw_frame(painted, row + inset, column + inset, side - 2 * inset, colour)
     return encoded(painted, "JPEG", _OVERVIEW_QUALITY), painted.shape[1]
 
 
-def _by_pixel(cells: np.ndarray, shown: PixelWindow, placed: PlacedLoss) -> tuple[np.ndarray, np.ndarray]:
-    """What cells say of each pixel shown, and whether it lies in what was measured, both (rows, columns)."""
-    side, window = placed.loss.cell_px, placed.window
-    rows = np.arange(shown.row, shown.row + shown.height) - window.row
-    columns = np.arange(shown.column, shown.column + shown.width) - window.column
-    values = cells[np.ix_(np.clip(rows // side, 0, len(cells) - 1), np.clip(columns // side, 0, cells.shape[1] - 1))]
-    inside = np.outer((rows >= 0) & (rows < window.height), (columns >= 0) & (columns < window.width))
-    return values, inside
-
-
-def _reduced(pixels: np.ndarray, step: int) -> np.ndarray:
-    """The means of ``step`` x ``step`` pixels, float32; what is left over is cut off."""
-    rows, columns = (length // step * step for length in pixels.shape[:2])
-    summed = np.zeros((rows // step, columns // step, pixels.shape[2]), np.float32)
-    for row in range(step):
-        for column in range(step):
-            summed += pixels[row:rows:step, column:columns:step]
-    return summed / step**2
-
-
-def _draw_frame(picture: np.ndarray, row: int, column: int, rows: int, columns: int, colour: tuple[int, ...]) -> None:
-    bottom, right = min(row + rows, len(picture)) - 1, min(column + columns, picture.shape[1]) - 1
+def _draw_frame(picture: np.ndarray, row: int, column: int, side: int, colour: tuple[int, ...]) -> None:
+    bottom, right = min(row + side, len(picture)) - 1, min(column + side, picture.shape[1]) - 1
     picture[row, column : right + 1] = picture[bottom, column : right + 1] = colour
     picture[row : bottom + 1, column] = picture[row : bottom + 1, right] = colour
 
@@ -107,6 +96,7 @@ class ClipJob:
     extent: Extent | None  # in the mosaic's reference system; None: no clips
     names: tuple[str, ...]  # file names of the sources, those to be shown first in front; empty: as they come
     loss: LossPicture | None = None  # lost detail of the whole window where it was measured already
+    width_m: float = 0.0  # how wide its seam took detail; 0 where more did
 
 
 @dataclass(frozen=True)
@@ -150,10 +140,17 @@ def window_parts(block: Block, jobs: Iterable[ClipJob]) -> Iterator[WindowParts]
 def _parts(block: Block, job: ClipJob) -> WindowParts:
     if job.extent is None:
         return WindowParts()
+    mosaic = block.mosaic
     try:
-        window = snap_window(block.mosaic.grid, job.extent, levels=0)
-        searched = _middle(window)
-        clips = [read_clip(open_raster(block.mosaic.ref), block.mosaic, searched)]
+        window, width_px = snap_window(mosaic.grid, job.extent, levels=0), job.width_m / mosaic.ground_sample_distance
+        if job.loss is None:
+            window = _middle(window)
+            placed = measured_loss(block, window, width_px)
+        else:
+            placed = PlacedLoss(window, job.loss, width_px)
+        part = most_lost(window, placed)
+        clips = [read_clip(open_raster(mosaic.ref), mosaic, part)]
+        loss = None if placed is None else loss_overview(mosaic, placed, part)
     except SeamInspectorError as error:
         return WindowParts(problem=error.message)
     sources = _ordered(block.sources_over(window), job.names)
@@ -162,24 +159,13 @@ def _parts(block: Block, job: ClipJob) -> WindowParts:
         if len(clips) > MAX_REPORT_SOURCES:
             break
         shown += 1
-        try:
-            clips.append(read_clip(open_raster(source.ref), block.mosaic, searched))
-        except RasterError:  # the inspection has said so
-            continue
-    side = min(REPORT_CLIP_PX, searched.width, searched.height)
-    placed = measured_loss(block, searched) if job.loss is None else PlacedLoss(window, job.loss)
-    row, column = (searched.height - side) // 2, (searched.width - side) // 2  # its middle, where nothing is told
-    if placed is not None:
-        row, column = most_lost(searched, placed, side)
-    part = PixelWindow(searched.column + column, searched.row + row, side, side)
-    loss = None if placed is None else loss_overview(stretched(clips[:1])[0], searched, placed, part)
-    square = np.s_[:, row : row + side, column : column + side]
-    parts = [Clip(clip.raster, clip.bands[square], clip.invalid_share) for clip in clips]
+        with suppress(RasterError):  # the inspection has said so
+            clips.append(read_clip(open_raster(source.ref), mosaic, part))
     made = tuple(
-        PartPicture(clip.raster.ref.name, place == 0, encoded(pixels, "JPEG"), side)
-        for place, (clip, pixels) in enumerate(zip(clips, stretched(parts)))
+        PartPicture(clip.raster.ref.name, place == 0, encoded(pixels, "JPEG"), part.width)
+        for place, (clip, pixels) in enumerate(zip(clips, stretched(clips)))
     )
-    return WindowParts(made, block.mosaic.grid.window_extent(part), len(sources) - shown, loss=loss)
+    return WindowParts(made, mosaic.grid.window_extent(part), len(sources) - shown, loss=loss)
 
 
 def _middle(window: PixelWindow) -> PixelWindow:

@@ -21,7 +21,7 @@ from ..measure import messages
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, ProfileRecord, WindowRecord, contrast_of
-from ..window_summary import by_the_paper, judged_words, window_sentence, window_why
+from ..window_summary import by_the_paper, judged_words, painted_width_m, window_sentence, window_why
 from ..words import LOSSES, cause_sentence, cause_word, causes_words, observer_word, verdict_colour, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -120,14 +120,15 @@ class WindowSections:
 
     def _job(self, record: WindowRecord) -> ClipJob:
         """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""
-        pairs, loss = self._request.pairs.get(record.window_id, ()), self._request.losses.get(record.window_id)
+        request, window = self._request, record.window_id
+        pairs, result = request.pairs.get(window, ()), request.results.get(window)
+        names = [curve.raster for curve in request.curves.get(window, ()) if curve.role == "source"]
         if pairs:
             band = judged_band(pair.band for pair in pairs)
             judged = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
-            judged.sort(key=lambda pair: -(pair.ratio or 0))
-            return ClipJob(record.extent, tuple(pair.source for pair in judged), loss)
-        curves = self._request.curves.get(record.window_id, ())
-        return ClipJob(record.extent, tuple(curve.raster for curve in curves if curve.role == "source"), loss)
+            names = [pair.source for pair in sorted(judged, key=lambda pair: -(pair.ratio or 0))]
+        loss = None if result is None else result.loss
+        return ClipJob(record.extent, tuple(names), loss, painted_width_m(record))
 
     def _section(self, record: WindowRecord, clips: WindowParts) -> dict[str, object]:
         request, window = self._request, record.window_id
@@ -148,7 +149,7 @@ class WindowSections:
             "levels": levels,
             "ratios": ratios,
             "problem": problem,
-            "profile": profile_picture(record, request.profiles.get(window, ()), self._pixel_m, request.min_kept),
+            "profile": profile_picture(self._profile(record)),
             "chart": curves_svg(same, request.max_ratio) if same else "",
             "legend": curve_legend(same) if same else (),
             "clips": clips.pictures,
@@ -156,10 +157,20 @@ class WindowSections:
             "loss": clips.loss,
         }
 
+    def _profile(self, record: WindowRecord) -> ShownProfile | None:
+        """The profile that was measured, where that is known, else that of the rows of the table."""
+        request, result = self._request, self._request.results.get(record.window_id)
+        if result is None or result.profile is None:
+            return shown_profile(record, request.profiles.get(record.window_id, ()), self._pixel_m, request.min_kept)
+        levels = frozenset(bin_.level for bin_ in result.profile.bins)
+        return ShownProfile(
+            result.profile, result.ground_sample_distance, request.min_kept, levels, result.ground_left
+        )
+
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
-        pixel_m = self._pixel_m
-        yield " ".join([window_sentence(record, pixel_m=pixel_m), *window_why(record, pixel_m=pixel_m)])
+        known = record, self._request.results.get(record.window_id), self._pixel_m
+        yield " ".join([window_sentence(*known), *window_why(*known)])
         facts = []
         if record.cause and record.cause != "none":
             words = tr("Found: {cause}.")
@@ -259,27 +270,15 @@ class ProfilePicture:
     legend: Sequence[tuple[str, str]]  # colours and names of the levels
 
 
-def profile_picture(
-    record: WindowRecord, rows: Sequence[ProfileRecord], pixel_m: float | None, min_kept: float
-) -> ProfilePicture | None:
+def profile_picture(shown: ShownProfile | None) -> ProfilePicture | None:
     """The chart of a window's profile, all levels; None where nothing was measured."""
-    shown = shown_profile(record, rows, pixel_m, min_kept)
     if shown is None:
         return None
-    svg = profile_svg(shown)
+    chart = ProfilePainter(shown, QRectF(0, 0, *PROFILE_PX), PAPER, paper_font(_PROFILE_LETTERS_PX))
+    svg = chart_svg(chart.paint, *PROFILE_PX)
     as_wide_as_its_room = re.sub(r' (width|height)="[\d.]+mm"', "", svg[svg.index("<svg") :])
-    return ProfilePicture(Markup(as_wide_as_its_room), level_legend(shown.levels))
-
-
-def profile_svg(shown: ShownProfile, size: tuple[int, int] = PROFILE_PX) -> str:
-    """The chart as a file of so many px across and down."""
-    chart = ProfilePainter(shown, QRectF(0, 0, *size), PAPER, paper_font(_PROFILE_LETTERS_PX))
-    return chart_svg(chart.paint, *size)
-
-
-def level_legend(levels: Set[int]) -> list[tuple[str, str]]:
-    """Colours and names of levels."""
-    return [(level_colour(level, PAPER), filled(tr("level {number}"), number=level)) for level in sorted(levels)]
+    names = [(level_colour(level, PAPER), filled(tr("level {number}"), number=level)) for level in sorted(shown.levels)]
+    return ProfilePicture(Markup(as_wide_as_its_room), names)
 
 
 def shown_profile(

@@ -15,7 +15,7 @@ from ...imagery.errors import CancelledError, Message
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.background_tasks import Cancelled, Job
 from ...toolkit.pages.templates import HowMeasured, each_raster, measured_raster, save_page, sentences_once
-from ...toolkit.translation import filled, percent, shown_number, tr
+from ...toolkit.translation import percent, shown_number, tr
 from ..measure import limits, messages
 from ..measure.window_records import SEAM, WindowRecord
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
@@ -37,8 +37,9 @@ def write_report(
     """
     notices: list[Message] = []
     flagged = flagged_windows(request.records)
-    detailed = _detailed(flagged)
+    detailed = sorted(flagged, key=lambda record: (-(record.loss or 0.0), record.window_id))[:MAX_REPORT_DETAILS]
     linked = {record.window_id for record in detailed}
+    names = ", ".join(filter(None, _by_mosaic(request)))
     if len(detailed) < len(flagged):
         notices.append(messages.DETAILS_LIMITED(count=len(flagged), most=len(detailed)))
     sections = WindowSections(request)
@@ -56,7 +57,7 @@ def write_report(
             path,
             "inspection",
             _how_measured(request),
-            title=request.title or _mosaics_title(request),
+            title=request.title or ": ".join(filter(None, (tr("Seam inspection"), names))),
             count=len(request.records),
             flagged=len(flagged),
             notices=sentences_once(notices),
@@ -94,7 +95,8 @@ def _shown(request: ReportRequest) -> dict[str, object]:
     records = request.records
     return {
         "percent": percent(request.min_kept), "limit": request.max_ratio, "curves": bool(request.curves),
-        "profiles": bool(request.profiles), "clips": request.block is not None,
+        "profiles": any((*request.profiles.values(), *(result.profile for result in request.results.values()))),
+        "clips": request.block is not None,
         "seam": any(record.reference == SEAM for record in records),
         "visibility": any(record.visibility is not None for record in records),
         "sharpness": any(record.sharpness is not None for record in records),
@@ -105,11 +107,6 @@ def _shown(request: ReportRequest) -> dict[str, object]:
 def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
     """Windows with a significant loss, and those where the observer saw one."""
     return [record for record in records if record.verdict == "significant" or record.observer == "visible"]
-
-
-def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
-    """Windows that a report shows in detail, as many as it can, the greatest loss first."""
-    return sorted(flagged, key=lambda record: (-(record.loss or 0.0), record.window_id))[:MAX_REPORT_DETAILS]
 
 
 def _how_measured(request: ReportRequest) -> HowMeasured:
@@ -137,11 +134,6 @@ def _by_mosaic(request: ReportRequest) -> dict[str, list[WindowRecord]]:
     for record in request.records:
         by_mosaic.setdefault(_mosaic_of(request, record), []).append(record)
     return by_mosaic
-
-
-def _mosaics_title(request: ReportRequest) -> str:
-    names = [name for name in _by_mosaic(request) if name]
-    return filled(tr("Seam inspection: {names}"), names=", ".join(names)) if names else tr("Seam inspection")
 
 
 def _summary(request: ReportRequest) -> dict[str, object]:

@@ -11,7 +11,6 @@ from ...imagery import limits as imagery_limits
 from ...imagery.limits import judged_band
 from ...toolkit import layers
 from ..measure import limits
-from ..measure.profile.window_detail import LossPicture
 from ..measure.window.inspection import Block
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
@@ -33,8 +32,9 @@ class ReportRequest:
     max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO  # the limit drawn into the charts of curves
     min_kept: float = limits.MAX_SIGNIFICANT_KEPT  # the limit drawn into the charts of what is kept
     profiles: Mapping[int, Sequence[ProfileRecord]] = field(default_factory=dict)  # profiles by window
-    losses: Mapping[int, LossPicture] = field(default_factory=dict)
-    """Lost detail of whole windows as far as it is known; of others it is measured again where there is a block."""
+    results: Mapping[int, WindowResult] = field(default_factory=dict)
+    """All that was measured in windows, as far as it is known; lost detail of others is measured again where there is a
+    block."""
     made_on: date = field(default_factory=date.today)
 
 
@@ -58,8 +58,7 @@ def report_request(
         tuple(_on_mosaic(row, measured.get(row.window_id), crs, target, project) for row in inspected),
         curves={number: _curves(window) for number, window in measured.items() if window.clips},
         pairs={number: _pairs(window) for number, window in measured.items() if window.pairs},
-        profiles={number: _profile(window) for number, window in measured.items() if window.profile is not None},
-        losses={number: window.loss for number, window in measured.items() if window.loss is not None},
+        results=measured,
         block=block,
         wkt=layers.system_wkt(target),
         max_ratio=max_ratio,
@@ -90,12 +89,6 @@ def _curves(result: WindowResult) -> list[CurveRecord]:
     return [
         CurveRecord(clip.raster, clip.role, clip.curves[band].detail, clip.curves[band].background) for clip in clips
     ]
-
-
-def _profile(result: WindowResult) -> list[ProfileRecord]:
-    pixel_m, bins = result.ground_sample_distance, result.profile.bins if result.profile is not None else ()
-    return [ProfileRecord(bin_.level, pixel_m * bin_.middle_px, bin_.kept, bin_.low, bin_.high, bin_.mixture)
-            for bin_ in bins]  # fmt: skip
 
 
 def _pairs(result: WindowResult) -> list[PairRecord]:

@@ -12,14 +12,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 from ...imagery.records import Column
 from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit.layer_styles import give_titles
-from ...toolkit.table_fields import (
-    LARGEST_WHOLE,
-    column_fields,
-    column_values,
-    feature,
-    table_fields,
-    whole_number,
-)
+from ...toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, table_fields, whole_number
 from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
 from ..measure.calibration.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at

@@ -6,14 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
-from qgis.core import (
-    QgsFeature,
-    QgsFields,
-    QgsGeometry,
-    QgsLineString,
-    QgsRasterLayer,
-    QgsWkbTypes,
-)
+from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString, QgsRasterLayer, QgsWkbTypes
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file

@@ -87,9 +87,9 @@ class WindowChange:
     removed: Sequence[int] = ()  # feature ids
 
 
-def write(layer: QgsVectorLayer, change: WindowChange, words: str) -> list[int]:
-    """Write a change and return the ids of the features added. It is in the file then, unless somebody edits the layer
-    with QGIS's tools: then it is among his edits, a step of theirs called ``words``.
+def write(layer: QgsVectorLayer, change: WindowChange, words: str) -> None:
+    """Write a change. It is in the file then, unless somebody edits the layer with QGIS's tools: then it is among his
+    edits, a step of theirs called ``words``.
 
     Raises WindowLayerError when the layer can't be written.
     """
@@ -101,15 +101,15 @@ def write(layer: QgsVectorLayer, change: WindowChange, words: str) -> list[int]:
     if layer.isEditable():
         with edit_step(layer, words):
             is_done = all(layer.changeAttributeValues(fid, changed) for fid, changed in values.items())
-            added = [QgsFeature(window) for window in change.added]
-            is_done = is_done and all(map(layer.addFeature, added)) and layer.deleteFeatures(list(change.removed))
-            if not is_done:
+            is_done = is_done and all(layer.addFeature(QgsFeature(window)) for window in change.added)
+            if not is_done or not layer.deleteFeatures(list(change.removed)):
                 raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
-        return [window.id() for window in added]
-    return _write_file(layer, change, values)
+    else:
+        _write_file(layer, change, values)
+    layer.triggerRepaint()  # verdicts are the map's colours too, and QGIS does not redraw for attributes
 
 
-def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, dict[int, object]]) -> list[int]:
+def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, dict[int, object]]) -> None:
     """Write by the data provider, which tells nobody; the layer's own signals tell the desk and QGIS's tables alike."""
     provider, added = layer.dataProvider(), [QgsFeature(window) for window in change.added]
     if layer.readOnly():
@@ -131,7 +131,6 @@ def _write_file(layer: QgsVectorLayer, change: WindowChange, values: dict[int, d
     for fid in change.removed:
         layer.featureDeleted.emit(fid)
     layer.deselect(list(change.removed))
-    return [window.id() for window in added]
 
 
 def add_levels(layer: QgsVectorLayer, levels: int) -> None:

@@ -11,7 +11,7 @@ _RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.Fo
 
 
 class ChartPanel(QWidget):
-    """A row of tools, a chart or the words in its place, and words below. Looks anew once it comes into sight."""
+    """A chart or the words in its place; below it words, and a button. Looks anew once it comes into sight."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -37,13 +37,14 @@ class ChartPanel(QWidget):
         if event.type() in _RESTYLING:
             self._refresh_now()
 
-    def _lay_out(self, tools: QHBoxLayout, words: QWidget) -> None:
-        layout = QVBoxLayout(self)
+    def _lay_out(self, words: QWidget, button: QWidget) -> None:
+        layout, below = QVBoxLayout(self), QHBoxLayout()
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(self.fontMetrics().height() // 5)
-        layout.addLayout(tools)
         layout.addWidget(self._pages, 1)
-        layout.addWidget(words)
+        layout.addLayout(below)
+        below.addWidget(words, 1)
+        below.addWidget(button)
 
     def _refresh_now(self, *_: object) -> None:
         """Refresh as soon as the signals under way have been handled."""

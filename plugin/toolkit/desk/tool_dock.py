@@ -87,11 +87,6 @@ class ToolDock(QgsDockWidget):
         """Pixels at which nothing is cut off on the right of the map."""
         return max(420, 46 * self.fontMetrics().averageCharWidth())
 
-    @property
-    def is_wide(self) -> bool:
-        """Whether its parts stand better side by side than one above the other."""
-        return bool(self.width() > 1.4 * self.height())
-
     def close_desk(self) -> None:
         """Leave nothing behind: map tool, canvas items, connections, tasks."""
         self.visibilityChanged.disconnect(self._clear_map)

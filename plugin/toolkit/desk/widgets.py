@@ -244,7 +244,8 @@ class ScrollBody(QScrollArea):
         return self.widget().sizeHint()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Wheel and watched is not self.widget() and not watched.hasFocus():
+        is_field = isinstance(watched, (QComboBox, QAbstractSpinBox))  # and not the scroll bar, which Qt has us filter
+        if is_field and event.type() == QEvent.Type.Wheel and not watched.hasFocus():
             event.ignore()
             return True
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():

@@ -38,9 +38,7 @@ def play(desk: Desk) -> None:
     with desk.judging():  # begins with the worst
         judge_by_keys(desk, shots)
     with desk.judging():
-        annotate(desk, shots)
         judge_blind(desk, shots)
-    compare(desk, shots)
     desk.wait(lambda: not QgsApplication.taskManager().activeTasks(), 60, "no task that QGIS would ask about")
 
 
@@ -86,24 +84,6 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
     assert session.selected() == before
 
 
-def annotate(desk: Desk, shots: Path) -> None:
-    """How sure, and why: one digit, and R with a few words."""
-    session = desk.session
-    press(desk, desk.canvas, Qt.Key.Key_N)  # a digit right after V would be of the window just judged
-    number = session.row(session.selected()[0]).window_id
-    press(desk, desk.canvas, Qt.Key.Key_7)
-    press(desk, desk.canvas, Qt.Key.Key_R)
-    edit = QApplication.focusWidget()
-    QTest.keyClicks(edit, "faint band by the kerb")
-    desk.screenshot(shots / "judging_remark.png")
-    QTest.keyClick(edit, Qt.Key.Key_Return)
-    desk.pause(0.2)
-    (row,) = (row for row in session.windows() if row.window_id == number)
-    assert (row.confidence, row.remark) == (70, "faint band by the kerb"), row
-    press(desk, QApplication.focusWidget() or desk.canvas, Qt.Key.Key_V)
-    assert [row.observer for row in session.windows() if row.window_id == number] == ["visible"]
-
-
 def judge_blind(desk: Desk, shots: Path) -> None:
     """A second operator, who is told nothing."""
     session, model = desk.session, desk.dock.judging.model
@@ -122,20 +102,6 @@ def judge_blind(desk: Desk, shots: Path) -> None:
     desk.report["second"] = sum(bool(row.observer_2) for row in session.windows())
     desk.report["blind_columns"] = desk.headings()
     model.change(operator=1, is_blind=False)
-
-
-def compare(desk: Desk, shots: Path) -> None:
-    """Show where both differ."""
-    session = desk.session
-    for row in session.windows():  # the first one judges the same, but for a few
-        if row.observer_2:
-            other = "invisible" if row.window_id % 6 == 0 else row.observer_2
-            session.judge([row.fid], other)
-    desk.dock.windows._verdicts.setCurrentText("operators differ")
-    desk.pause(0.7)
-    desk.report["disagreements"] = len(desk.dock.windows.ordered_fids())
-    desk.screenshot(shots / "judging_differ.png")
-    desk.dock.windows._verdicts.setCurrentIndex(0)
 
 
 def press(desk: Desk, widget: QWidget, key: Qt.Key) -> None:

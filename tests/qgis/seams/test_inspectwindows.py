@@ -11,16 +11,7 @@ from qgis.core import QgsGeometry, QgsRectangle, QgsWkbTypes
 
 from tests.numbers.synthetic import UTM33, decompose, luminance, read_pixels, write_raster
 from tests.qgis.runs import Log, Run, run
-from tests.qgis.scenes import (
-    BLURRED,
-    SHARP,
-    Scene,
-    layer,
-    luminance_shares,
-    pixel_box,
-    whole,
-    windows,
-)
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, luminance_shares, pixel_box, whole, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
 

@@ -157,9 +157,9 @@ def test_the_profile_and_the_picture_show_a_loss_where_it_is_told(
             assert profile.kept[0] == pytest.approx(row.kept_1)
             near = [bin_.kept for bin_ in profile.bins if bin_.level == 1]
             assert min(near) <= (row.kept_1 or 0.0) < 1, name
-            assert picture is None or loss_rgba(picture.kept)[..., 3].any(), name  # without even ground there is none
+            assert picture is None or loss_rgba(picture)[..., 3].any(), name  # without even ground there is none
         elif row.verdict == "preserved" and picture is not None:
-            assert (loss_rgba(picture.kept)[..., 3] > 0).mean() < 0.05, name
+            assert (loss_rgba(picture)[..., 3] > 0).mean() < 0.05, name
 
 
 def test_a_loss_in_the_whole_window_is_in_its_picture_and_beside_its_profile(

@@ -6,10 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import (
-    QgsExpressionContext,
-    QgsExpressionContextUtils,
-)
+from qgis.core import QgsExpressionContext, QgsExpressionContextUtils
 
 from tests.numbers.synthetic import decompose, luminance, read_pixels
 from tests.qgis.runs import Log, Run, assert_sentence, run

@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 import re
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,14 +13,13 @@ from qgis.PyQt.QtCore import QRectF
 from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile
+from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 from seam_inspector.plugin.seams.measure.window.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
 from seam_inspector.plugin.seams.report.flagged_windows import (
     PROFILE_PX,
     ProfilePicture,
-    level_legend,
     profile_picture,
     shown_profile,
 )
@@ -65,7 +65,7 @@ def lines(picture: ProfilePicture, colour: str) -> list[list[tuple[float, float]
 @pytest.mark.parametrize("known", [PIXEL, None])
 def test_the_chart_shows_what_the_table_says(qgis_app: object, known: float | None) -> None:
     table = FEATHERED, [*rows(), *rows(2)], known, 0.7
-    picture, chart = profile_picture(*table), painter(shown_profile(*table))
+    picture, chart = profile_picture(shown_profile(*table)), painter(shown_profile(*table))
     assert picture is not None
     assert [words for _, words in picture.legend] == ["level 1", "level 2"]
     (places,) = lines(picture, picture.legend[0][0])
@@ -113,8 +113,9 @@ def test_the_clips_show_where_most_was_lost(qgis_app: object, tmp_path: Path) ->
     assert match is not None
     middle = (block.mosaic.extent[0] + block.mosaic.extent[2]) / 2
     assert float(match[1]) == pytest.approx(middle, abs=80 * PIXEL)
-    known = LossPicture(np.full((64, 64), 0.4, np.float32))
-    given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, losses={1: known})
+    picture = LossPicture(np.full((64, 64), 0.4, np.float32))
+    known = SimpleNamespace(loss=picture, explanation=None, profile=None, ground_sample_distance=PIXEL)
+    given = ReportRequest((record,), block=block, wkt=block.mosaic.wkt, results={1: known})
     assert "lost detail over the mosaic; in the frame the clips" in page_of(tmp_path / "given.html", given).captions
 
 
@@ -135,7 +136,7 @@ def test_the_table_of_profiles_is_drawn(provider: Any, tmp_path: Path) -> None:
         outline(page)
         charts = re.findall("<svg .*?</svg>", page, flags=re.DOTALL)
         (chart,) = (chart for chart in charts if "distance from the seam (m)" in chart)
-        colours = [colour for colour, _ in level_legend({1, 2, 3})]
+        colours = [level_colour(level, PAPER) for level in (1, 2, 3)]
         for colour in (*colours, PAPER.quiet):  # three levels and the mixture
             assert f'stroke="{colour}"' in chart
         assert f"limit {65 if parameters else 70} %" in page

@@ -14,16 +14,7 @@ from qgis.core import QgsGeometry
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import Run, assert_sentence, run
 from tests.qgis.scenes import at, layer, line
-from tests.qgis.seams.scan_scenes import (
-    COLUMNS,
-    ROWS,
-    SEAM_METRES,
-    Files,
-    cut,
-    images,
-    seam_columns,
-    write_scene,
-)
+from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, SEAM_METRES, Files, cut, images, seam_columns, write_scene
 
 pytestmark = pytest.mark.usefixtures("provider")
 

@@ -6,12 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal, ogr, osr
-from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsProject,
-    QgsVectorLayer,
-)
+from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsProject, QgsVectorLayer
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, given_seams
 from seam_inspector.plugin.seams.tables.input_layers import seam_features

@@ -49,7 +49,8 @@ def made_layer(folder: Path, levels: int = 3) -> QgsVectorLayer:
 def add(drawn: QgsVectorLayer, *boxes: tuple[int, int, int, int]) -> list[int]:
     """Windows numbered from 1 on."""
     made = window_layer.new_windows(drawn, map(outline, boxes), 1, [{"origin": "drawn"}] * len(boxes))
-    return window_layer.write(drawn, WindowChange(added=made), "Add")
+    window_layer.write(drawn, WindowChange(added=made), "Add")
+    return [row.fid for row in sorted(window_layer.read_layer(drawn), key=lambda row: row.window_id)]
 
 
 def test_a_new_layer_has_all_fields_and_a_style(qgis_app: object, tmp_path: Path) -> None:

@@ -9,23 +9,14 @@ from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.compared_image import Change
-from seam_inspector.plugin.seams.measure.judgement.causes import (
-    Cause,
-    CauseEvidence,
-    Misfit,
-    SourceTone,
-    Texture,
-)
+from seam_inspector.plugin.seams.measure.judgement.causes import Cause, CauseEvidence, Misfit, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.judgement.explanation import Explanation
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, WindowRecord
-from seam_inspector.plugin.seams.window_summary import (
-    named_causes,
-    window_sentence,
-)
+from seam_inspector.plugin.seams.window_summary import named_causes, window_sentence
 
 from tests.qgis.seams.desk.windows_session import window
 
@@ -102,7 +93,8 @@ def result(
 )
 def test_a_cause_has_its_words(qgis_app: QgsApplication, cause: str, words: str, alone: str | None) -> None:
     start = "Significant loss. Detail at level 1 is 38 % of the sources'; "
-    assert window_sentence(row(cause), result(cause)) == f"{start}{words}."
+    measured = replace(row(cause), misfit=1.4)
+    assert window_sentence(measured, result(cause)) == f"{start}{words}."
     assert window_sentence(row(cause)) == f"{start}{alone or words}."
 
 
@@ -139,9 +131,10 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
         ),
         (
             {"causes": "feathering; misregistration", "misfit": 2.04, "feather_width": 1.5},
-            f"Significant loss. {STRIP}: feathered, 2.0 px misfit. {CUT}",
+            f"Significant loss. {STRIP}: feathered, images 2.0 px apart. {CUT}",
         ),
-        ({"misfit": 2.04}, f"Significant loss. {STRIP}: feathered. {CUT}"),  # it cost nothing
+        ({"misfit": 2.04}, f"Significant loss. {STRIP}: feathered, images 2.0 px apart. {CUT}"),
+        ({"misfit": 0.4}, f"Significant loss. {STRIP}: feathered. {CUT}"),  # next to nothing
         (  # half a pixel off explains no dip along the seam
             {"causes": "resampled; feathering; balanced", "sharpness": 0.99},
             f"Significant loss. {STRIP}: feathered. {CUT}",
@@ -155,7 +148,7 @@ SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 
         (  # what resampling took all over is no part of what the misfit did
             {"sharpness": 0.79, "loss": 3931.0, "cause": "resampled", "causes": "resampled; misregistration",
              "misfit": 2.2},
-            f"Significant loss. {STRIP}: 2.2 px misfit. Register images. In all 3,931 m².",
+            f"Significant loss. {STRIP}: images 2.2 px apart. Register images. In all 3,931 m².",
         ),
         (
             {"verdict": "reduced", "cause": "unclear", "causes": "unclear; feathering", "feather_width": 1.9},

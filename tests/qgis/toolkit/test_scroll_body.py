@@ -48,6 +48,8 @@ def test_it_scrolls_where_there_is_no_room_and_is_never_too_narrow(body: ScrollB
     body.resize(500, 400)
     QTest.qWait(1)
     assert body.verticalScrollBar().maximum() > 0
+    turn(body.viewport())
+    assert body.verticalScrollBar().value() > 0
     body.resize(body.minimumSizeHint().width(), 400)
     QTest.qWait(1)
     assert body.widget().label.width() >= 380

@@ -5,23 +5,19 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QHBoxLayout, QSplitter, QWidget
+from qgis.PyQt.QtWidgets import QSplitter, QWidget
 
 from ....imagery.limits import judged_band
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.widgets import ClippedLabel, rich_tip
-from ....toolkit.translation import filled, sentence, tr
-from ...charts.curves_painter import (
-    Chart,
-    window_curves,
-)
+from ....toolkit.translation import filled, tr
+from ...charts.curves_painter import Chart, window_curves
 from ...charts.profile_painter import ShownProfile, bin_words, summary_words
 from .chart_widgets import CurvesChart, PictureButton, ProfileChart, curves_picture, profile_picture
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from ...measure.window.explained_window import LiveWindow
     from ...measure.window.window_result import WindowCurves, WindowResult
     from ..session import Session
 
@@ -57,12 +53,9 @@ class CurvesPanel(ChartPanel):
             "have. On or below the limit a loss is significant by curves."
         )))
         self._pages.addWidget(self._chart)
-        self._status = ClippedLabel(1)
+        self._status = ClippedLabel(2)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
-        tools = QHBoxLayout()
-        tools.addStretch()
-        tools.addWidget(self._save)
-        self._lay_out(tools, self._status)
+        self._lay_out(self._status, self._save)
 
     # when to draw
 
@@ -84,7 +77,8 @@ class CurvesPanel(ChartPanel):
         live = self._session.live
         result, missing = shown_window(self._session)
         if live is not None:
-            self._draw(live.clips, _live_title(live))
+            size = {"columns": live.window.width, "rows": live.window.height}
+            self._draw(live.clips, filled(tr("Live: {columns} x {rows} px"), **size))
             self._save.offer(None)
         elif result is not None:
             chart = self._draw(result, _title(self._session, result))
@@ -134,11 +128,6 @@ def _title(session: Session, result: WindowCurves) -> str:
     return text + tr(", out of date: inspect it again") if row is not None and row.stale else text
 
 
-def _live_title(live: LiveWindow) -> str:
-    """The window that is drawn while it is being moved."""
-    return filled(tr("Live: {columns} x {rows} px under the mouse"), columns=live.window.width, rows=live.window.height)
-
-
 def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     if not selected and session.piece is not None:
         return tr("There are no curves where the window around the piece has pixels without a value.")
@@ -147,15 +136,12 @@ def _why_nothing(session: Session, selected: Sequence[int]) -> str:
     if len(selected) > 1:
         return tr("Select one window to see its curves.")
     result, row = session.result(selected[0]), session.row(selected[0])
-    if result is not None:
-        reason = result.judgement.reason
-        return sentence(reason) if reason else tr("This window can't be compared.")
-    if session.is_pending(selected[0]):
+    if result is None and session.is_pending(selected[0]):
         return tr("Measuring ...")
-    if row is None or not row.verdict:
+    if row is None or (result is None and not row.verdict):
         return tr("Not inspected yet")
-    if not row.is_compared and row.reason and not row.stale:
-        return row.reason
+    if result is not None or not (row.is_compared or row.stale):
+        return tr("This window can't be compared.")  # its sentence says why
     return tr("The curves are not saved with the project. Inspect again to see them.")
 
 
@@ -220,17 +206,14 @@ class ProfilePanel(ChartPanel):
 
     def _build(self) -> None:
         self._pages.addWidget(self.chart)
-        self._status = ClippedLabel(1)
+        self._status = ClippedLabel(2)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
         self.chart.setToolTip(
             tr("How much of the finest detail is kept, by the distance from the seam, relative to the ground around")
         )
         self._save = PictureButton()
         self._save.notified.connect(self._session.messageRaised)
-        tools = QHBoxLayout()
-        tools.addStretch()
-        tools.addWidget(self._save)
-        self._lay_out(tools, self._status)
+        self._lay_out(self._status, self._save)
 
     def _refresh(self) -> None:
         if self.isVisible():

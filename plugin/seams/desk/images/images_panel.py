@@ -10,24 +10,14 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsMapLayer, QgsPointXY, Qgs
 from qgis.gui import QgsMapCanvas, QgsMapToolPan
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
-from qgis.PyQt.QtWidgets import (
-    QBoxLayout,
-    QComboBox,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QStackedWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QBoxLayout, QComboBox, QFrame, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from ....toolkit.desk.widgets import ClippedLabel, single_shot
 from ....toolkit.reference_systems import known_system
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.mosaic_copies import covered_share
-from ...words import loss_rgba
 from ..map.hard_cut import Compared, ComparedLayer, looks_alike
-from ..map.lost_detail import PictureOverlay, placed_picture, rgba_image
+from ..map.lost_detail import PictureOverlay, loss_of, placed_picture
 from ..map.window_view import WindowOutline, WindowView
 
 if TYPE_CHECKING:
@@ -116,7 +106,7 @@ class ImagesPanel(QWidget):
         self.choice.activated.connect(self._refresh)
         row = QHBoxLayout()
         row.addWidget(self.status, 1)
-        row.addWidget(self.choice)
+        row.addWidget(self.choice, 2)
         self._hint = QLabel()
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -219,11 +209,12 @@ class ImagesPanel(QWidget):
     def _show_loss(self, *_: object) -> None:
         """Over both maps, where it was measured and is asked for."""
         selected, grid = self._session.selected(), self._session.mosaic_grid()
-        result = self._session.result(selected[0]) if selected and self._session.lost_detail.isChecked() else None
+        row = self._session.row(selected[0]) if selected and self._session.lost_detail.isChecked() else None
+        result = self._session.result(row.fid) if row is not None else None
+        picture = loss_of(row, result) if row is not None and result is not None else None
         placed = []
-        if result is not None and result.window is not None and result.loss is not None and grid is not None:
-            image = rgba_image(loss_rgba(result.loss.kept))
-            placed = [placed_picture(image, result.window, result.loss.cell_px, grid)]
+        if picture is not None and picture.image is not None and picture.window is not None and grid is not None:
+            placed = [placed_picture(picture.image, picture.window, picture.cell_px, grid)]
         for canvas in (self.mosaic, self.other):
             canvas.loss.show(placed, canvas.mapSettings().destinationCrs())
 

@@ -52,8 +52,8 @@ class InputsPanel(QWidget):
             (session.inputsChanged, self.refresh),
             (QgsProject.instance().cleared, self.suggesting.forget_choices),
             (QgsProject.instance().layersAdded, self._take_layers),
-            (QgsProject.instance().layersRemoved, self._layers_removed),
-            (QgsProject.instance().layerTreeRoot().nameChanged, self._layer_renamed),
+            (QgsProject.instance().layersRemoved, self.refresh),
+            (QgsProject.instance().layerTreeRoot().nameChanged, self._summarize),
             (session.windowsChanged, self._fold_once),
         )
         self.refresh()
@@ -64,7 +64,7 @@ class InputsPanel(QWidget):
         self._suggester.stop()
         return bool(super().close())
 
-    def refresh(self) -> None:
+    def refresh(self, *_: object) -> None:
         """Show the session's inputs."""
         self.suggesting.follow()
         inputs = self._session.inputs
@@ -83,7 +83,7 @@ class InputsPanel(QWidget):
         self._show_doubts()
         self._fit_side()
         self._show_side()
-        self.box.set_summary(*self._summary())
+        self._summarize()
         if not inputs.mosaic:  # another project
             self._fitted, self._was_folded = None, False
             self.box.fold(False)
@@ -98,15 +98,10 @@ class InputsPanel(QWidget):
     # Following the project
 
     def _take_layers(self, _added: list[QgsMapLayer]) -> None:
-        self.suggesting.follow()
         self._suggester.start()
         self.refresh()
 
-    def _layers_removed(self, _ids: list[str]) -> None:
-        self.suggesting.follow()
-        self.refresh()
-
-    def _layer_renamed(self, *_: object) -> None:
+    def _summarize(self, *_: object) -> None:
         self.box.set_summary(*self._summary())
 
     def _suggest_layers(self) -> None:
@@ -192,7 +187,7 @@ class InputsPanel(QWidget):
             note = filled(tr("few windows below {pixels} px can be measured"), pixels=limits.MEASURABLE_SIDE_PX)
         if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
             asked, side, spacing = map(shown_metres, (*self._fitted, inputs.spacing_m))
-            note = filled(tr("{asked} m does not fit this mosaic: {side} m, every {spacing} m"),
+            note = filled(tr("{asked} m does not fit this mosaic: {side} m now, a window every {spacing} m"),
                           asked=asked, side=side, spacing=spacing)  # fmt: skip
         self.side_note.setText(note)
         self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title
@@ -320,7 +315,7 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
             if isinstance(box, LayerBox):
                 box.chosen.connect(partial(self.changed.emit, name))
             elif isinstance(box, QComboBox):
-                box.activated.connect(partial(self._choose_word, name))
+                box.activated.connect(lambda _place, name=name, box=box: self.changed.emit(name, box.currentData()))
             else:
                 box.valueChanged.connect(partial(self.changed.emit, name))
         self.setCollapsed(True)
@@ -330,9 +325,6 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
         self.cells.leave_out(vectors_without(CELL_FIELD))
         for name, box in self.boxes.items():
             show_value(box, getattr(inputs, name))
-
-    def _choose_word(self, name: str, _index: int) -> None:
-        self.changed.emit(name, self.boxes[name].currentData())
 
 
 def _word_box(words: Iterable[tuple[str, str]], parent: QWidget) -> QComboBox:

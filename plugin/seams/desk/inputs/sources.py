@@ -29,13 +29,7 @@ from ....toolkit.layers import box_extent, transformed_extent
 from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, tr
 from ....toolkit.version_differences import ALPHA, PALETTE, band_roles
-from ...measure.inputs.raster_facts import (
-    COLOURS,
-    RasterFacts,
-    Suitability,
-    likely_mosaic,
-    suitable_by_header,
-)
+from ...measure.inputs.raster_facts import COLOURS, RasterFacts, Suitability, likely_mosaic, suitable_by_header
 from ...measure.seamlines.seam_features import seam_fields
 from ...tables.input_layers import LOCATION_FIELD
 from ...tables.scan_layers import is_picture

@@ -25,6 +25,7 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.painting import painting
 from ....toolkit.reference_systems import transformation
 from ....toolkit.translation import tr
+from ...window_summary import painted_width_m
 from ...words import LOSS_OPACITY, loss_legend, loss_rgba
 
 if TYPE_CHECKING:
@@ -165,7 +166,7 @@ _SLICE_S = 0.05  # of reading results, which of thousands of windows are in a fi
 
 
 @dataclass(frozen=True)
-class _Picture:
+class WindowPicture:
     """Picture of one window's result."""
 
     of: tuple[object, ...]  # what was measured in the window, as its row says
@@ -183,7 +184,7 @@ class LossOverlay(QObject):
         self._overlay = PictureOverlay(canvas)
         self._gives_way = False
         self._legend = LossLegend(canvas)
-        self._pictures: dict[int, _Picture] = {}  # by window number
+        self._pictures: dict[int, WindowPicture] = {}  # by window number
         self._timer = single_shot(self, self._refresh, _TOGETHER_MS)
         self._next_slice = single_shot(self, self._refresh)
         self._connections = Connections(
@@ -228,14 +229,14 @@ class LossOverlay(QObject):
             self._legend.hide()
             return
         end, is_late = time.perf_counter() + _SLICE_S, False
-        pictures: dict[int, _Picture] = {}
+        pictures: dict[int, WindowPicture] = {}
         for row in self._session.windows():
             if row.stale:
                 continue
             picture = self._pictures.get(row.window_id)
             if picture is None or picture.of != row.measured:
                 result = self._session.result(row.fid) if not is_late else None
-                picture = _picture(row, result) if result is not None else None
+                picture = loss_of(row, result) if result is not None else None
                 # Only after one that was read, so that each slice gets further
                 is_late = is_late or (picture is not None and time.perf_counter() > end)
             if picture is not None:
@@ -253,13 +254,13 @@ class LossOverlay(QObject):
         self._legend.show_legend(any(loss.cell_px for loss in pictures.values()))
 
 
-def _picture(row: WindowRecord, result: WindowResult) -> _Picture:
+def loss_of(row: WindowRecord, result: WindowResult) -> WindowPicture:
     """Nothing is painted where all is even, as in most windows of a sound mosaic, and that costs no time."""
     loss = result.loss
     if loss is None:
-        return _Picture(row.measured, None, None, 0)
-    rgba = loss_rgba(loss.kept)
-    return _Picture(row.measured, rgba_image(rgba) if rgba[..., 3].any() else None, result.window, loss.cell_px)
+        return WindowPicture(row.measured, None, None, 0)
+    rgba = loss_rgba(loss, painted_width_m(row) / result.ground_sample_distance)
+    return WindowPicture(row.measured, rgba_image(rgba) if rgba[..., 3].any() else None, result.window, loss.cell_px)
 
 
 def placed_picture(image: QImage, window: PixelWindow, cell_px: int, grid: Grid) -> PlacedPicture:

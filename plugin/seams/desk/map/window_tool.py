@@ -292,7 +292,7 @@ class ClickedPieces(QObject):
         canvas.viewport().installEventFilter(self)
         self._connections = Connections(
             (session.selectionChanged, self._follow_selection), (session.inputsChanged, self.leave),
-            (self.changed, session.liveChanged.emit),
+            (canvas.mapToolSet, self.leave), (self.changed, session.liveChanged.emit),
         )
 
     def close(self) -> None:
@@ -317,7 +317,7 @@ class ClickedPieces(QObject):
             self._session.select([there.fid])
         return True
 
-    def leave(self) -> None:
+    def leave(self, *_: object) -> None:
         """No piece is looked at."""
         if self._session.piece is not None:
             self._session.piece = None

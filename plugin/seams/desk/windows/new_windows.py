@@ -11,6 +11,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, PixelWindow
+from ....imagery.open_raster import OpenRaster
 from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.message_bar import write_log
@@ -30,8 +31,8 @@ from .window_watch import WindowWatch
 _PLACING = "placing"
 DRAWN, PLACED, SCAN = "drawn", "placed", "scan"
 """The field ``origin`` of a window."""
-_SAME_PLACE = 0.5  # of the smaller of two windows: more of it was looked at than not when the other was judged
-_SAME = 0.999  # of it: coordinates are rounded where files and reference systems change
+_SAME_PLACE = 0.5  # of a place: more of it was looked at than not, its middle included, when a window was judged
+_SAME = 0.999  # of the larger of two: coordinates are rounded where files and reference systems change
 
 
 Place = tuple[QgsGeometry, Mapping[str, object]]
@@ -57,7 +58,10 @@ class NewWindows(QObject):
         self._background = background
 
     def draw(self, window: PixelWindow) -> list[int]:
-        """Add one window, or take the one that is there already; the feature id."""
+        """Add one window, or take the one that is there already; the feature id, none where the mosaic lacks pixels."""
+        if not OpenRaster(self._block.required().mosaic.ref).is_valid(window):
+            self.notified.emit(keeping_messages.NO_PIXELS_THERE())
+            return []
         block = self._with_layer()
         outlines = self._outlines(block, [window])
         there = [fid for fid in self._there(outlines, window.width) if fid is not None]
@@ -77,7 +81,7 @@ class NewWindows(QObject):
         self._background.start(tr("Place windows"), job, partial(self._take, inputs.mosaic), _PLACING, steps=1)
 
     def add_scanned(self, worst: QgsVectorLayer) -> list[int]:
-        """Take the worst places of a scan; one that shares most with a judged window is that. Feature ids, the worst
+        """Take the worst places of a scan; one of which most lies in a judged window is that. Feature ids, the worst
         first."""
         self._with_layer()
         layer = self._watch.writable()
@@ -181,17 +185,19 @@ def _in_pixels(extent: Extent, origin: Extent, pixel: float) -> tuple[int, ...]:
 
 
 def _same_place(rows: Sequence[WindowRecord], place: Extent) -> int | None:
-    """The window that is at a place already: the same, or one that was judged and shares most of it."""
-    for row in rows:
-        assert row.extent is not None
-        width = min(row.extent[2], place[2]) - max(row.extent[0], place[0])
-        height = min(row.extent[3], place[3]) - max(row.extent[1], place[1])
-        if width > 0 and height > 0:
-            shared = width * height / min(_area(row.extent), _area(place))
-            is_judged = bool(row.observer or row.observer_2)
-            if shared > (_SAME_PLACE if is_judged else _SAME):
-                return row.fid
-    return None
+    """The window that is at a place already: the same, or one that was judged and holds most of it; of several the one
+    that holds most."""
+    shares = {row.fid: share for row in rows if row.extent is not None and (share := _share(row, row.extent, place))}
+    return max(shares, key=shares.__getitem__, default=None)
+
+
+def _share(row: WindowRecord, extent: Extent, place: Extent) -> float:
+    """How much of a place a window at an extent holds, 0 where it is not at that place."""
+    width = min(extent[2], place[2]) - max(extent[0], place[0])
+    height = min(extent[3], place[3]) - max(extent[1], place[1])
+    is_judged = bool(row.observer or row.observer_2)
+    share = max(width, 0.0) * max(height, 0.0) / (_area(place) if is_judged else max(_area(extent), _area(place)))
+    return share if share > (_SAME_PLACE if is_judged else _SAME) else 0.0
 
 
 def _area(extent: Extent) -> float:

@@ -285,7 +285,8 @@ class WindowResults(QObject):
         if layer is None or path is None or not rows or layer.isEditCommandActive():
             return False
         unwritten = {row.window_id: self._unwritten.pop(row.window_id) for row in rows}
-        rows = [row for row in rows if not self._is_undone(row.window_id)]
+        steps = self._inspections
+        rows = [row for row in rows if not (row.window_id in steps and steps[row.window_id].is_undone)]
         values = {row.fid: window_layer.measured_values(layer, unwritten[row.window_id]) for row in rows}
         try:
             window_layer.write(layer, WindowChange(values), tr("Inspect windows"))
@@ -304,10 +305,6 @@ class WindowResults(QObject):
             return False
         self._watch.note_fingerprints(marks)
         return True
-
-    def _is_undone(self, number: int) -> bool:
-        step = self._inspections.get(number)
-        return step is not None and step.is_undone
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""

@@ -9,14 +9,7 @@ from typing import TYPE_CHECKING
 
 from qgis.gui import QgsFilterLineEdit
 from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
-from qgis.PyQt.QtWidgets import (
-    QAbstractItemView,
-    QComboBox,
-    QHBoxLayout,
-    QSizePolicy,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QAbstractItemView, QComboBox, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery.statistics import FIRST, UNSURE, VISIBLE, Operator
 from ....toolkit.desk.widgets import is_confirmed
@@ -43,14 +36,15 @@ def window_filter(text: str, allowed: frozenset[str] | None) -> Test | None:
 
 
 def _matches(row: WindowRecord, word: str, allowed: frozenset[str] | None) -> bool:
-    """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible"), or is
-    anywhere in the reason, which names files. A number is a window's."""
+    """Whether a word begins the number, a word of verdict, cause or observer ("visible" is not "invisible") or the
+    origin (``scan``), or is anywhere in the reason, which names files. A number is a window's."""
     if word.isdigit():
         return str(row.window_id).startswith(word)
     if allowed is not None:
         said = row.observer if FIRST.observer in allowed else row.observer_2
         return any(part.startswith(word) for part in observer_word(said).casefold().split())
-    said = " ".join((verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer)))
+    words = verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer), row.read("origin") or ""
+    said = " ".join(map(str, words))
     return any(part.startswith(word) for part in said.casefold().split()) or word in row.reason.casefold()
 
 
@@ -144,7 +138,9 @@ class WindowsPanel(QWidget):
         self._search.setShowSearchIcon(True)
         self._search.setShowClearButton(True)
         self._search.setPlaceholderText(tr("Filter windows"))
-        self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
+        self._search.setToolTip(
+            tr("Shows the windows whose number, verdict, cause, observer, origin (scan) or reason matches.")
+        )
         self._lay_out()
 
         self._search.textChanged.connect(self._filter)

@@ -11,6 +11,7 @@ from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.desk.accept_page import AcceptPage, suggested_files
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+from seam_inspector.plugin.seams.desk.session import Session
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.acceptance.seam_scenes import X, Y, file, seams
@@ -125,7 +126,17 @@ def test_a_project_saved_after_the_decision_is_where_that_is_saved(
     page: AcceptPage, delivery: Delivery, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     decided(page)
+    page.show_failures()
+    session = Session()
     delivery.save(tmp_path / "later")
+    session.close()
+    (failures,) = QgsProject.instance().mapLayersByName("Failures")
+    assert Path(failures.source()).parent == tmp_path / "later"
+    assert failures.featureCount() == 1
+    (picture,) = (tmp_path / "later" / f"{Path(failures.source()).stem}_pictures").iterdir()
+    assert next(failures.getFeatures())["picture"] == f"{picture.parent.name}/{picture.name}"
+    page.show_failures()
+    assert len(QgsProject.instance().mapLayersByName("Failures")) == 1
     asked: list[str] = []
     monkeypatch.setattr(
         "seam_inspector.plugin.seams.desk.accept_page.QFileDialog.getExistingDirectory",

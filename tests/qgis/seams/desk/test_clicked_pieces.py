@@ -105,7 +105,10 @@ def test_elsewhere_blind_or_with_another_tool_a_click_is_the_tools(shown: Map) -
     shown.click(256, 128)
     assert shown.desk.session.piece is None
     shown.is_blind = False
+    shown.click(256, 128)
+    assert shown.desk.session.piece is not None
     shown.canvas.unsetMapTool(shown.tool)
+    assert shown.desk.session.piece is None
     shown.click(256, 128)
     assert shown.desk.session.piece is None
 

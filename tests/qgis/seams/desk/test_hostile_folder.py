@@ -7,9 +7,7 @@ from dataclasses import fields
 from pathlib import Path
 
 import pytest
-from qgis.core import (
-    QgsProject,
-)
+from qgis.core import QgsProject
 from seam_inspector.plugin.resolution.line_layers import create_bar_layer
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging

@@ -216,9 +216,9 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
         (10.0, 3, 10.0, "128 px, 12.8 m", "few windows below 256 px can be measured"),
         # not 12.8, as tenths would say
         (12.79, 3, 12.79, "128 px, 12.8 m", "few windows below 256 px can be measured"),
-        (3.0, 3, 25.6, "256 px, 25.6 m", "3.0 m does not fit this mosaic: 25.6 m, every 51.2 m"),
-        (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m does not fit this mosaic: 25.6 m, every 51.2 m"),
-        (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m does not fit this mosaic: 51.2 m, every 102.4 m"),
+        (3.0, 3, 25.6, "256 px, 25.6 m", "3.0 m does not fit this mosaic: 25.6 m now, a window every 51.2 m"),
+        (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m does not fit this mosaic: 25.6 m now, a window every 51.2 m"),
+        (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m does not fit this mosaic: 51.2 m now, a window every 102.4 m"),
     ],
 )
 def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(

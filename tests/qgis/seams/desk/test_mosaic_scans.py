@@ -88,19 +88,6 @@ def test_stopping_keeps_what_is_done_and_starting_goes_on(desk: ScanDesk) -> Non
     assert names(desk.folder) == ["ortho_loss.tif", "ortho_scan.gpkg"]
 
 
-def test_the_worst_windows_become_the_desks_own(desk: ScanDesk) -> None:
-    desk.use("north", "south")
-    assert desk.scans.worst_layer() is None
-    done = desk.scan()
-    worst = desk.scans.worst_layer()
-    assert worst is not None
-    assert worst.featureCount() == done.worst_count
-    desk.session.take_places(worst)
-    wait_until(desk.session.windows, "for the windows")
-    assert [row.window_id for row in desk.session.windows()] == list(range(1, done.worst_count + 1))
-    wait_until(lambda: all(row.verdict for row in desk.session.windows()), "for the inspection")
-
-
 def test_closing_the_project_stops_the_scan(desk: ScanDesk) -> None:
     desk.use("north", "south")
     desk.scans.start()

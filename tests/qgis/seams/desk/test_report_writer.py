@@ -7,7 +7,7 @@ import pytest
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.seams.desk.report_writer import ReportWriter
 
-from tests.qgis.scenes import SHARP, windows
+from tests.qgis.scenes import BLURRED, SHARP, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, wait_for_tasks
 
 
@@ -54,7 +54,9 @@ def test_the_report_tells_windows_curves_and_cause(desk: Desk, writer: Writer, t
 def test_windows_that_were_measured_elsewhere_have_no_curves(
     desk: Desk, writer: Writer, tmp_path: Path
 ) -> None:
-    desk.use(windows(SHARP, window_id=("integer", [1]), verdict=("string", ["preserved"])))
+    """Inspecting one again that can't be compared would give none."""
+    verdicts = ["preserved", "not_comparable"]
+    desk.use(windows(SHARP, BLURRED, window_id=("integer", [1, 2]), verdict=("string", verdicts)))
     said = writer.write(tmp_path / "report.html")
-    assert "1 of them have no curves" in said
+    assert "1 have no curves" in said
     assert (tmp_path / "report.html").exists()

@@ -15,6 +15,7 @@ from seam_inspector.plugin.seams.desk.dock import InspectionDock
 from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
 from tests.qgis.seams.desk.scan_scene import PIECE_M, ScanDesk, ScanScene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until
+from tests.qgis.seams.desk.windows_session import filter_to
 
 
 def opened(plugin: Any, scene: ScanScene, folder: Path) -> InspectionDock:
@@ -75,6 +76,9 @@ def test_the_worst_places_are_inspected_and_the_first_is_shown(
     assert [row.window_id for row in windows] == list(range(1, len(windows) + 1))
     assert dock.session.selected() == [windows[0].fid]
     assert [row.read("origin") for row in windows] == ["scan"] * len(windows)
+    assert sorted(filter_to(dock.windows, "scan")) == sorted(row.fid for row in windows)
+    assert filter_to(dock.windows, "drawn") == []
+    filter_to(dock.windows)
     assert dock.scans.worst_layer() is not dock.session.window_layer()
     dock.session.judge([windows[0].fid], "visible")
     by_loss = 3

@@ -39,18 +39,6 @@ def test_a_new_window_is_inspected_in_the_background(desk: Desk) -> None:
     assert desk.messages == []
 
 
-def test_undo_takes_a_drawn_window_and_its_result_back_together(desk: Desk) -> None:
-    fid = desk.add()
-    desk.undo()
-    assert desk.session.windows() == []
-    assert desk.session.selected() == []
-    assert desk.session.result(fid) is None
-    desk.redo()
-    wait_until(lambda: [row.verdict for row in desk.session.windows()] == ["significant"], "for the result")
-    assert not desk.rows()[1].stale
-    assert desk.session.result(fid) is not None
-
-
 def test_windows_get_the_next_number_and_none_twice(desk: Desk) -> None:
     first, second = desk.add(), desk.add(SHARP_WINDOW)
     assert sorted(desk.rows()) == [1, 2]

@@ -66,19 +66,6 @@ def test_a_copy_of_the_mosaic_hides_no_loss_from_a_window(desk: Desk, tmp_path: 
 # Seams
 
 
-def test_placing_is_one_step_of_undo(desk: Desk) -> None:
-    desk.add(SHARP_WINDOW)
-    desk.session.place_windows()
-    desk.session.place_windows()  # a second click does nothing
-    desk.wait()
-    rows = desk.session.windows()
-    assert len(rows) == 5
-    assert [row.window_id for row in rows] == [1, 2, 3, 4, 5]
-    assert_sentence(desk.messages[-1].split(". ")[0] + ".", "4")
-    desk.undo()
-    assert len(desk.session.windows()) == 1
-
-
 def test_seams_follow_the_edits_of_their_layer(desk: Desk) -> None:
     wait_until(lambda: desk.session.seam_point_near(*at(256, 100), 1.0) is not None)
     desk.seamlines.startEditing()

@@ -66,7 +66,7 @@ def test_the_charts_show_what_is_live_then_the_selected_window_again(desk: Desk)
     idle = panel.curves._status.text()
     session.hover(ACROSS, is_live=True)
     wait_until(lambda: session.live is not None and panel.curves.shown == [session.live.clips])
-    assert panel.curves._status.text() == "Live: 64 x 64 px under the mouse"
+    assert panel.curves._status.text() == "Live: 64 x 64 px"
     assert not panel.curves._save.isEnabled()
     session.leave()
     wait_until(lambda: panel.curves.shown == [session.result(fid)])

@@ -2,40 +2,21 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
 import pytest
-from qgis.core import Qgis, QgsApplication, QgsCoordinateReferenceSystem, QgsGeometry, QgsProject
-from qgis.PyQt.QtCore import QThreadPool
+from qgis.core import Qgis, QgsCoordinateReferenceSystem, QgsGeometry
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.toolkit.layers import system_wkt
 
+from tests.numbers.synthetic import write_raster
 from tests.qgis.emptied import emptied_system
-from tests.qgis.scenes import UTM33, Scene, layer, line
-from tests.qgis.seams.desk.session_desk import Desk, settle, wait_for_tasks
+from tests.qgis.scenes import UTM33, Box, layer, line, whole, windows
+from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks
 
 _WHOLE = line((256, 0), (256, 256))
 _BAR_CHARACTERS = 110  # about what the message bar shows of a sentence
-
-
-class Log:
-    """What was written to the plugin's page of the log messages."""
-
-    def __init__(self) -> None:
-        self.lines: list[str] = []
-
-    def take(self, text: str, page: str, _level: object) -> None:
-        if page == "Seam Inspector":
-            self.lines.append(text)
-
-
-@pytest.fixture
-def log(qgis_app: QgsApplication) -> Iterator[Log]:
-    made = Log()
-    QgsApplication.messageLog().messageReceived.connect(made.take)
-    yield made
-    QgsApplication.messageLog().messageReceived.disconnect(made.take)
 
 
 def place(desk: Desk, lines: list[QgsGeometry]) -> str:
@@ -52,15 +33,10 @@ def place(desk: Desk, lines: list[QgsGeometry]) -> str:
     return desk.messages[0]
 
 
-def test_all_placed(desk: Desk, log: Log) -> None:
+def test_placing_twice_doubles_nothing(desk: Desk) -> None:
     said = place(desk, [_WHOLE])
     assert said.startswith(f"Windows placed along the seams: {len(desk.session.windows())}.")
     assert desk.levels[-1] == Qgis.MessageLevel.Success
-    assert log.lines == []
-
-
-def test_placing_twice_doubles_nothing(desk: Desk) -> None:
-    place(desk, [_WHOLE])
     before = {row.window_id: row.extent for row in desk.session.windows()}
     desk.layer().commitChanges(False)  # files may round coordinates
     said = place(desk, [_WHOLE])
@@ -70,6 +46,45 @@ def test_placing_twice_doubles_nothing(desk: Desk) -> None:
     said = place(desk, [_WHOLE])
     assert said.startswith(f"Windows placed along the seams: 1; places that had theirs already: {len(before) - 1}.")
     assert sorted(row.extent for row in desk.session.windows()) == sorted(before.values())
+
+
+@pytest.mark.parametrize(
+    ("judged", "places", "numbers"),
+    [
+        ((0, 0, 64, 64), [(16, 0, 64, 64), (0, 40, 64, 64)], [1, 2]),  # most of the first was judged
+        ((0, 0, 128, 128), [(8, 8, 64, 64), (60, 56, 64, 64)], [1, 1]),  # both lie in it
+        ((32, 32, 64, 64), [(0, 0, 128, 128)], [2]),  # of which a quarter was judged
+    ],
+)
+def test_a_place_of_a_scan_is_the_judged_window_that_holds_most_of_it(
+    desk: Desk, judged: Box, places: list[Box], numbers: list[int]
+) -> None:
+    desk.session.judge([desk.add(PixelWindow(*judged))], "visible")
+    count = len(places)
+    worst = windows(
+        *places, window_id=("integer", list(range(count))), seam_id=("integer", [1] * count),
+        station=("double", [0.0] * count),
+    )  # fmt: skip
+    taken: list[list[int]] = []
+    desk.session.placesTaken.connect(taken.append)
+    desk.session.take_places(worst)
+    desk.wait()
+    (fids,) = taken
+    assert [desk.session.row(fid).window_id for fid in fids] == numbers  # type: ignore[union-attr]
+
+
+def test_no_window_is_drawn_where_the_mosaic_has_no_pixels(desk: Desk, tmp_path: Path) -> None:
+    pixels = whole(Path(desk.mosaic.source()))
+    pixels[..., :70, :] = 0
+    desk.mosaic = desk.raster(Path(write_raster(tmp_path / "holed.tif", pixels, nodata=0)))
+    desk.set(desk.inputs())
+    desk.session.add_window(PixelWindow(0, 0, 128, 128))
+    desk.wait()
+    assert desk.messages == ["No window there: parts of it have no pixels."]
+    assert desk.session.window_layer() is None
+    desk.session.add_window(PixelWindow(0, 72, 128, 128))
+    desk.wait()
+    assert len(desk.session.windows()) == 1
 
 
 @pytest.mark.slow
@@ -89,30 +104,3 @@ def test_windows_lie_in_the_mosaics_system_when_a_thread_has_emptied_qgis_s(desk
         assert all(row.verdict for row in desk.session.windows())
     finally:
         QgsCoordinateReferenceSystem.invalidateCache()
-
-
-@pytest.mark.slow
-def test_many_projects_in_one_process(scene: Scene, project: QgsProject, tmp_path: Path) -> None:
-    """New project, load, place, inspect, while threads that asked for systems end."""
-    pool = QThreadPool.globalInstance()
-    before = pool.expiryTimeout()
-    pool.setExpiryTimeout(20)  # ms, not half a minute
-    try:
-        for number in range(3):
-            (tmp_path / str(number)).mkdir()
-            desk = Desk(scene, tmp_path / str(number))
-            desk.set(desk.inputs(spacing_m=12.0))
-            settle(0.1)
-            desk.session.place_windows()
-            desk.wait()
-            assert desk.layer().crs() == desk.mosaic.crs()
-            assert desk.layer().crs().toWkt()
-            settle(0.1)
-            desk.session.inspect_pending()
-            desk.wait()
-            assert all(row.verdict for row in desk.session.windows())
-            desk.session.close()
-            wait_for_tasks()
-            project.clear()
-    finally:
-        pool.setExpiryTimeout(before)

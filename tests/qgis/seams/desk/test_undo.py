@@ -36,6 +36,13 @@ def test_each_action_is_one_step_in_words_and_leads_to_its_window(desk: Desk) ->
     assert desk.session.selected() == [row.fid]
 
 
+def test_what_is_noted_beside_a_judgement_is_called_so(desk: Desk) -> None:
+    fid = desk.add()
+    desk.session.note([fid], {"confidence": 80})
+    desk.session.note([fid], {"remark": "kerb gone"})
+    assert desk.steps()[1:] == ["how sure you are of window 1", "remark on window 1"]
+
+
 def test_an_inspection_is_undone_with_what_it_measured(desk: Desk) -> None:
     fid = desk.add()
     desk.session.set_inputs(replace(desk.session.inputs, wavelet="db4"))

@@ -17,12 +17,7 @@ from seam_inspector.plugin.seams.desk.map.lost_detail import (
     rgba_image,
 )
 
-from tests.qgis.seams.desk.profile.profile_desk import (
-    SEAM_COLUMN,
-    WINDOW,
-    ProfileSession,
-    on_map,
-)
+from tests.qgis.seams.desk.profile.profile_desk import SEAM_COLUMN, WINDOW, ProfileSession, on_map
 from tests.qgis.seams.desk.session_desk import settle, wait_until
 
 UTM33 = QgsCoordinateReferenceSystem("EPSG:32633")
