@@ -100,6 +100,7 @@ class MendSeams(SeamInspectorAlgorithm):
         from ..measure.inputs.mosaic_copies import leave_out_copies
         from ..measure.mending.mend_run import MendSettings
         from ..measure.mending.mending import CUT_COLUMNS, LEFT, PATCHED, MendRequest, mending, metres
+        from ..measure.workers import Workers
         from ..report.mending_report import save_mending_report
 
         self.check(run)
@@ -115,10 +116,11 @@ class MendSeams(SeamInspectorAlgorithm):
                 mending(request, patches, mended) as job:
             if job.done:
                 run.tell(messages.MENDING_GOES_ON(done=job.done))
-            follow_steps(run, job.steps(*crew, run.is_cancelled), PATCHED)
+            workers = Workers(*crew, run.is_cancelled, run.progress)
+            follow_steps(run, job.steps(workers), PATCHED)
             if run.is_cancelled():
                 raise CancelledError(messages.MENDING_STOPPED())
-            seams = job.result(lambda share: run.goes_on(PATCHED + (1 - PATCHED) * share), *crew)
+            seams = job.result(workers.part(PATCHED))
         run.tell_once(seam.reason.as_warning() for seam in seams if seam.reason is not None)
         fields = column_fields(CUT_COLUMNS)
         sink, cuts = run.sink(CUTS, fields, QgsWkbTypes.Type.LineString, crs)
@@ -139,8 +141,9 @@ class MendSeams(SeamInspectorAlgorithm):
         from ...toolkit import layers
         from ..measure.mending.failed_runs import FIELDS, given_pieces
         from ..measure.scan.scan_result import seam_rows
-        from ..measure.scan.whole_scan import ScanRun, scan
+        from ..measure.scan.whole_scan import scan
         from ..measure.window.inspection import Block
+        from ..measure.workers import Workers
 
         given, what = run.source(SEAMS), run.text(WHAT)
         if QgsWkbTypes.geometryType(given.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
@@ -152,7 +155,7 @@ class MendSeams(SeamInspectorAlgorithm):
 
         transform = run.transform(given, crs)
         windows = [layers.window_geometry(feature, transform) for feature in layers.features(given)]
-        result = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
+        result = scan(Block(self._mosaic, tuple(sources)), workers=Workers(progress=goes_on))
         run.tell_once(result.notices)
         rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(result)]
         return given_pieces(rows, FIELDS, what, lambda vertices: any(

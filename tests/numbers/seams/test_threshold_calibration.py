@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
-from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     STANDARD_LIMITS,
+    Neighbourhoods,
     Verdicts,
     area_interval,
     calibrate,

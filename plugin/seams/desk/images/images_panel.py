@@ -30,7 +30,7 @@ from ..map.lost_detail import PictureOverlay, placed_picture, rgba_image
 from ..map.window_view import WindowOutline, WindowView
 
 if TYPE_CHECKING:
-    from ...measure.window.window_request import WindowRequest
+    from ...measure.window.measured_window import WindowRequest
     from ..session import Session
 
 _GAP = 4  # px

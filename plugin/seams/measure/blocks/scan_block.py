@@ -17,7 +17,7 @@ from ..limits import FULL
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
-from ..seamlines.piece_index import PieceIndex
+from ..seamlines.seam_pieces import PieceIndex
 from ..source_images import Source
 from ..while_measuring import measuring
 from .block_grid import (
@@ -35,8 +35,7 @@ from .block_grid import (
     squares_met,
 )
 from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
-from .block_pixels import BlockPixels
-from .mosaic_reading import ALL_READ, BlockReading
+from .block_pixels import ALL_READ, BlockPixels, BlockReading
 from .patches import SquareLook, look_at_squares, middle_sources
 from .scan_settings import ScanSettings
 
@@ -74,8 +73,6 @@ class BlockRequest:
     """(UNITS, UNITS) bool, what is to be measured densely, without a look at patches; None: what these call for."""
     along_seams: np.ndarray | None = None
     """(UNITS, UNITS) bool, what given seams call for beside the patches."""
-    grey_factor: float = 1.0
-    """What floating point values are multiplied by."""
     pieces: PieceIndex | None = None
     """The pieces of given seams that may matter in it."""
     beside: Mapping[int, Sides] = field(default_factory=dict)
@@ -209,7 +206,7 @@ def _measured_where(wanted: np.ndarray, request: BlockRequest) -> BlockScan:
 
 def _pixels(request: BlockRequest, window: PixelWindow, margin_px: int | None) -> BlockPixels:
     refs = [source.ref for source in request.sources]
-    return BlockPixels(request.mosaic, refs, window, margin_px, request.grey_factor)
+    return BlockPixels(request.mosaic, refs, window, margin_px)
 
 
 def called_for(

@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -24,9 +24,9 @@ from ....imagery.grids import Extent, PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
+from .. import messages
 from ..following.boxes import in_squares
 from ..source_images import Footprints, Source, is_same_file
-from . import messages
 
 SIDE_PX = 64  # of a patch that is compared
 PLACES, FEWEST_PLACES = 12, 4  # along each side of the mosaic
@@ -174,8 +174,7 @@ class _Comparison:
 
     def __init__(self, mosaic: Raster, sources: Sequence[Source]) -> None:
         self._mosaic, self._sources, self._opened = mosaic, sources, lru_cache(KEPT_OPEN)(OpenRaster)
-        self._known: dict[tuple[int, int], tuple[float, float]] = {}
-        self._patches: dict[tuple[int, int], _Patch | None] = {}
+        self._patch, self._compared = cache(self._read_patch), cache(self._compare)
         patches = []
         for window in _windows(mosaic):
             with suppress(RasterError):
@@ -242,13 +241,11 @@ class _Comparison:
         fine, coarse, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
         return fine * their_coarse / (coarse * their_fine) if coarse * their_fine else None
 
-    def _patch(self, number: int, k: int) -> _Patch | None:
+    def _read_patch(self, number: int, k: int) -> _Patch | None:
         """A source at a place; None where it can't be read."""
-        if (number, k) not in self._patches:
-            self._patches[number, k] = None
-            with suppress(RasterError):  # the scan says so where it needs it
-                self._patches[number, k] = self._read(self._sources[number].ref, self._places[k][0])
-        return self._patches[number, k]
+        with suppress(RasterError):  # the scan says so where it needs it
+            return self._read(self._sources[number].ref, self._places[k][0])
+        return None
 
     def _is_another(self, number: int) -> bool:
         """Whether a source is another image of the ground somewhere, or may be; what was made of the mosaic is not."""
@@ -258,18 +255,16 @@ class _Comparison:
     def _lacking(self, number: int) -> Iterator[float]:
         return (self._compared(number, k)[0] for k in range(len(self._places)))
 
-    def _compared(self, number: int, k: int) -> tuple[float, float]:
+    def _compare(self, number: int, k: int) -> tuple[float, float]:
         """What a source lacks of the mosaic at a place, nan where that can't be told, and the share of the place where
         the mosaic has pixels and it has none."""
-        if number not in self._over[k]:
+        source, patch = self._patch(number, k) if number in self._over[k] else None, self._places[k][1]
+        if source is None:
             return np.nan, 1.0
-        source, patch = self._patch(number, k), self._places[k][1]
-        if source is not None and (number, k) not in self._known:
-            size = self._opened(self._sources[number].ref).raster.ground_sample_distance
-            side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
-            lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
-            self._known[number, k] = lacking, float((patch.valid & ~source.valid).mean())
-        return self._known.get((number, k), (np.nan, 1.0))
+        size = self._opened(self._sources[number].ref).raster.ground_sample_distance
+        side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
+        lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
+        return lacking, float((patch.valid & ~source.valid).mean())
 
     def _read(self, ref: RasterRef, window: PixelWindow) -> _Patch:
         clip = read_clip(self._opened(ref), self._mosaic, window, partly=True)

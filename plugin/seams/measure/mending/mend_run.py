@@ -16,15 +16,14 @@ from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stat
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import judged_plane
-from ..blocks.block_pixels import JUDGED, BlockPixels
-from ..blocks.mosaic_reading import ALL_READ
+from ..blocks.block_pixels import ALL_READ, JUDGED, BlockPixels
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.levelling import SQUARE_PX, to_pixels
 from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M, MOST_BLEND_PX
 from ..seam_cells import UNKNOWN
-from ..seamlines.piece_index import NearestPieces, PieceIndex
+from ..seamlines.seam_pieces import NearestPieces, PieceIndex
 from ..source_images import Source
 from ..while_measuring import measuring
 from . import messages
@@ -76,8 +75,6 @@ class RunRequest:
     key: tuple[int, int]
     """The run's number, and 0."""
     mosaic: Raster
-    grey_factor: float
-    """What its values are multiplied by to be judged."""
     sources: tuple[Source, ...]
     """Sources beside the run, the left one first, then others that are near."""
     run: SeamRun
@@ -236,7 +233,7 @@ class _Pixels:
     def __init__(self, request: RunRequest, window: PixelWindow, count: int) -> None:
         """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
         refs = [source.ref for source in request.sources[:count]]
-        block = BlockPixels(request.mosaic, refs, window, 0, request.grey_factor)
+        block = BlockPixels(request.mosaic, refs, window)
         self.window, self.mosaic = window, request.mosaic
         self.mosaic_clip, self.clips = block.held.mosaic, block.held.clips
         if any(side not in self.clips for side in _SIDES):

@@ -13,14 +13,11 @@ from itertools import product
 
 import numpy as np
 
-from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
-from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
 from ....imagery.records import record_of, value_of
 from ....imagery.seam_totals import KeptBeside, profile_text
-from .. import messages
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
@@ -29,13 +26,12 @@ from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
 from ..seam_cells import NONE
-from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_pieces import SeamPiece, sources_beside
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, sources_beside
 from ..seamlines.seam_tracing import MARGIN, cleaned_edges
 from ..while_measuring import measuring
 from .block_runs import block_labels, global_numbers, whole_block
 from .loss_raster import NODATA, loss_cells
-from .scan_journal import not_saved
+from .scan_journal import loaded, save
 from .scan_result import PieceFigures
 
 REACH_PX = 144.0
@@ -85,10 +81,7 @@ def block_outputs(
     if scan is None or labels is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
     ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
-    try:
-        files.save(_ground_name(key), record_of(_BlockGround(tuple(ground))))
-    except OSError as error:
-        raise not_saved(files, system_reason(error)) from None
+    save(files, f"ground {key[0]} {key[1]}", record_of(_BlockGround(tuple(ground))))
     cells = loss_cells(scan, labels + 1, ground, cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
         cells = None
@@ -100,11 +93,8 @@ def block_outputs(
 def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, ...]:
     """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
     SettingsError where it can't be read any more."""
-    try:
-        record = files.load(_ground_name(key))
-    except OSError as error:
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=system_reason(error))) from None
-    return () if record is None else value_of(_BlockGround, record, {}).levels
+    ground = loaded(files, f"ground {key[0]} {key[1]}", lambda record: value_of(_BlockGround, record, {}))
+    return () if ground is None else ground.levels
 
 
 def _label_tile(key: BlockKey) -> PixelWindow:
@@ -131,10 +121,6 @@ def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
     near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
     scans = [whole_block(files, beside) for beside in near]
     return [scan.cells for scan in scans if scan is not None]
-
-
-def _ground_name(key: BlockKey) -> str:
-    return f"ground {key[0]} {key[1]}"
 
 
 @dataclass(frozen=True, eq=False)

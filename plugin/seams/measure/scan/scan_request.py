@@ -19,15 +19,21 @@ from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey, SeamSquares
 from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..blocks.scan_settings import ScanSettings
-from ..inputs.grey_values import grey_factor
-from ..inputs.whole_images import whole_images
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..seamlines.given_seams import GivenSeams
-from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_features import source_numbers
-from ..seamlines.seam_pieces import SeamPiece, Side, SidedSeam, cut_at, cut_in_pieces, cut_off, points_beside
-from ..source_images import Footprints, Source
+from ..seamlines.seam_pieces import (
+    PieceIndex,
+    SeamPiece,
+    Side,
+    SidedSeam,
+    cut_at,
+    cut_in_pieces,
+    cut_off,
+    points_beside,
+)
+from ..source_images import Footprints, Source, whole_images
 
 LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough to be measured."""
@@ -65,11 +71,6 @@ class ScanRequest:
     def blocks(self) -> BlockGrid:
         """How it is divided."""
         return BlockGrid(self.mosaic.grid)
-
-    @cached_property
-    def grey_factor(self) -> float:
-        """What floating point values are multiplied by."""
-        return grey_factor(self.mosaic)
 
     @property
     def seams(self) -> tuple[SidedSeam, ...]:
@@ -151,9 +152,7 @@ class ScanRequest:
         window = self.blocks.window(key)
         numbers = self._sources_in(window)
         sources = tuple(self.sources[number] for number in numbers)
-        request = BlockRequest(
-            self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor, numbers=tuple(numbers)
-        )
+        request = BlockRequest(self.mosaic, sources, key, window, self.settings, numbers=tuple(numbers))
         squares = self.seam_squares
         if squares is None:
             return request

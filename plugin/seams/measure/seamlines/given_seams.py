@@ -17,7 +17,7 @@ from .. import messages
 from ..seam_cells import Cell, meant_sources
 from .seam_features import SeamFeature, gathered, owner_name, said, seam_fields
 from .seam_pieces import SidedSeam
-from .seam_tracing import parts_with_area
+from .seam_tracing import multipolygon, parts_with_area
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,12 +196,8 @@ def polygon_faults(polygons: Sequence[ogr.Geometry], grid: Grid) -> list[Message
 
 def _gaps(geometries: Sequence[ogr.Geometry], grid: Grid, narrow: float) -> Iterator[ogr.Geometry]:
     """Holes in what polygons cover together."""
-    together = ogr.Geometry(ogr.wkbMultiPolygon)
-    for geometry in geometries:
-        for part in parts_with_area(geometry):
-            together.AddGeometry(part)
     # Slits that are bridged are closed first: they are no gaps, and one that leads outside would hide a gap.
-    whole = together.UnionCascaded().Buffer(narrow / 2, 1)
+    whole = multipolygon(geometries).UnionCascaded().Buffer(narrow / 2, 1)
     xmin, ymin, xmax, ymax = grid.extent
     for part in parts_with_area(whole):
         for index in range(1, part.GetGeometryCount()):

@@ -18,15 +18,13 @@ from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import known_wkt
 from .. import messages
 from ..inputs.mosaic_copies import leave_out_copies
-from ..inputs.whole_images import have_same_grid
 from ..seam_cells import Cell, cells_over, source_stem
 from ..seamlines.seam_features import read_cells
-from ..source_images import Source, gather_sources, sources_in
+from ..source_images import Source, gather_sources, have_same_grid, sources_in
 from ..while_measuring import measuring
 from ..workers import Workers, in_order, unforeseen
 from .explained_window import explain_window
-from .measured_window import MeasuredWindow, MeasureWindow, measure_window
-from .window_request import InspectionSettings, WindowRequest
+from .measured_window import InspectionSettings, MeasuredWindow, MeasureWindow, WindowRequest, measure_window
 from .window_result import WindowClips, WindowResult, not_comparable
 
 NEIGHBOURS_PX = 2048

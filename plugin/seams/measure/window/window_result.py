@@ -15,7 +15,7 @@ from ..limits import SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture
 from ..window_records import COMPOSITE, REFERENCES, SEAM
-from .window_request import WindowRequest
+from .measured_window import WindowRequest
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.inputs import messages
+from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import leave_out_copies
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources
@@ -22,7 +22,7 @@ from seam_inspector.plugin.seams.measure.window.inspection import (
     window_request,
     without_copies,
 )
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import orthoimage

@@ -9,8 +9,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.measure.scan.lone_kept import LoneSeams
 from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, MosaicPixels, lone_cells, lone_stretches
-from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, cut_in_pieces
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, SeamPiece, cut_in_pieces
 
 from tests.numbers.synthetic import luminance, texture
 
