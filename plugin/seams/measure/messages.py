@@ -228,10 +228,6 @@ SOURCES_NOT_READ = Message(
     "No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along "
     "its seamlines alone: {why}"
 )
-SOURCES_CROWDED = Message(
-    "More than {most} orthoimages overlap in parts of the mosaic (blocks: {count}); there the {most} that cover most "
-    "of a block are used.", WARNING
-)
 SOURCE_WITHOUT_BAND = Message("{name} has no {band} band, which the mosaic is measured by, so it is not used.", WARNING)
 # seams as producers deliver them
 SEAMS_CUT_OFF = Message(
@@ -269,9 +265,6 @@ SEAM_FEATURES_BROKEN = Message(
 )
 SEAM_FEATURES_ALL_BROKEN = Message(
     "The geometry of no feature of the seamline layer can be read; repair it ('Fix geometries' or ogr2ogr -makevalid)."
-)
-SEAM_LINES_CROSS = Message(
-    "Lines of the seamline layer that cross themselves: {count}; they are measured as they are.", WARNING
 )
 SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING

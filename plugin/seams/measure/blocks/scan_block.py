@@ -31,6 +31,7 @@ from .block_grid import (
     UNIT_PX,
     UNITS,
     BlockKey,
+    labels_in,
     rectangles,
     squares_met,
 )
@@ -119,6 +120,18 @@ class BlockScan:
     """What could not be read; the block then lacks it."""
     reading: BlockReading = ALL_READ
     """What could be read."""
+
+    @classmethod
+    def empty(cls, request: BlockRequest) -> BlockScan:
+        """A block of which nothing was measured yet."""
+        levels = request.settings.levels
+        dense, wanted = np.zeros((2, UNITS, UNITS), bool)
+        mixture, grey, grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
+        return cls(
+            request.key, request.numbers, np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), dense, wanted,
+            np.full((LABELS, LABELS), UNKNOWN, np.uint8), mixture, grey, grain, CellTable.empty(levels),
+            MixtureTable.empty(levels), np.full((UNITS, UNITS), EMPTY, np.int16),
+        )
 
     @classmethod
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> BlockScan:
@@ -293,77 +306,69 @@ class _Block:
     """What becomes a BlockScan."""
 
     def __init__(self, request: BlockRequest) -> None:
-        self._request = request
-        self._squares = np.full((SQUARES, SQUARES), UNKNOWN, np.uint8)
-        self._dense, self._wanted = np.zeros((2, UNITS, UNITS), bool)
-        self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
-        self._mixture, self._grey, self._grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
+        self._scan, self._window = BlockScan.empty(request), request.window
         self._valid = np.ones((LABELS, LABELS), bool)
         self._plain = np.zeros((SQUARES, SQUARES), bool)
         self._learned: Learned | None = None
-        self._tables: list[CellTable] = []
-        self._mixtures: list[MixtureTable] = []
+        self._tables, self._mixtures = [self._scan.cells], [self._scan.beside]
 
     def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
         """What the patches say where nothing more is measured."""
         self._learned = look.learned
-        self._wanted[: wanted.shape[0], : wanted.shape[1]] = wanted
+        self._scan.wanted[: wanted.shape[0], : wanted.shape[1]] = wanted
         rows, columns = look.source.shape
-        self._squares[:rows, :columns] = look.source
+        self._scan.squares[:rows, :columns] = look.source
         self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
         side = SQUARE_PX // LABEL_PX
-        self._labels[: rows * side, : columns * side] = enlarged(look.source, side)
-        cells, window = look.cells, self._request.window
+        self._scan.labels[: rows * side, : columns * side] = enlarged(look.source, side)
+        cells, window = look.cells, self._window
         sides = UNIT_PX // CELL_PX
         kept = ~wanted[cells.row // sides, cells.column // sides]
         placed = cells.chosen(kept)
-        self._mixture[placed.row, placed.column] = 0
+        self._scan.mixture[placed.row, placed.column] = 0
         self._tables.append(placed.moved(window.row // CELL_PX, window.column // CELL_PX))
 
     def take_plain(self, cells: CellTable) -> None:
         """All cells between the seams, instead of samples of them."""
-        window = self._request.window
-        self._mixture[cells.row - window.row // CELL_PX, cells.column - window.column // CELL_PX] = 0
+        first_row, first_column = self._window.row // CELL_PX, self._window.column // CELL_PX
+        self._scan.mixture[cells.row - first_row, cells.column - first_column] = 0
         self._tables = [cells]
 
     def take_part(self, part: DensePart) -> None:
         """What was measured in a rectangle; what sticks out of the block is left out."""
-        window = self._request.window
-        inside = part.window.moved_by(-window.column, -window.row).cut_to(BLOCK_PX, BLOCK_PX)
-        for target, name in (
-            (self._labels, "labels"), (self._valid, "valid"), (self._mixture, "mixture"), (self._grey, "grey"),
-            (self._grain, "grain"),
-        ):
+        inside = part.window.moved_by(-self._window.column, -self._window.row).cut_to(BLOCK_PX, BLOCK_PX)
+        for name, plane in part.planes.items():
+            target = self._valid if name == "valid" else getattr(self._scan, name)
             place = target[squares_met(inside, BLOCK_PX // len(target))]
-            place[...] = part.planes[name][: place.shape[0], : place.shape[1]]
-        self._dense[squares_met(inside, UNIT_PX)] = True
+            place[...] = plane[: place.shape[0], : place.shape[1]]
+        self._scan.dense[squares_met(inside, UNIT_PX)] = True
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
     def leave_out(self, valid: np.ndarray | None) -> None:
         """Nothing is followed where the mosaic has no pixels."""
-        window, half = self._request.window, LABEL_PX // 2
-        rows, columns = -(-(window.height - half) // LABEL_PX), -(-(window.width - half) // LABEL_PX)
+        window, half = self._window, LABEL_PX // 2
+        rows, columns = labels_in(window.height), labels_in(window.width)
         self._valid[rows:], self._valid[:, columns:] = False, False
         if valid is not None:
             self._valid[:rows, :columns] &= valid[half : window.height : LABEL_PX, half : window.width : LABEL_PX]
-        self._labels[~self._valid] = UNKNOWN
+        self._scan.labels[~self._valid] = UNKNOWN
 
     def _ground(self) -> np.ndarray:
         """Ground of the units as ``BlockScan`` has it."""
-        side, window = LABELS // UNITS, self._request.window
-        labels, valid = (in_squares(plane, side) for plane in (self._labels, self._valid))
+        side, scan = LABELS // UNITS, self._scan
+        labels, valid = (in_squares(plane, side) for plane in (scan.labels, self._valid))
         rows, columns = (
-            np.clip(-(-(length - LABEL_PX // 2) // LABEL_PX) - side * np.arange(UNITS), 0, side)
-            for length in (window.height, window.width)
+            np.clip(labels_in(length) - side * np.arange(UNITS), 0, side)
+            for length in (self._window.height, self._window.width)
         )
         inside, has_pixels = np.outer(rows, columns), valid.sum(axis=(1, 3))
         held = np.sort(labels.transpose(0, 2, 1, 3).reshape(UNITS, UNITS, -1), axis=2)  # UNKNOWN last
         known = np.count_nonzero(held != UNKNOWN, axis=2)
         middle = np.take_along_axis(held, known[:, :, np.newaxis] // 2, axis=2)[:, :, 0]  # of two that which has more
         ground = np.where(has_pixels - known >= MOST_LACKING * has_pixels, LACKING, middle.astype(np.int16))
-        ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~self._dense] = PLAIN
-        is_even = self._grain <= ROUNDING * np.abs(self._grey)  # never where that is not known
+        ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~scan.dense] = PLAIN
+        is_even = scan.grain <= ROUNDING * np.abs(scan.grey)  # never where that is not known
         ground[in_squares(is_even, CELLS // UNITS).all(axis=(1, 3))] = PLAIN
         ground[inside - has_pixels >= np.maximum(MOST_LACKING * inside, 1)] = EMPTY
         ground[inside == 0] = EMPTY
@@ -371,13 +376,7 @@ class _Block:
 
     def result(self, notices: tuple[Message, ...]) -> BlockScan:
         """All that was taken."""
-        request = self._request
-        levels = request.settings.levels
-        table = CellTable.joined([CellTable.empty(levels), *self._tables])
-        beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
-        return BlockScan(
-            request.key, request.numbers, self._squares, self._dense, self._wanted,
-            self._labels,
-            self._mixture, self._grey, self._grain, table, beside, self._ground(),
-            self._learned, notices,
+        return replace(
+            self._scan, cells=CellTable.joined(self._tables), beside=MixtureTable.joined(self._mixtures),
+            ground=self._ground(), learned=self._learned, notices=notices,
         )

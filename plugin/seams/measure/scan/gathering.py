@@ -28,7 +28,7 @@ from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, 
 from ..workers import Workers
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
-from .piece_sums import REACH_PX, BlockOutputs, PiecesRequest, around_pieces, block_outputs, by_blocks, measure_pieces
+from .piece_sums import REACH_PX, BlockOutputs, Pieces, around_pieces, block_outputs, by_blocks, measure_pieces
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
@@ -162,9 +162,16 @@ class Gathering:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
         index, named = PieceIndex(pieces, self._blocks.grid), self._request.named[0]
         groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
-        requests = (self._pieces(index, numbers, [pieces[number] for number in numbers.tolist()]) for numbers in groups)
+        levels, is_given = self._request.settings.levels, self._request.given is not None
+        work = partial(measure_pieces, self._files, self._blocks, levels, is_given)
+
+        def near(numbers: np.ndarray) -> Pieces:
+            held = [pieces[number] for number in numbers.tolist()]
+            around = around_pieces(held, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
+            return held, numbers, index.near(around, 0.0)
+
         of_piece, brightest = dict[int, PieceFigures](), 0.0
-        for numbers, (group, largest) in zip(groups, workers.map(measure_pieces, requests, len(groups))):
+        for numbers, (group, largest) in zip(groups, workers.map(work, map(near, groups), len(groups))):
             brightest = max(brightest, largest)
             for number, figures in zip(numbers.tolist(), group):
                 beside = figures.beside
@@ -172,13 +179,6 @@ class Gathering:
                     figures, piece=sided(figures.piece, beside, named)
                 )
         return [of_piece[number] for number in range(len(pieces))], brightest
-
-    def _pieces(self, index: PieceIndex, numbers: np.ndarray, pieces: Sequence[SeamPiece]) -> PiecesRequest:
-        around = around_pieces(pieces, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
-        return PiecesRequest(
-            self._files, pieces, numbers, index.near(around, 0.0), self._blocks,
-            self._request.settings.levels, self._request.given is not None,
-        )
 
 
 def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> Iterator[Message]:

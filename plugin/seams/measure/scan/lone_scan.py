@@ -12,11 +12,11 @@ from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
-from ....imagery.wavelets import judged_plane
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares, rectangles
 from ..blocks.block_pixels import ALL_READ, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
+from ..compared_image import ComparedImage
 from ..inputs.grey_values import clip_factor
 from ..seamlines.seam_pieces import PieceIndex
 from ..while_measuring import measuring
@@ -29,7 +29,6 @@ from .lone_stretches import (
     STRIP_PX,
     LoneStretches,
     LoneTable,
-    MosaicPixels,
     lone_cells,
     lone_stretches,
 )
@@ -84,9 +83,9 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
             unread.append(window)
         else:
             bands = clip.bands if factor == 1 else clip.bands * np.float32(factor)
-            pixels = MosaicPixels(around, judged_plane(bands, clip.raster.band_names), bands, clip.valid)
+            image = ComparedImage(bands, clip.raster.band_names, {}, {}, clip.raster, valid=clip.valid)
             near = request.pieces.near(around, REACH_PX)
-            tables.append(lone_cells(pixels, window, near, request.settings.wavelet))
+            tables.append(lone_cells(image, around, window, near, request.settings.wavelet))
     reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
     return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
 

@@ -17,6 +17,7 @@ from scipy import ndimage
 
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import placed_components
+from ..compared_image import ComparedImage
 from ..energy_response import bounded, log_link_fit
 from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX, Rows
@@ -55,27 +56,16 @@ class LoneTable(Rows):
         return cls(place, place, np.zeros(0, np.uint8), number, number, np.zeros((colours, 0), np.float32))
 
 
-@dataclass(frozen=True, eq=False)
-class MosaicPixels:
-    """What the mosaic shows in a window."""
-
-    window: PixelWindow
-    """On the mosaic's grid."""
-    plane: np.ndarray
-    """(rows, columns): what is measured."""
-    bands: np.ndarray
-    """(bands, rows, columns), the first three of which are taken as colours, fewer as none."""
-    valid: np.ndarray | None = None
-    """(rows, columns) bool; None: everywhere."""
-
-
-def lone_cells(pixels: MosaicPixels, window: PixelWindow, pieces: PieceIndex, wavelet: str) -> LoneTable:
+def lone_cells(
+    mosaic: ComparedImage, around: PixelWindow, window: PixelWindow, pieces: PieceIndex, wavelet: str
+) -> LoneTable:
     """The cells of a window that lie along seams and have all their pixels.
 
-    ``pixels``: of the window with ``MARGIN_PX`` on all sides where the mosaic goes on; both start at multiples of 16
-    and have sides that are multiples of 16. ``pieces``: those near the window.
+    ``mosaic``: its pixels ``around``, in the window with ``MARGIN_PX`` on all sides where the mosaic goes on, the first
+    three of its bands taken as colours, fewer as none; both start at multiples of 16 and have sides that are multiples
+    of 16. ``pieces``: those near the window.
     """
-    around, plane, bands, valid = pixels.window, pixels.plane, pixels.bands, pixels.valid
+    plane, bands, valid = mosaic.plane, mosaic.bands, mosaic.valid
     first_row, first_column = window.row // CELL_PX, window.column // CELL_PX
     rows, columns = window.height // CELL_PX, window.width // CELL_PX
     down, across = np.mgrid[first_row : first_row + rows, first_column : first_column + columns]

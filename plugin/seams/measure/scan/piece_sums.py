@@ -123,57 +123,45 @@ def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
     return [scan.cells for scan in scans if scan is not None]
 
 
-@dataclass(frozen=True, eq=False)
-class PiecesRequest:
-    """All that is needed to measure some pieces, in plain data that can cross threads and processes."""
-
-    files: RecordFiles
-    pieces: Sequence[SeamPiece]
-    numbers: np.ndarray
-    """(pieces,) int: of each in the index, ascending."""
-    index: PieceIndex
-    """With all that lies near them."""
-    blocks: BlockGrid
-    levels: int
-    looks_beside: bool
-    """Whether it is asked which sources lie beside them."""
+Pieces = tuple[Sequence[SeamPiece], np.ndarray, PieceIndex]
+"""Some pieces, their numbers, ascending, in an index, and that, with all that lies near them."""
 
 
 @measuring()
-def measure_pieces(request: PiecesRequest) -> tuple[list[PieceFigures], float]:
-    """Some pieces by the blocks around them, their profiles without bins; and the brightest cell of any strip. Raises
-    SettingsError where what was measured can't be read any more."""
-    grid, files = request.blocks.grid, request.files
-    around = around_pieces(request.pieces, grid, REACH_PX)
+def measure_pieces(
+    files: RecordFiles, blocks: BlockGrid, levels: int, looks_beside: bool, request: Pieces
+) -> tuple[list[PieceFigures], float]:
+    """Some pieces by the blocks around them, their profiles without bins; and the brightest cell of any strip.
+    ``looks_beside``: whether it is asked which sources lie beside them. Raises SettingsError where what was measured
+    can't be read any more."""
+    (pieces, numbers, index), grid = request, blocks.grid
+    around = around_pieces(pieces, grid, REACH_PX)
     place = squares_met(around, CELL_PX)
-    sums, along = PieceSums(request.numbers, request.index, request.levels), _cells_along(request.pieces, grid)
-    grain = np.full(len(request.pieces), np.nan)
-    for key in blocks_of(around, request.blocks):
-        window = request.blocks.window(key)
+    sums, along = PieceSums(numbers, index, levels), _cells_along(pieces, grid)
+    grain = np.full(len(pieces), np.nan)
+    for key in blocks_of(around, blocks):
+        window = blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
-            numbers = global_numbers(scan.sources)
-            mixture = replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
+            whole = global_numbers(scan.sources)
+            mixture = replace(scan.beside, source=whole[scan.beside.source], other=whole[scan.beside.other])
             sums.add(scan.cells.within(place), mixture.within(place), held_ground(files, key), window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
-    figures = []
+    sides: list[tuple[int, int] | None] = [None] * len(pieces)
+    unchanged = [False] * len(pieces)
+    if looks_beside:
+        labels = partial(_labels_at, files, blocks)
+        beside = sources_beside(pieces, labels, grid, LABEL_PX)
+        aside = sources_beside(pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
+        is_unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
+        sides, unchanged = [(left, right) for left, right in beside.tolist()], is_unchanged.tolist()
     strips = without_even(sums.profiles(), grain, grey)
-    for piece, strip, mean, rms in zip(request.pieces, strips, grey.tolist(), grain.tolist()):
-        text = _profile_text(strip.profile, grid.ground_sample_distance)
-        strip = replace(strip, profile=strip.profile and replace(strip.profile, bins=()))
-        figures.append(PieceFigures(piece, strip, mean, rms, text))
-    if request.looks_beside:
-        labels = partial(_labels_at, request)
-        beside = sources_beside(request.pieces, labels, grid, LABEL_PX)
-        aside = sources_beside(request.pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
-        unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
-        figures = [
-            replace(piece, beside=tuple(sides), is_unchanged=is_unchanged)
-            for piece, sides, is_unchanged in zip(figures, beside.tolist(), unchanged.tolist())
-        ]
-    return figures, brightest
+    texts = [_profile_text(strip.profile, grid.ground_sample_distance) for strip in strips]
+    strips = [replace(strip, profile=strip.profile and replace(strip.profile, bins=())) for strip in strips]
+    figures = zip(pieces, strips, grey.tolist(), grain.tolist(), texts, sides, unchanged)
+    return [PieceFigures(*measured) for measured in figures], brightest
 
 
 def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
@@ -217,14 +205,13 @@ def by_blocks(pieces: Sequence[SeamPiece], blocks: BlockGrid, together: int = 1)
     return [np.array(of_block[key]) for key in sorted(of_block)]
 
 
-def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+def _labels_at(files: RecordFiles, blocks: BlockGrid, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """Labels at places, as ``LabelsAt`` gives them."""
     labels_at = np.full(columns.shape, NONE, np.int32)
-    blocks = request.blocks
     inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
     number = np.where(inside, rows // LABELS * blocks.columns + columns // LABELS, -1)
     for block in np.unique(number[inside]).tolist():
-        labels, in_block = block_labels(request.files, divmod(block, blocks.columns)), number == block
+        labels, in_block = block_labels(files, divmod(block, blocks.columns)), number == block
         if labels is not None:
             labels_at[in_block] = labels[rows[in_block] % LABELS, columns[in_block] % LABELS]
     return labels_at

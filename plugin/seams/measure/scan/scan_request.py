@@ -139,14 +139,6 @@ class ScanRequest:
             piece.length_m for piece, (x, y) in places if len(self.footprints.meeting((x, y, x, y))) > 1
         )
 
-    @property
-    def crowded(self) -> int:
-        """Blocks that more sources meet than can be told apart."""
-        if len(self.sources) <= UNKNOWN:
-            return 0
-        extents = (self.mosaic.grid.window_extent(self.blocks.window(key)) for key in self.keys())
-        return sum(len(self.footprints.meeting(extent)) > UNKNOWN for extent in extents)
-
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
@@ -290,8 +282,6 @@ def scan_request(
     if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * seams_m:
         notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
         request = replace(request, sources=())
-    if crowded := request.crowded:
-        notices.append(messages.SOURCES_CROWDED(count=crowded, most=UNKNOWN))
     if given is not None:
         outside = cut_off(given.seams, request.pieces, mosaic.grid)
         unnamed = request.named[1] if request.sources else None

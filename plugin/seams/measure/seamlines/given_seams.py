@@ -69,7 +69,6 @@ def given_seams(
         )
     notices = [
         *([messages.SEAM_FEATURES_BROKEN(count=pieces.broken)] if pieces.broken else []),
-        *([messages.SEAM_LINES_CROSS(count=pieces.crossing)] if pieces.crossing else []),
         *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
         *polygon_faults(pieces.polygons, grid),
         *([messages.SEAMS_NAMED_BY(fields=", ".join(fields.naming))] if fields.naming and not source_field else []),

@@ -175,8 +175,6 @@ class GatheredLines:
     """All of them, repaired."""
     repaired: int = 0
     """Polygons that crossed themselves."""
-    crossing: int = 0
-    """Lines that cross themselves."""
     broken: int = 0
     """Features that can't be read."""
     elsewhere: int = 0
@@ -249,8 +247,6 @@ def _gather(
         elif part.GetPointCount() > 1:
             lines.lines.append(_finite(seamlines.line_points(part)))
             lines.line_sides.append(sides)
-            with gdal_silenced():
-                lines.crossing += not part.IsSimple()
 
 
 def _finite(points: np.ndarray) -> np.ndarray:

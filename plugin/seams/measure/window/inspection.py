@@ -24,8 +24,15 @@ from ..source_images import Source, gather_sources, have_same_grid, sources_in
 from ..while_measuring import measuring
 from ..workers import Workers, in_order, unforeseen
 from .explained_window import explain_window
-from .measured_window import InspectionSettings, MeasuredWindow, MeasureWindow, WindowRequest, measure_window
-from .window_result import WindowClips, WindowResult, not_comparable
+from .measured_window import (
+    InspectionSettings,
+    MeasuredWindow,
+    MeasureWindow,
+    WindowRequest,
+    measure_window,
+    not_comparable,
+)
+from .window_result import WindowClips, WindowResult
 
 NEIGHBOURS_PX = 2048
 """How far a sheet's neighbours are looked at: a block of a scan."""

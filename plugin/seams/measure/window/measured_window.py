@@ -24,12 +24,12 @@ from ....imagery.wavelets import Curve, check_decomposition, judged_plane, measu
 from .. import limits, messages
 from ..compared_image import MeasuredClip
 from ..inputs.grey_values import read_grey_clip
-from ..judgement.verdicts import Judgement, Verdict, judge
+from ..judgement.verdicts import Judgement, Ratios, Verdict, judge
 from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
 from ..source_images import Source, images_in_parts, whole_images_of_clips
 from ..window_records import REFERENCES
-from .window_result import ClipResult, WindowClips
+from .window_result import ClipResult, WindowClips, WindowResult
 
 MARGIN_PX = 128
 """On every side, or what there is of the mosaic."""
@@ -140,6 +140,14 @@ class WindowRequest:
         """All that is read: a small window with the ground around it."""
         assert self.window is not None
         return self.window if self.is_alone else surroundings(self.window, self.mosaic, self.settings.levels)
+
+
+def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
+    """The result of a window that could not be measured."""
+    nothing = Ratios((None,) * request.settings.levels, None)
+    judgement = Judgement(Verdict.NOT_COMPARABLE, nothing, reason)
+    reference = request.settings.reference
+    return WindowResult(request.window_id, request.window, judgement, judgement.verdict, reference=reference)
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,6 @@ from ..limits import SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture
 from ..window_records import COMPOSITE, REFERENCES, SEAM
-from .measured_window import WindowRequest
 
 
 @dataclass(frozen=True)
@@ -211,11 +210,3 @@ class WindowResult:
 
 WindowCurves = Union["WindowClips", "WindowResult"]
 """What a chart draws of a window: the curves that are there first, or with all else."""
-
-
-def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
-    """The result of a window that could not be measured."""
-    nothing = Ratios((None,) * request.settings.levels, None)
-    judgement = Judgement(Verdict.NOT_COMPARABLE, nothing, reason)
-    reference = request.settings.reference
-    return WindowResult(request.window_id, request.window, judgement, judgement.verdict, reference=reference)

@@ -21,7 +21,7 @@ from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     runs_of,
     verdict_of,
 )
-from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, MosaicPixels, lone_cells, lone_stretches
+from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, lone_cells, lone_stretches
 from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, cut_in_pieces
 
 from benchmarks.aftermaths import jpeg, nothing, unsharp
@@ -30,6 +30,7 @@ from tests.numbers.seams.scan.lone_mosaics import (
     WAVELET,
     LoneMosaic,
     brightness,
+    image_of,
     lone_mosaic,
     pieces_along,
     seams_of,
@@ -314,8 +315,8 @@ def test_windows_with_margins_make_the_whole(made: LoneMosaic) -> None:
         top, bottom = max(first - 64, 0), min(first + 576, SHAPE[0])
         around, window = PixelWindow(0, top, SHAPE[1], bottom - top), PixelWindow(0, first, SHAPE[1], 512)
         given = plane[top:bottom]
-        pixels = MosaicPixels(around, given, np.stack([given] * 3))
-        parts.append(lone_cells(pixels, window, index.near(around, 128), WAVELET))
+        image = image_of(given, np.stack([given] * 3))
+        parts.append(lone_cells(image, around, window, index.near(around, 128), WAVELET))
     again = pickle.loads(pickle.dumps(LoneTable.joined([LoneTable.empty(), *parts])))
     assert len(again) == len(once)
     for name in ("row", "column", "bin", "area"):
