@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import combinations, product
@@ -143,10 +144,9 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
     meeting = ((n, numbers[k]) for n in numbers for k in footprints.meeting(sources[n].extent) if numbers[k] > n)
 
     def show_same(first: int, second: int) -> bool:
-        try:
+        with suppress(RasterError):  # the scan says so where it needs it
             return _show_same(opened(sources[first].ref), opened(sources[second].ref))
-        except RasterError:
-            return False  # the scan says so where it needs it
+        return False
 
     whole = _joined(sources, (
         pair for pair in meeting if have_same_grid(*(rasters[number] for number in pair)) and show_same(*pair)
@@ -207,14 +207,13 @@ def have_same_grid(first: Raster, second: Raster) -> bool:
 
 def _show_same(first: OpenRaster, second: OpenRaster) -> bool:
     """Whether both show the same, by some places. Raises RasterError where one can't be read."""
-    is_any_same = False
+    kinds = set()
     for place, others_place in _shared(first.raster, second.raster):
         block, other = first.read(place), second.read(others_place)
-        is_same = _same_content(block.bands, other.bands, block.valid & other.valid)
-        if is_same is False:
-            return False
-        is_any_same = is_any_same or is_same is True
-    return is_any_same
+        kinds.add(_same_content(block.bands, other.bands, block.valid & other.valid))
+        if False in kinds:
+            break
+    return True in kinds and False not in kinds
 
 
 def _shared(first: Raster, second: Raster) -> Iterator[tuple[PixelWindow, PixelWindow]]:

@@ -266,7 +266,12 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
         rows, columns = squares_met(window, SQUARE_PX)  # and those around them, as the array begins a square before
         nearby = request.followed[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
         around = set(np.unique(nearby).tolist())
-    named = _named_near(placed, request)
+    named = set[Optional[int]]()
+    if request.pieces is not None:
+        near = request.pieces.near(placed, float(MARGIN_PX)).numbers.tolist()
+        named = {side for number in near for side in request.beside[number]}
+    if None in named:  # nothing says which source lies beside a seam
+        named = set()
     likely = tuple(i for i in everyone if i in around or i in named)
     if len(likely) > 1:
         if _is_crowded(likely, window):
@@ -277,15 +282,6 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     if _is_crowded(everyone, window):
         return None
     return measure_part(pixels, placed, everyone, request.taps, request.settings)
-
-
-def _named_near(window: PixelWindow, request: BlockRequest) -> set[int | None]:
-    """Sources that lie beside the seams in a window, on the mosaic's grid; none where one of them is not named."""
-    if request.pieces is None:
-        return set()
-    near = request.pieces.near(window, float(MARGIN_PX)).numbers.tolist()
-    named = {side for number in near for side in request.beside[number]}
-    return set() if None in named else named
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:

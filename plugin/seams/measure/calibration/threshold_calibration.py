@@ -133,7 +133,9 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     area, fitted = (statistic(visible, invisible, places) for statistic in (roc_area, best_threshold))
     values = sign * np.unique(np.concatenate([visible, invisible]))
     name, reach = verdicts.measure, (fitted.high - fitted.low) * _ROUNDING
-    step = step_at(verdicts, sign * min(_round_within(fitted.value, reach), most - _FINEST_STEP))
+    rounded = (round(fitted.value, digits) for digits in range(12))  # the fewest decimals that are near enough
+    threshold = next((value for value in rounded if abs(value - fitted.value) <= reach), fitted.value)
+    step = step_at(verdicts, sign * min(threshold, most - _FINEST_STEP))
     best = step if fitted.value < most and step.youden > 0 else None
     # The range of thresholds that can be set, the given one among them.
     fitting = [best.threshold, *(sign * end for end in (fitted.low, min(fitted.high, most)))] if best else []
@@ -161,11 +163,6 @@ def step_at(verdicts: Verdicts, threshold: float) -> Step:
     )
     seen, unseen = len(verdicts.visible), len(verdicts.invisible)
     return Step(threshold, hits, vain, hits / seen, (unseen - vain) / unseen)
-
-
-def _round_within(middle: float, reach: float) -> float:
-    """The number with the fewest decimals that is no farther off."""
-    return next((rounded for digits in range(12) if abs((rounded := round(middle, digits)) - middle) <= reach), middle)
 
 
 def roc_area(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbourhoods) -> Interval:

@@ -210,7 +210,11 @@ class Mending:
             if self._single:
                 better = [joined_patches(self._single, mosaic, better)] if better else []
             else:
-                better = [self._moved(seam) for seam in better]
+                for number, patch in enumerate(better):
+                    path = str(self._folder / os.path.basename(patch.path))
+                    with whole_raster(path) as unfinished:
+                        shutil.move(patch.path, unfinished)
+                    better[number] = replace(patch, path=path)
             write_mended(self._mended, mosaic, better)
         reason = messages.SIDES_UNKNOWN()
         named, unnamed = self.request.runs
@@ -229,12 +233,6 @@ class Mending:
                 patch = PlacedPatch(str(folder / _patch_name(number)), cut.window)
                 cut.patch.tofile(patch.path)
             yield replace(cut, patch=None), patch
-
-    def _moved(self, patch: PlacedPatch) -> PlacedPatch:
-        path = str(self._folder / os.path.basename(patch.path))
-        with whole_raster(path) as unfinished:
-            shutil.move(patch.path, unfinished)
-        return replace(patch, path=path)
 
     def _measured(self, path: str, cuts: dict[int, np.ndarray | None], workers: Workers) -> dict[int, float]:
         """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of

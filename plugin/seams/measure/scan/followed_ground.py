@@ -49,15 +49,6 @@ class GroundPlace:
         return f"{self.x:.10g} {self.y:.10g} {self.width_m:.0f} {self.height_m:.0f}"
 
 
-def _open_ends(paths: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """Ends of lines, (n, 2) each, that no other line shares, as lines of one vertex."""
-    if not paths:
-        return []
-    ends = np.concatenate([path[[0, -1]] for path in paths])
-    _, which, count = np.unique(np.rint(ends), axis=0, return_inverse=True, return_counts=True)
-    return [end[np.newaxis] for end in ends[count[which.ravel()] == 1]]
-
-
 class FollowedGround:
     """The units of a mosaic, and the pieces of its seams."""
 
@@ -74,8 +65,10 @@ class FollowedGround:
         long = [piece for piece in pieces if piece.length_m >= least_m]
         paths = [self._grid.to_pixels(piece.vertices) for piece in long]
         self._on_seam = self._marked(paths)
-        # Beside a seam, not beyond its end: there it may have been cut off.
-        along = self._on_seam & ~self._marked(_open_ends(paths))
+        # Beside a seam, not beyond its end, which no other shares: there it may have been cut off.
+        ends = np.concatenate([np.zeros((0, 2)), *(path[[0, -1]] for path in paths)])
+        _, which, count = np.unique(np.rint(ends), axis=0, return_inverse=True, return_counts=True)
+        along = self._on_seam & ~self._marked([end[np.newaxis] for end in ends[count[which.ravel()] == 1]])
         self._at_seam = self._on_seam | ndimage.maximum_filter(along, 2 * _AT_SEAM_PX // UNIT_PX + 1)
 
     def _marked(self, paths: Sequence[np.ndarray]) -> np.ndarray:

@@ -28,7 +28,7 @@ from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, 
 from ..workers import Workers
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
-from .piece_sums import REACH_PX, BlockOutputs, Pieces, around_pieces, block_outputs, by_blocks, measure_pieces
+from .piece_sums import REACH_PX, Pieces, around_pieces, block_outputs, by_blocks, measure_pieces
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
@@ -143,20 +143,14 @@ class Gathering:
         for block in workers.map(work, self._blocks, self._blocks.rows * self._blocks.columns):
             edges.append(block.edges)
             self._units[place_of(block.key, UNITS)] = block.ground
-            cells = self._numbered(block)
-            if raster is not None and cells is not None:
+            # Their sources are numbered in the order in which the picture of losses meets them.
+            shown = {source: self._shown.setdefault(source, len(self._shown) + 1) for source in block.sources}
+            if raster is not None and block.cells is not None:
+                cells = block.cells.copy()
+                for source, number in shown.items():
+                    cells[SOURCE_BAND - 1][block.cells[SOURCE_BAND - 1] == source + 1] = number
                 raster.write(*block.key, cells)
         return trace_borders(np.concatenate(edges, axis=1), self._blocks.grid, size[0], LABEL_PX)
-
-    def _numbered(self, block: BlockOutputs) -> np.ndarray | None:
-        """Cells of the picture of losses, their sources numbered in the order in which it meets them."""
-        losses = block.cells
-        cells = None if losses is None else losses.copy()
-        for source in block.sources:
-            number = self._shown.setdefault(source, len(self._shown) + 1)
-            if losses is not None and cells is not None:
-                cells[SOURCE_BAND - 1][losses[SOURCE_BAND - 1] == source + 1] = number
-        return cells
 
     def _measured(self, pieces: Sequence[SeamPiece], workers: Workers) -> tuple[list[PieceFigures], float]:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""

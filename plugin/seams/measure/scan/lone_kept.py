@@ -19,7 +19,7 @@ from .. import messages
 from ..judgement.verdicts import Verdict
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
-from ..seamlines.seam_pieces import SeamPiece
+from ..seamlines.seam_pieces import SeamPiece, joined_pieces
 from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, ZONES_PX, LoneStretches, ground_of
 from .scan_result import JudgedPiece, state_by
 
@@ -251,17 +251,10 @@ def judge_stretches(
                 continue
             kept = seams.kept(run)
             if kept is not None and verdict_of(kept) is not None:
-                whole = _joined([judged[number].piece for number in run])
+                whole = joined_pieces([judged[number].piece for number in run])
                 stretches.append(replace(_judged(whole, kept, least, pixel_m, levels), is_stretch=True))
                 wanted.difference_update(run)
     return stretches
-
-
-def _joined(pieces: Sequence[SeamPiece]) -> SeamPiece:
-    """Pieces that follow one another as one."""
-    first, *others = pieces
-    vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in others)])
-    return replace(first, vertices=vertices, length_m=sum(piece.length_m for piece in pieces))
 
 
 def verdict_of(kept: LoneKept) -> Verdict | None:

@@ -80,7 +80,13 @@ def block_outputs(
         edges = cleaned_edges(_labels_in(around, files, key, labels), tile, size, LABEL_PX)
     if scan is None or labels is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
-    ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
+
+    def with_neighbours() -> CellTable:
+        near = [(key[0] + down, key[1] + across) for down, across in product((-1, 0, 1), repeat=2) if down or across]
+        measured = [whole_block(files, beside) for beside in near]
+        return CellTable.joined([scan.cells, *(beside.cells for beside in measured if beside is not None)])
+
+    ground = grounds(scan.cells, with_neighbours)
     save(files, f"ground {key[0]} {key[1]}", record_of(_BlockGround(tuple(ground))))
     cells = loss_cells(scan, labels + 1, ground, cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
@@ -113,14 +119,6 @@ def _labels_in(around: PixelWindow, files: RecordFiles, key: BlockKey, of_block:
         if labels is not None:
             labels_around[squares_met(shared, 1)] = labels
     return labels_around
-
-
-def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
-    """Cells of the neighbours that were measured."""
-    row, column = key
-    near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
-    scans = [whole_block(files, beside) for beside in near]
-    return [scan.cells for scan in scans if scan is not None]
 
 
 Pieces = tuple[Sequence[SeamPiece], np.ndarray, PieceIndex]

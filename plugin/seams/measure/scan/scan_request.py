@@ -193,19 +193,16 @@ def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRas
     """The given seams that part two orthoimages, ``numbers`` by their names, as far as the mosaic has pixels on both
     sides or on none: what runs along the border of its pixels is an outline. Raises SeamsElsewhereError without any.
     """
-    parting = tuple(
-        part for seam in given.seams if not _is_in_one(seam, given, numbers) for part in _off_border(seam, mosaic)
-    )
+    parting: list[SidedSeam] = []
+    for seam in given.seams:
+        left, right = (numbers.get(side, side) if isinstance(side, str) else side for side in (seam.left, seam.right))
+        is_date = isinstance(left, str) and given.dates.get(left) == left
+        # Not where one orthoimage lies on both sides, by whichever names; two of one day are two.
+        if left is None or left != right or is_date:
+            parting += _off_border(seam, mosaic)
     if not parting:
         raise SeamsElsewhereError(messages.SEAMS_PART_NOTHING())
-    return parting
-
-
-def _is_in_one(seam: SidedSeam, given: GivenSeams, numbers: Mapping[str, int]) -> bool:
-    """Whether the same orthoimage lies on both sides, by whichever names. Two of one day are two."""
-    left, right = (numbers.get(side, side) if isinstance(side, str) else side for side in (seam.left, seam.right))
-    is_date = isinstance(left, str) and given.dates.get(left) == left
-    return left is not None and left == right and not is_date
+    return tuple(parting)
 
 
 def _off_border(seam: SidedSeam, mosaic: OpenRaster) -> Iterator[SidedSeam]:

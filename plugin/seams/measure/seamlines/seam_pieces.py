@@ -96,6 +96,13 @@ def cut_at(path: np.ndarray, along: np.ndarray, cuts: np.ndarray) -> Iterator[np
         yield np.concatenate([places[i : i + 1], path[first[i] : last[i + 1]], places[i + 1 : i + 2]])
 
 
+def joined_pieces(pieces: Sequence[SeamPiece]) -> SeamPiece:
+    """Pieces that follow one another as one."""
+    first, *others = pieces
+    vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in others)])
+    return replace(first, vertices=vertices, length_m=sum(piece.length_m for piece in pieces))
+
+
 def cut_off(seams: Iterable[SidedSeam], pieces: Sequence[SeamPiece], grid: Grid) -> Message | None:
     """How many metres of the seams lie outside the mosaic; None where that is less than a metre."""
     scale = np.array([grid.metres_x, grid.metres_y])

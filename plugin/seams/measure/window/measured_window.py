@@ -74,16 +74,12 @@ def read_with_surroundings(
         place = place_in(window, around)
         return replace(wide, bands=np.ascontiguousarray(wide.bands[(slice(None), *place)])), wide, factor
     clip, factor = read_grey_clip(raster, mosaic, window, partly)
-    return clip, wide or _padded(clip, window, around), factor
-
-
-def _padded(clip: Clip, window: PixelWindow, around: PixelWindow) -> Clip:
-    """A clip as one of all that is around it, where that has no pixels: mirrored, so that no edge is seen there."""
-    if around == window:
-        return clip
-    valid = np.zeros((around.height, around.width), bool)
-    valid[place_in(window, around)] = True if clip.valid is None else clip.valid
-    return replace(clip, bands=np.pad(clip.bands, [(0, 0), *around.margins_of(window)], "symmetric"), valid=valid)
+    if wide is None and around != window:  # which has no pixels there: mirrored, so that no edge is seen
+        valid = np.zeros((around.height, around.width), bool)
+        valid[place_in(window, around)] = True if clip.valid is None else clip.valid
+        bands = np.pad(clip.bands, [(0, 0), *around.margins_of(window)], "symmetric")
+        wide = replace(clip, bands=bands, valid=valid)
+    return clip, wide or clip, factor
 
 
 @dataclass(frozen=True)

@@ -135,7 +135,7 @@ def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> N
 WRITER = """
 import sys
 from pathlib import Path
-from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
+from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal, save
 journal, _ = open_journal(Path(sys.argv[1]), sys.argv[2])
 print("open", flush=True)
 done = len(journal.files.names)
