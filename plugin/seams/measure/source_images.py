@@ -78,11 +78,6 @@ def sources_over(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...
     return tuple(source for source in sources if covers(source.extent, extent))
 
 
-def sources_in(sources: Iterable[Source], extent: Extent) -> tuple[Source, ...]:
-    """Sources whose footprint meets a rectangle."""
-    return tuple(source for source in sources if extents_meet(source.extent, extent))
-
-
 def covers(footprint: Extent, extent: Extent, slack_x: float = 0.0, slack_y: float = 0.0) -> bool:
     """Whether a footprint covers a rectangle that closely."""
     xmin, ymin, xmax, ymax = extent

@@ -94,7 +94,14 @@ class FollowedGround:
         if self.looked < 1:
             notes["looked_at"] = f"{self.looked:.4f}"
         if self.unexplained >= LEAST_UNEXPLAINED:
-            notes["unexplained_border"] = f"{self._around_lacking_m:.1f}"
+            # Its border with what follows a source: as much seam may be there, where none is known. By the sides of
+            # units, whose staircases are 4 / pi times as long as lines of any direction (Cauchy).
+            lacks, followed = self._lacking & ~self._at_seam, self._units >= 0
+            sides = sum(
+                np.count_nonzero(first[:-1] & other[1:]) for first, other in
+                ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
+            )
+            notes["unexplained_border"] = f"{np.pi / 4 * float(sides) * self._unit_m:.1f}"
         if self.empty:
             notes["nodata_inside"] = f"{self.empty:.6f}"
         for name, borders in (("unseen", self.unseen), ("hidden", self.hidden)):
@@ -153,17 +160,6 @@ class FollowedGround:
         total = np.count_nonzero((self._units >= 0) | lacks)
         is_part = sizes >= np.maximum(min(LEAST_PART * total, (self._piece_m / self._unit_m) ** 2), 1)
         return np.asarray(is_part[parts])
-
-    @property
-    def _around_lacking_m(self) -> float:
-        """Length of its border with what follows a source: as much seam may be there, where none is known. By the sides
-        of units, whose staircases are 4 / pi times as long as lines of any direction (Cauchy)."""
-        lacks, followed = self._lacking & ~self._at_seam, self._units >= 0
-        sides = sum(
-            np.count_nonzero(first[:-1] & other[1:]) for first, other in
-            ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
-        )
-        return np.pi / 4 * float(sides) * self._unit_m
 
     @cached_property
     def _inside(self) -> np.ndarray:

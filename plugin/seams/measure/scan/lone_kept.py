@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....imagery.errors import Message
-from ....imagery.seam_totals import MOST_SPREAD
+from ....imagery.seam_totals import MOST_SPREAD, STANDARD_LEAST_KEPT, piece_state
 from ....imagery.statistics import critical_t
 from .. import messages
 from ..judgement.verdicts import Verdict
@@ -21,7 +21,7 @@ from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
 from ..seamlines.seam_pieces import SeamPiece, joined_pieces
 from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, ZONES_PX, LoneStretches, ground_of
-from .scan_result import JudgedPiece, state_by
+from .scan_result import JudgedPiece
 
 EXCESS, DECAY = 1.5, 0.75
 """The variance of the mean of n stretches is that of one of them, times the first, over n to the power of the second:
@@ -291,6 +291,7 @@ def _judged(
         why: Message | None = messages.TOO_LITTLE_BESIDE_SEAM()
         return JudgedPiece(piece, left, right, None, None, None, None, Verdict.NOT_COMPARABLE, why)
     verdict, why = verdict_of(kept), None
+    state = piece_state(kept.kept, kept.low, kept.high, STANDARD_LEAST_KEPT, verdict is not None)
     if verdict is None:
         verdict, low, high = Verdict.NOT_COMPARABLE, 100 * kept.low, 100 * kept.high
         if least_px is None or kept.length_px >= least_px:
@@ -299,5 +300,5 @@ def _judged(
             why = messages.LONE_PIECE_TOO_SHORT(needed=least_px * pixel_m, low=low, high=high)
     return JudgedPiece(
         piece, left, right, (kept.kept, *[None] * (levels - 1)), kept.low, kept.high, kept.band_width_px * pixel_m,
-        verdict, why, state=state_by(kept.kept, kept.low, kept.high, verdict),
+        verdict, why, state=state,
     )

@@ -55,6 +55,9 @@ class BlockOutputs:
     """(UNITS, UNITS) int32: as ``BlockScan`` has it, with the numbers of the whole scan."""
 
 
+_GROUND = "ground {} {}"  # name of what is kept beside a block
+
+
 @dataclass(frozen=True)
 class _BlockGround:
     levels: tuple[LevelGround | None, ...]
@@ -87,20 +90,13 @@ def block_outputs(
         return CellTable.joined([scan.cells, *(beside.cells for beside in measured if beside is not None)])
 
     ground = grounds(scan.cells, with_neighbours)
-    save(files, f"ground {key[0]} {key[1]}", record_of(_BlockGround(tuple(ground))))
+    save(files, _GROUND.format(*key), record_of(_BlockGround(tuple(ground))))
     cells = loss_cells(scan, labels + 1, ground, cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
         cells = None
     used = np.flatnonzero(np.bincount(labels.ravel() - NONE)[1:]).tolist()
     ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
     return BlockOutputs(key, edges, cells, used, ground)
-
-
-def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, ...]:
-    """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
-    SettingsError where it can't be read any more."""
-    ground = loaded(files, f"ground {key[0]} {key[1]}", lambda record: value_of(_BlockGround, record, {}))
-    return () if ground is None else ground.levels
 
 
 def _label_tile(key: BlockKey) -> PixelWindow:
@@ -143,7 +139,9 @@ def measure_pieces(
         if scan is not None:
             whole = global_numbers(scan.sources)
             mixture = replace(scan.beside, source=whole[scan.beside.source], other=whole[scan.beside.other])
-            sums.add(scan.cells.within(place), mixture.within(place), held_ground(files, key), window, scan.grey)
+            held = loaded(files, _GROUND.format(*key), lambda record: value_of(_BlockGround, record, {}))
+            ground = held.levels if held else ()
+            sums.add(scan.cells.within(place), mixture.within(place), ground, window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey

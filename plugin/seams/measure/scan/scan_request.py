@@ -131,14 +131,6 @@ class ScanRequest:
         squares = self.seam_squares
         return [key for key in self.blocks if squares is None or squares.is_read(key)]
 
-    @property
-    def between_two_m(self) -> float:
-        """Metres of the given seams on two sources or more, without which nothing can be told of a seam."""
-        places = ((piece, (piece.vertices[:2].sum(axis=0) / 2).tolist()) for piece in self.pieces)
-        return sum(
-            piece.length_m for piece, (x, y) in places if len(self.footprints.meeting((x, y, x, y))) > 1
-        )
-
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
@@ -275,10 +267,14 @@ def scan_request(
     if given is not None and given.seams:
         seams = parting_seams(given, request.named[0], OpenRaster(mosaic.ref))
         request = replace(request, given=replace(given, seams=seams))
-    seams_m = sum(piece.length_m for piece in request.pieces)
-    if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * seams_m:
-        notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
-        request = replace(request, sources=())
+    if kept and given is not None:
+        seams_m = sum(piece.length_m for piece in request.pieces)
+        # On two sources or more, without which nothing can be told of a seam.
+        places = [(piece.length_m, *(piece.vertices[:2].sum(axis=0) / 2).tolist()) for piece in request.pieces]
+        between = sum(length for length, x, y in places if len(request.footprints.meeting((x, y, x, y))) > 1)
+        if between < LEAST_BETWEEN * seams_m:
+            notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
+            request = replace(request, sources=())
     if given is not None:
         outside = cut_off(given.seams, request.pieces, mosaic.grid)
         unnamed = request.named[1] if request.sources else None

@@ -119,7 +119,8 @@ def judge_piece(
         verdict, why = judge_profile(profile)
         if verdict is Verdict.NOT_COMPARABLE and profile.low <= MAX_KEPT_LOW:
             why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
-        state = state_by(profile.kept[0], profile.low, profile.high, verdict)
+        has_verdict = verdict is not Verdict.NOT_COMPARABLE
+        state = piece_state(profile.kept[0], profile.low, profile.high, STANDARD_LEAST_KEPT, has_verdict)
         if state is not PieceState.NOT_MEASURED or not is_even:
             width = profile.band_width_px * ground_sample_distance
             feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
@@ -131,11 +132,6 @@ def judge_piece(
     if is_even:
         why, state = messages.PIECE_WITHOUT_DETAIL(), PieceState.NO_DETAIL
     return JudgedPiece(piece, left, right, None, None, None, None, Verdict.NOT_COMPARABLE, why, state=state)
-
-
-def state_by(kept: float | None, low: float | None, high: float | None, verdict: Verdict) -> PieceState:
-    """What a piece counts as by the standard limit."""
-    return piece_state(kept, low, high, STANDARD_LEAST_KEPT, verdict is not Verdict.NOT_COMPARABLE)
 
 
 def dated(judged: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:

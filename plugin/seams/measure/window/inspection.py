@@ -20,7 +20,7 @@ from .. import messages
 from ..inputs.mosaic_copies import leave_out_copies
 from ..seam_cells import Cell, cells_over, source_stem
 from ..seamlines.seam_features import read_cells
-from ..source_images import Source, gather_sources, have_same_grid, sources_in
+from ..source_images import Source, gather_sources, have_same_grid
 from ..while_measuring import measuring
 from ..workers import Workers, in_order, unforeseen
 from .explained_window import explain_window
@@ -65,7 +65,8 @@ class Block:
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Sources whose footprint meets the window, wholly or in part."""
-        return sources_in(self.sources, self.mosaic.grid.window_extent(window))
+        extent = self.mosaic.grid.window_extent(window)
+        return tuple(source for source in self.sources if extents_meet(source.extent, extent))
 
     def window(
         self, extent: Extent, settings: InspectionSettings | None = None, window_id: int = 1

@@ -21,7 +21,6 @@ from ....imagery.records import (
     Row,
     TableRows,
     kinds_of,
-    record_of,
     rows_of,
     sentences_of,
     value_of,
@@ -258,11 +257,6 @@ def curves_of(result: WindowResult) -> Iterator[Row]:
 
 def _most_levels(results: Iterable[WindowResult]) -> int:
     return max((result.levels for result in results), default=DEFAULT_LEVELS)
-
-
-def result_record(result: WindowResult) -> bytes:
-    """All that was measured; the picture of the loss to a two-thousandth."""
-    return record_of(result)
 
 
 def result_of(record: bytes) -> WindowResult | None:
