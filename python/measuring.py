@@ -18,8 +18,8 @@ from ..plugin.imagery.gdal_calls import gdal_silenced
 from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.messages import CANCELLED
 from ..plugin.imagery.records import GEOMETRY
+from ..plugin.seams.measure import messages as seams_messages
 from ..plugin.seams.measure.limits import FAILED
-from ..plugin.seams.measure.mending import messages as mending_messages
 from ..plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
 from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, Mending, MendRequest, mending
@@ -210,7 +210,7 @@ def _mended(job: Mending, workers: Workers) -> list[MendedSeam]:
         _tell(step.notices)
         workers.progress(PATCHED * step.share)
     if workers.cancelled():
-        raise CancelledError(mending_messages.MENDING_STOPPED())
+        raise CancelledError(seams_messages.MENDING_STOPPED())
     made = job.result(workers.part(PATCHED))
     _tell(dict.fromkeys(seam.reason.as_warning() for seam in made if seam.reason is not None))
     workers.progress(1.0)

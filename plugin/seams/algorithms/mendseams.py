@@ -18,8 +18,8 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
+from ..measure import messages
 from ..measure.limits import MEND_BLEND_PX, MEND_WIDTH_M, MENDED_SEAMS, MOST_BLEND_PX
-from ..measure.mending import messages
 from .block_parameters import check_sources, follow_steps, gathered_sources, given_features, given_sources
 
 if TYPE_CHECKING:

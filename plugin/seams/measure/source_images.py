@@ -1,4 +1,8 @@
-"""The orthoimages that a mosaic was made from, or will be: each once, with its footprint."""
+"""The orthoimages that a mosaic was made from, or will be: each once, with its footprint.
+
+Some are delivered in parts, strips or tiles that overlap: what shows the same pixels is one image. Taken one by one,
+the mosaic would follow now this part and now that one where they overlap, and have a seam between.
+"""
 from __future__ import annotations
 
 import os

@@ -11,6 +11,12 @@ themselves jumps from one window's value to another's: it errs like the cube roo
 does not hold (Kim and Pollard 1990, Annals of Statistics 18, 191-219; Abrevaya and Huang 2005, Econometrica 73,
 1175-1204). That of fitted distributions (Fluss, Faraggi and Reiser 2005, Biometrical Journal 47, 458-472) moves evenly
 with every verdict, errs half as much, and can be resampled.
+
+Windows that lie near each other tell less than as many far apart: they share ground, sources and feathering. So judged
+windows are put into neighbourhoods, and resampled neighbourhood by neighbourhood (the cluster bootstrap: Davison and
+Hinkley 1997, section 3.8; blocks of a long row: Kuensch 1989, Annals of Statistics 17, 1217-1241).
+
+And how well two observers agree on the windows that both judged (Cohen's kappa).
 """
 from __future__ import annotations
 

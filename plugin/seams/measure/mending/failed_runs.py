@@ -11,11 +11,11 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.lines import as_xy, is_line, line_points, read_geometry, simple_parts, vertex_stations
 from ....imagery.seam_totals import MOST_KEPT, STRETCH, PieceState, possible
+from .. import messages
 from ..judgement.verdicts import Verdict
 from ..limits import ALL, FAILED, MENDED_SEAMS, REDUCED
 from ..seamlines.seam_features import SeamFeature
 from ..seamlines.seam_pieces import SeamPiece, cut_at, joined_pieces
-from . import messages
 
 LONGEST_PX = 1024.0
 """Longest run, so that memory does not grow with the seams; a single piece may be longer."""

@@ -16,6 +16,7 @@ from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stat
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import judged_plane
+from .. import messages
 from ..blocks.block_pixels import ALL_READ, JUDGED, BlockPixels
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
@@ -26,11 +27,21 @@ from ..seam_cells import UNKNOWN
 from ..seamlines.seam_pieces import NearestPieces, PieceIndex
 from ..source_images import Source
 from ..while_measuring import measuring
-from . import messages
-from .dressing import EASED_PX, dress, eased, placed_bands, shown_detail, tells_tones, tone_step
 from .failed_runs import SeamRun
 from .mended_mosaic import patch_file
-from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
+from .new_cut import (
+    CELL_PX,
+    EASED_PX,
+    cheapest_way,
+    cutting_cost,
+    dress,
+    eased,
+    fit_along,
+    placed_bands,
+    shown_detail,
+    tells_tones,
+    tone_step,
+)
 
 GROUND_PX = 192
 """Around the old seam and the new cut: what tones and filters are learned of."""

@@ -25,6 +25,7 @@ from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, record_of, sentences_of, value_of
+from .. import messages
 from ..blocks.block_grid import BlockKey
 from ..blocks.scan_settings import ScanSettings
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
@@ -36,7 +37,6 @@ from ..seamlines.given_seams import GivenSeams
 from ..seamlines.seam_pieces import PieceIndex, SidedSeam
 from ..source_images import Source
 from ..workers import Workers
-from . import messages
 from .failed_runs import SeamRun, part_of, seam_runs
 from .mend_run import GROUND_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
 from .mended_mosaic import PlacedPatch, joined_patches, write_mended
