@@ -10,7 +10,7 @@ import numpy as np
 
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
-from ....imagery.rasters import Raster
+from ....imagery.rasters import Raster, RasterRef
 from ..following.boxes import enlarged, in_squares, widened
 from ..following.source_filters import Learned
 from ..limits import FULL
@@ -18,7 +18,6 @@ from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
 from ..seamlines.seam_pieces import PieceIndex
-from ..source_images import Source
 from ..while_measuring import measuring
 from .block_grid import (
     BESIDE_PX,
@@ -35,7 +34,7 @@ from .block_grid import (
     rectangles,
     squares_met,
 )
-from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
+from .block_parts import BLOCK_MARGIN_PX, SAMPLED, DensePart, measure_part, measure_plain
 from .block_pixels import ALL_READ, BlockPixels, BlockReading
 from .patches import SquareLook, look_at_squares, middle_sources
 from .scan_settings import ScanSettings
@@ -64,7 +63,7 @@ class BlockRequest:
     """All that is needed to scan one block, in plain data that can cross threads and processes."""
 
     mosaic: Raster
-    sources: tuple[Source, ...]
+    refs: tuple[RasterRef, ...]
     """Sources that meet the block."""
     key: BlockKey
     window: PixelWindow
@@ -137,8 +136,8 @@ class BlockScan:
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> BlockScan:
         """A block of which nothing could be measured; without notices the mosaic has no pixels there."""
         made, window = _Block(request), request.window
-        made.leave_out(None if notices else np.zeros((window.height, window.width), bool))
-        return replace(made.result(notices), reading=BlockReading((window,), False) if notices else ALL_READ)
+        valid = None if notices else np.zeros((window.height, window.width), bool)
+        return made.result(valid, notices, BlockReading((window,), False) if notices else ALL_READ)
 
 
 @measuring()
@@ -173,7 +172,8 @@ def _looked_at(request: BlockRequest) -> BlockScan:
     # Those of a block at the mosaic's edge may be too few for a patch.
     width, height = max(request.window.width, SQUARE_PX), max(request.window.height, SQUARE_PX)
     around = replace(request.window, width=width, height=height)
-    pixels, made = _pixels(request, around, BLOCK_MARGIN_PX if is_full else 0), _Block(request)
+    pixels = BlockPixels(request.mosaic, request.refs, around, BLOCK_MARGIN_PX if is_full else 0)
+    made = _Block(request)
     look = look_at_squares(pixels, settings.wavelet, settings.levels)
     midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
     doubtful = widened(enlarged(look.doubtful, SQUARE_PX // UNIT_PX), 1)  # and a unit around it
@@ -184,15 +184,14 @@ def _looked_at(request: BlockRequest) -> BlockScan:
     made.take_look(look, wanted)
     if is_full:
         made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
-    made.leave_out(pixels.valid)
-    reading = BlockReading((), True, pixels.has_sources)
-    return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
+    return made.result(pixels.valid, pixels.notices, BlockReading((), True, pixels.has_sources))
 
 
 def _measured_where(wanted: np.ndarray, request: BlockRequest) -> BlockScan:
     """What is measured pixel by pixel in some units of a block, (UNITS, UNITS) bool."""
     wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
-    pixels, made = _pixels(request, request.window, 0 if wanted.mean() >= WHOLE_SHARE else None), _Block(request)
+    margin_px = 0 if wanted.mean() >= WHOLE_SHARE else None
+    pixels, made = BlockPixels(request.mosaic, request.refs, request.window, margin_px), _Block(request)
     waiting = deque(rectangles(wanted))
     unread: list[PixelWindow] = []
     has_mosaic = not waiting
@@ -212,14 +211,7 @@ def _measured_where(wanted: np.ndarray, request: BlockRequest) -> BlockScan:
             waiting.extendleft(reversed(_halves(window)))
         else:
             made.take_part(part)
-    made.leave_out(pixels.valid)
-    reading = BlockReading(tuple(unread), has_mosaic, pixels.has_sources)
-    return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
-
-
-def _pixels(request: BlockRequest, window: PixelWindow, margin_px: int | None) -> BlockPixels:
-    refs = [source.ref for source in request.sources]
-    return BlockPixels(request.mosaic, refs, window, margin_px)
+    return made.result(pixels.valid, pixels.notices, BlockReading(tuple(unread), has_mosaic, pixels.has_sources))
 
 
 def called_for(
@@ -341,15 +333,6 @@ class _Block:
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
-    def leave_out(self, valid: np.ndarray | None) -> None:
-        """Nothing is followed where the mosaic has no pixels."""
-        window, half = self._window, LABEL_PX // 2
-        rows, columns = labels_in(window.height), labels_in(window.width)
-        self._valid[rows:], self._valid[:, columns:] = False, False
-        if valid is not None:
-            self._valid[:rows, :columns] &= valid[half : window.height : LABEL_PX, half : window.width : LABEL_PX]
-        self._scan.labels[~self._valid] = UNKNOWN
-
     def _ground(self) -> np.ndarray:
         """Ground of the units as ``BlockScan`` has it."""
         side, scan = LABELS // UNITS, self._scan
@@ -370,9 +353,16 @@ class _Block:
         ground[inside == 0] = EMPTY
         return ground
 
-    def result(self, notices: tuple[Message, ...]) -> BlockScan:
-        """All that was taken."""
+    def result(
+        self, valid: np.ndarray | None, notices: Sequence[Message], reading: BlockReading
+    ) -> BlockScan:
+        """All that was taken; nothing is followed where the mosaic has no pixels, (rows, columns) bool ``valid``."""
+        rows, columns = labels_in(self._window.height), labels_in(self._window.width)
+        self._valid[rows:], self._valid[:, columns:] = False, False
+        if valid is not None:
+            self._valid[:rows, :columns] &= valid[SAMPLED][:rows, :columns]
+        self._scan.labels[~self._valid] = UNKNOWN
         return replace(
             self._scan, cells=CellTable.joined(self._tables), beside=MixtureTable.joined(self._mixtures),
-            ground=self._ground(), learned=self._learned, notices=notices,
+            ground=self._ground(), learned=self._learned, notices=tuple(dict.fromkeys(notices)), reading=reading,
         )

@@ -97,28 +97,29 @@ class JournaledBlocks:
         self._total += len(keys)
         measure, failed = partial(_looked_at, look, files), partial(_without, look, files)
         for block in in_order(map(request, keys), measure, failed, self._workers, self._workers.together):
-            yield self._step(look, block)
-
-    def _step(self, look: BlockLook, block: ScanStep) -> ScanStep:
-        if block.trouble:
-            raise not_saved(self._journal.files, block.trouble)
-        if block.record is not None:
-            self._journal.is_shared = False
-            save(self._journal.files, _name(look, block.key, block.notices), block.record)
-        self._done += 1
-        self._timed += not block.was_held
-        if block.was_held:  # by an earlier run, which began with the same blocks
-            self._started = time.monotonic()
-        seconds_left = None
-        if self._timed >= _FEWEST_TIMED:
-            seconds_left = (time.monotonic() - self._started) / self._timed * (self._total - self._done)
-        return replace(block, record=None, share=self._done / self._total, seconds_left=seconds_left)
+            if block.trouble:
+                raise not_saved(files, block.trouble)
+            if block.record is not None:
+                self._journal.is_shared = False
+                save(files, _name(look, block.key, block.notices), block.record)
+            self._done += 1
+            self._timed += not block.was_held
+            if block.was_held:  # by an earlier run, which began with the same blocks
+                self._started = time.monotonic()
+            seconds_left = None
+            if self._timed >= _FEWEST_TIMED:
+                seconds_left = (time.monotonic() - self._started) / self._timed * (self._total - self._done)
+            yield replace(block, record=None, share=self._done / self._total, seconds_left=seconds_left)
 
 
 def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanStep:
-    scan = _kept_before(look, files, request)
+    name, scan = _name(look, request.key), None
+    with suppress(SettingsError):  # damaged: it is measured again
+        scan = loaded(files, name, look.scan_of)
     if scan is not None:
-        return ScanStep(scan.key, look.brief(scan), was_held=True)
+        if (scan.key, scan.sources) == (request.key, request.numbers):
+            return ScanStep(scan.key, look.brief(scan), was_held=True)
+        files.forget(name)  # of no such block
     try:
         scan = look.measure(request)
     except Exception as error:  # which costs this block only
@@ -129,17 +130,6 @@ def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanSte
 def _without(look: BlockLook, files: RecordFiles, request: Request, reason: Message) -> ScanStep:
     """A step of a block of which the measuring failed in a way that nobody foresaw."""
     return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
-
-
-def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan | None:
-    """What an earlier run has measured; what is of no such block is forgotten."""
-    name, scan = _name(look, request.key), None
-    with suppress(SettingsError):  # damaged: it is measured again
-        scan = loaded(files, name, look.scan_of)
-    if scan is None or (scan.key, scan.sources) == (request.key, request.numbers):
-        return scan
-    files.forget(name)
-    return None
 
 
 def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:

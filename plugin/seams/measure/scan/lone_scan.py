@@ -7,17 +7,14 @@ from functools import lru_cache, partial
 
 import numpy as np
 
-from ....imagery.clips import read_clip
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
-from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares, rectangles
-from ..blocks.block_pixels import ALL_READ, BlockReading, MosaicReading
+from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
 from ..compared_image import ComparedImage
-from ..inputs.grey_values import clip_factor
 from ..seamlines.seam_pieces import PieceIndex
 from ..while_measuring import measuring
 from ..workers import Workers
@@ -74,16 +71,17 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
         window = part.moved_by(request.window.column, request.window.row)
         try:
             around = window.with_margin(MARGIN_PX)
-            clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
-            factor = clip_factor(clip, request.mosaic)
+            pixels = BlockPixels(request.mosaic, (), around)
         except NotCoveredError:
             continue
         except RasterError as error:
             notices.append(error.message.as_warning())
             unread.append(window)
         else:
-            bands = clip.bands if factor == 1 else clip.bands * np.float32(factor)
-            image = ComparedImage(bands, clip.raster.band_names, {}, {}, clip.raster, valid=clip.valid)
+            clip, judged = pixels.held.mosaic, pixels.part(around, ()).mosaic
+            image = ComparedImage(
+                clip.bands, clip.raster.band_names, {}, {}, clip.raster, valid=clip.valid, judged=judged
+            )
             near = request.pieces.near(around, REACH_PX)
             tables.append(lone_cells(image, around, window, near, request.settings.wavelet))
     reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))

@@ -135,8 +135,8 @@ class ScanRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
         numbers = self._sources_in(window)
-        sources = tuple(self.sources[number] for number in numbers)
-        request = BlockRequest(self.mosaic, sources, key, window, self.settings, numbers=tuple(numbers))
+        refs = tuple(self.sources[number].ref for number in numbers)
+        request = BlockRequest(self.mosaic, refs, key, window, self.settings, numbers=tuple(numbers))
         squares = self.seam_squares
         if squares is None:
             return request

@@ -5,7 +5,8 @@ The tables have one entry per column. The field names are contracts; layers and 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, Callable
 
@@ -162,15 +163,18 @@ SMALLEST_SIDE_PX = 128
 
 def worst_windows(
     pieces: Sequence[JudgedPiece], mosaic: Raster, count: int, levels: int,
-    is_valid: Callable[[PixelWindow], bool] | None = None,
+    is_valid: Callable[[PixelWindow], bool] = lambda window: True,
 ) -> list[PlacedWindow]:
     """Up to ``count`` windows on the pieces that kept least, the least first, each where the mosaic has pixels; of two
     that share more than half only the worse.
 
     A window lies around its piece, or is moved aside, or made smaller, as far as it has to be; where it fits nowhere
-    there is none. ``is_valid``: whether a window has enough pixels; the mosaic is asked unless told otherwise.
+    there is none. ``is_valid``: whether a window has enough pixels, where the file says nothing of it, or can't be
+    read.
     """
-    grid, is_valid = mosaic.grid, is_valid or valid_in(mosaic)
+    grid = mosaic.grid
+    with suppress(RasterError):
+        is_valid = is_valid if (opened := open_raster(mosaic.ref)).is_all_valid else opened.is_valid
     side = window_side_px(grid, levels)
     taken = WindowIndex(max(side, 1))
     worst: list[PlacedWindow] = []
@@ -195,15 +199,6 @@ def window_side_px(grid: Grid, levels: int) -> int:
         side //= 2
     side = min(side, shorter)
     return side - side % 2**levels
-
-
-def valid_in(mosaic: Raster) -> Callable[[PixelWindow], bool]:
-    """Whether a window of a mosaic has enough pixels; always where the file says nothing of it, or can't be read."""
-    try:
-        opened = open_raster(mosaic.ref)
-    except RasterError:
-        return lambda window: True
-    return (lambda window: True) if opened.is_all_valid else opened.is_valid
 
 
 def _fitting(
@@ -329,23 +324,18 @@ def seam_rows(result: ScanResult) -> TableRows:
     mosaic's reference system.
     """
     imagery_limits.check_type("result", result, ScanResult)
-    features, kinds = result.features, {**kinds_of(SEAM_COLUMNS, _levels(result.features)), GEOMETRY: "text"}
-    rows = TableRows(wkt=result.told.get(SYSTEM, ""), kinds=kinds)
-    for row, feature in zip(_field_rows(features), features):
-        rows.append({**row, GEOMETRY: line_wkt(feature.piece.vertices)})
-    return rows
+    held, levels = _field_rows(result.features)
+    rows = ({**row, GEOMETRY: line_wkt(feature.piece.vertices)} for row, feature in zip(held, result.features))
+    return TableRows(rows, result.told.get(SYSTEM, ""), {**kinds_of(SEAM_COLUMNS, levels), GEOMETRY: "text"})
 
 
 def seam_notes(result: ScanResult) -> dict[str, str]:
     """What stands beside the rows of SEAMS: how and of what they were measured, their totals, and the seal."""
     notes = {"version": plugin_version(), **result.told}
     lines = (feature.piece.vertices for feature in result.features)
-    return RowTotals(zip(_field_rows(result.features), lines)).sealed(notes)
+    return RowTotals(zip(_field_rows(result.features)[0], lines)).sealed(notes)
 
 
-def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:
-    return list(rows_of(SEAM_COLUMNS, features, _levels(features)))
-
-
-def _levels(features: Sequence[JudgedPiece]) -> int:
-    return max((len(feature.kept) for feature in features if feature.kept), default=1)
+def _field_rows(features: Sequence[JudgedPiece]) -> tuple[Iterator[Row], int]:
+    levels = max((len(feature.kept) for feature in features if feature.kept), default=1)
+    return rows_of(SEAM_COLUMNS, features, levels), levels

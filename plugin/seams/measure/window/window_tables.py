@@ -84,6 +84,11 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
         return self.attribute or self.name
 
 
+def _explained(name: str) -> Callable[[WindowResult], Any]:
+    """What an explanation has by that name, where there is one."""
+    return lambda result: result.explanation and getattr(result.explanation, name)
+
+
 MEASURED = (
     WindowField("window_id", "integer", lambda result: result.window_id),
     WindowField("verdict", "text", lambda result: result.judgement.verdict.value),
@@ -104,12 +109,11 @@ MEASURED = (
         attribute="composite_ratios", title=QT_TR_NOOP("ratio {level} against the composite"), most=MOST_RATIO,
     ),
     WindowField(
-        "expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True,
-        attribute="expected_ratios", title=QT_TR_NOOP("ratio {level} expected of a feather"),
+        "expected_ratio", "real", _explained("expected"), by_level=True, attribute="expected_ratios",
+        title=QT_TR_NOOP("ratio {level} expected of a feather"),
     ),
     WindowField(
-        "unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share,
-        title=QT_TR_NOOP("share where no source wins clearly"),
+        "unclear_share", "real", _explained("unclear_share"), title=QT_TR_NOOP("share where no source wins clearly")
     ),
     WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
     WindowField("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
@@ -122,22 +126,10 @@ MEASURED = (
     WindowField("feather_width", "real", lambda result: result.feather_width_m),
     WindowField("visibility", "real", lambda result: result.visibility, most=MOST_VISIBLE),
     WindowField("misfit", "real", lambda result: result.misfit, title=QT_TR_NOOP("images apart in the mosaic (px)")),
-    WindowField(
-        "contrast_1", "real", lambda result: result.explanation and result.explanation.contrast,
-        attribute="contrast", most=MOST_RATIO,
-    ),
-    WindowField(
-        "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,
-        attribute="sharpness",
-    ),
-    WindowField(
-        "added_1", "real", lambda result: result.explanation and result.explanation.added,
-        attribute="added",
-    ),
-    WindowField(
-        "explained", "real", lambda result: result.explained,
-        title=QT_TR_NOOP("share that the sources explain"),
-    ),
+    WindowField("contrast_1", "real", _explained("contrast"), attribute="contrast", most=MOST_RATIO),
+    WindowField("sharpness_1", "real", _explained("sharpness"), attribute="sharpness"),
+    WindowField("added_1", "real", _explained("added"), attribute="added"),
+    WindowField("explained", "real", _explained("explained"), title=QT_TR_NOOP("share that the sources explain")),
     WindowField("loss", "real", lambda result: result.lost_m2, title=QT_TR_NOOP("loss (m2)")),
     WindowField(
         "reason_code", "text", lambda result: result.judgement.reason_code or None,
