@@ -19,6 +19,7 @@ from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey, SeamSquares
 from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..blocks.scan_settings import ScanSettings
+from ..inputs.mosaic_copies import covered_share
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..seamlines.given_seams import GivenSeams
@@ -134,7 +135,12 @@ class ScanRequest:
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
-        numbers = self._sources_in(window)
+        extent = self.mosaic.grid.window_extent(window)
+        # As many sources as can be told apart: those that cover most of it.
+        covering = sorted(
+            self.footprints.meeting(extent), key=lambda number: -covered_share(extent, self.sources[number].extent)
+        )
+        numbers = sorted(covering[:UNKNOWN])
         refs = tuple(self.sources[number].ref for number in numbers)
         request = BlockRequest(self.mosaic, refs, key, window, self.settings, numbers=tuple(numbers))
         squares = self.seam_squares
@@ -149,18 +155,6 @@ class ScanRequest:
         pieces = ((number, self.pieces[number]) for number in near.numbers.tolist())
         beside = {number: (place(piece.left), place(piece.right)) for number, piece in pieces}
         return replace(request, along_seams=squares.dense_in(key), pieces=near, beside=beside)
-
-    def _sources_in(self, window: PixelWindow) -> list[int]:
-        """Numbers of the sources that meet a window, as many as can be told apart: those that cover most of it."""
-        left, bottom, right, top = extent = self.mosaic.grid.window_extent(window)
-        meeting = self.footprints.meeting(extent)
-        if len(meeting) <= UNKNOWN:
-            return meeting
-        extents = np.array([self.sources[number].extent for number in meeting])
-        width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
-        height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
-        chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
-        return [meeting[place] for place in np.sort(chosen).tolist()]
 
     @cached_property
     def _index(self) -> PieceIndex:
