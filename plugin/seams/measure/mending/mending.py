@@ -34,6 +34,7 @@ from ..scan.scan_journal import ScanInputs, ScanJournal, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.whole_scan import whole_scan
 from ..seamlines.given_seams import GivenSeams
+from ..seamlines.seam_features import source_numbers
 from ..seamlines.seam_pieces import PieceIndex, SidedSeam
 from ..source_images import Source
 from ..workers import Workers
@@ -65,15 +66,10 @@ class MendRequest:
     settings: MendSettings
 
     @cached_property
-    def scan(self) -> ScanRequest:
-        """Scan of the mosaic, for what the names of sources mean."""
-        return ScanRequest(self.mosaic, self.sources, ScanSettings())
-
-    @cached_property
     def numbers(self) -> dict[str, int]:
         """Numbers of the sources by what the pieces call them."""
         names = {str(side) for piece in self.pieces for side in (piece.piece.left, piece.piece.right)}
-        return self.scan.numbers_named(names)[0]
+        return source_numbers(names, [source.ref.paths for source in self.sources])[0]
 
     @cached_property
     def runs(self) -> tuple[list[SeamRun], list[SeamRun]]:

@@ -99,8 +99,7 @@ class ScanRequest:
 
     def numbers_named(self, names: Iterable[str]) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources that names mean, those of their parts, too; and which names mean none."""
-        files = [(path, number) for number, source in enumerate(self.sources) for path in source.ref.paths]
-        return source_numbers(names, [path for path, _ in files], [number for _, number in files])
+        return source_numbers(names, [source.ref.paths for source in self.sources])
 
     @cached_property
     def source_names(self) -> list[str]:

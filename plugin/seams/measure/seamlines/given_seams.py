@@ -48,7 +48,8 @@ def given_seams(
     rows = [attributes for attributes, _ in held]
     fields = seam_fields(rows, source_field)
     names = {said(row.get(name)) for row in rows for name in fields.naming}
-    ambiguous = {name for name, places in meant_sources(names - {""}, paths).items() if len(places) > 1}
+    meant = meant_sources(names - {""}, [(path,) for path in paths])
+    ambiguous = {name for name, places in meant.items() if len(places) > 1}
     pieces = gathered(held, fields, grid, ambiguous)
     network = _Network(grid)
     if pieces.rings:

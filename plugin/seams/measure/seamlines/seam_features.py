@@ -134,18 +134,18 @@ _MOST_NAMED = 3  # names that a notice tells
 
 
 def source_numbers(
-    names: Iterable[str], paths: Sequence[str], images: Sequence[int] | None = None
+    names: Iterable[str], images: Sequence[Sequence[str]]
 ) -> tuple[dict[str, int], Message | None]:
-    """For each name that a layer of seams holds the place of its orthoimage in ``paths``; and which ones have none.
+    """For each name that a layer of seams holds the place of its orthoimage in ``images``, the paths of each; and which
+    ones have none.
 
     Endings and capitals don't count. Folders do where files are of one name: a name with its folders means the file
     whose path ends so. A name that is a part of one file's name only, as image numbers are, means that file.
-    ``images``: what is found instead of places, where several files may be one image.
     """
-    meant = meant_sources(names, paths, images)
+    meant = meant_sources(names, images)
     numbers = {name: next(iter(places)) for name, places in meant.items() if len(places) == 1}
     missing = sorted(name for name, places in meant.items() if not places)
-    if not missing or not paths:
+    if not missing or not images:
         return numbers, None
     return numbers, messages.SEAM_SOURCES_MISSING(count=len(missing), names=", ".join(missing[:_MOST_NAMED]))
 

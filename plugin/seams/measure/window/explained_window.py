@@ -128,9 +128,8 @@ def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.
     """The source of each pixel that is read by the seam cells, else ``UNKNOWN``; None where no cell says any."""
     if not request.cells or request.window is None:
         return None
-    paths = [(path, place) for place, source in enumerate(sources) for path in source.clip.raster.ref.paths]
-    files, places = [path for path, _ in paths], [place for _, place in paths]
-    known = cell_labels(request.cells, files, request.mosaic.grid, request.around, places)
+    images = [source.clip.raster.ref.paths for source in sources]
+    known = cell_labels(request.cells, images, request.mosaic.grid, request.around)
     return known if (known != UNKNOWN).any() else None
 
 
