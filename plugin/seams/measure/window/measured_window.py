@@ -286,7 +286,7 @@ class MeasuredAhead:
     """A ``MeasureWindow`` that keeps the last windows; who asks for one that is under way waits for it."""
 
     def __init__(self, read_each: ReadEach) -> None:
-        self._measure = lru_cache(KEPT)(partial(measure_window, read_each=read_each))
+        self._measure = lru_cache(KEPT)(lambda request: measure_window(request, read_each))
         self._lock = Lock()
 
     def __call__(self, request: WindowRequest) -> Measured:
