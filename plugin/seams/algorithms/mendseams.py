@@ -149,13 +149,9 @@ class MendSeams(SeamInspectorAlgorithm):
         if QgsWkbTypes.geometryType(given.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
             return given_pieces(*given_features(run, SEAMS, crs), what)
 
-        def goes_on(share: float) -> None:
-            if run.is_cancelled():
-                raise CancelledError(messages.MENDING_STOPPED())
-
         transform = run.transform(given, crs)
         windows = [layers.window_geometry(feature, transform) for feature in layers.features(given)]
-        result = scan(Block(self._mosaic, tuple(sources)), workers=Workers(progress=goes_on))
+        result = scan(Block(self._mosaic, tuple(sources)), workers=Workers(cancelled=run.is_cancelled))
         run.tell_once(result.notices)
         rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(result)]
         return given_pieces(rows, FIELDS, what, lambda vertices: any(
