@@ -1,4 +1,5 @@
-"""The pixels of one block, read once: what mosaic and sources show of it, in the band that is judged."""
+"""The pixels of one block, read once: what mosaic and sources show of it, in the band that is judged; and how much of
+all blocks could be read."""
 from __future__ import annotations
 
 from collections.abc import Sequence

@@ -74,11 +74,12 @@ class ScanInputs:
 
         ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes.
         """
-        ref, given = self.mosaic.ref, (
+        ref = self.mosaic.ref
+        of_mosaic, of_sources = (
             [*paths, *states.items(), *said_beside(paths)] for paths, states in zip(self._paths, self._states)
         )
         parts: dict[str, Iterable[object]] = {
-            "version": [plugin_version()], **dict(zip(("mosaic", "sources"), given)),
+            "version": [plugin_version()], "mosaic": of_mosaic, "sources": of_sources,
             "places": [
                 ref.wkt, ref.nodata, self.mosaic.geotransform, self.mosaic.wkt,
                 *((source.ref.wkt, source.ref.nodata, source.extent) for source in self.sources),
@@ -97,7 +98,8 @@ class ScanInputs:
     @property
     def told(self) -> dict[str, str]:
         """What layers say of them."""
-        return dict(zip((MOSAIC_FILES, SOURCE_FILES), (states_text(states.items()) for states in self._states)))
+        of_mosaic, of_sources = self._states
+        return {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
 
 
 def what_changed(older: str, newer: str) -> Message:

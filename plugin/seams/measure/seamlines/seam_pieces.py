@@ -1,4 +1,5 @@
-"""Seams cut in pieces of nearly equal length on the ground, which are judged one by one, and what lies beside them."""
+"""Seams cut in pieces of nearly equal length on the ground, which are judged one by one; what lies beside them, and
+which of them is nearest to a place, for millions of places."""
 from __future__ import annotations
 
 import math
