@@ -5,6 +5,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from pathlib import PurePath
 
 import numpy as np
@@ -86,8 +87,9 @@ def meant_sources(names: Iterable[str], images: Sequence[Sequence[str]]) -> dict
     for place, (path, _) in enumerate(files):
         stem = source_stem(path)
         by_stem.setdefault(stem, set()).add(place)
-        for part in _runs(stem):
-            parts.setdefault(part, set()).add(place)
+        words = _words(stem)
+        for first, last in combinations(range(len(words) + 1), 2):  # all runs of them
+            parts.setdefault("_".join(words[first:last]), set()).add(place)
     meant = {}
     for name in set(names):
         stem = source_stem(name)
@@ -109,12 +111,6 @@ def _folders(path: str) -> list[str]:
 
 def _words(stem: str) -> list[str]:
     return re.findall(r"[^\W_]+", stem)
-
-
-def _runs(stem: str) -> set[str]:
-    """All runs of the words of a name."""
-    words = _words(stem)
-    return {"_".join(words[i:j]) for i in range(len(words)) for j in range(i + 1, len(words) + 1)}
 
 
 def names_apart(paths: Sequence[str]) -> list[str]:

@@ -214,7 +214,8 @@ def _has_pixels(mosaic: OpenRaster, places: np.ndarray) -> np.ndarray:
     """Whether the mosaic has pixels at columns and rows, (n, 2); what can't be read counts as some."""
     size = np.array([mosaic.columns, mosaic.rows])
     has_pixels = ((places >= 0) & (places < size)).all(axis=1)
-    if is_whole(mosaic):
+    can_lack = mosaic.roles.alpha is not None or mosaic.roles.palette is not None
+    if not can_lack and mosaic.is_all_valid and not mosaic.raster.data_type.startswith("float"):
         return np.asarray(has_pixels)
     cell = np.floor(places / _STEP_PX).astype(np.int64)
     block = np.where(has_pixels[:, np.newaxis], cell // _BLOCK_CELLS, -1)
@@ -273,9 +274,3 @@ def scan_request(
         unnamed = request.named[1] if request.sources else None
         notices = [*notices, *given.notices, *(notice for notice in (outside, unnamed) if notice is not None)]
     return request, notices
-
-
-def is_whole(source: OpenRaster) -> bool:
-    """Whether nothing in a raster can say that a pixel is none."""
-    is_plain = source.roles.alpha is None and source.roles.palette is None
-    return is_plain and source.is_all_valid and not source.raster.data_type.startswith("float")

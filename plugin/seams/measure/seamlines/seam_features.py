@@ -201,7 +201,10 @@ def gathered(
             if geometry.IsEmpty():
                 continue
             if extents_meet(_extent(geometry), widened):
-                _gather(lines, geometry, number, _words(attributes, fields, ambiguous), fields.names_by_date)
+                words = {key: said(attributes.get(name)) if name else "" for key, name in vars(fields).items()}
+                # What is ambiguous names nothing.
+                words = {key: "" if word in ambiguous and "date" not in key else word for key, word in words.items()}
+                _gather(lines, geometry, number, words, fields.names_by_date)
             else:
                 lines.elsewhere += 1
         except SeamlineError:
@@ -213,12 +216,6 @@ def gathered(
     if lines.broken:
         raise SeamlineError(messages.SEAM_FEATURES_ALL_BROKEN())
     raise SeamlineError(imagery_messages.SEAMLINES_NO_LINES())
-
-
-def _words(attributes: Attributes, fields: SeamFields, ambiguous: Collection[str]) -> dict[str, str]:
-    """What a feature says in each of ``SeamFields``; nothing where it names what is ambiguous."""
-    words = {key: said(attributes.get(name)) if name else "" for key, name in vars(fields).items()}
-    return {key: "" if word in ambiguous and "date" not in key else word for key, word in words.items()}
 
 
 def _gather(
