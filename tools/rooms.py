@@ -34,7 +34,7 @@ class Measures:
 
 BOUNDS = {
     "plugin/imagery": Measures(4903, 0, 0),
-    "plugin/seams/measure": Measures(17228, 1, 0),
+    "plugin/seams/measure": Measures(17232, 1, 0),
     "plugin/seams": Measures(13094, 0, 0),
     "plugin/acceptance": Measures(5399, 1, 0),
     "plugin/toolkit": Measures(4697, 0, 0),

@@ -49,7 +49,7 @@ LEAST_SHARP = 0.95  # of the others' fine detail by their coarser: an image that
 LEAST_SHOWN = 0.5  # of the places, by other images. Brighton: 0.7 and more of a mosaic, 0.2 of a single orthoimage
 
 
-_KINDS = messages.COPY_AMONG_SOURCES, messages.MAY_BE_COPY, messages.MAY_BE_ALTERED_COPY, messages.MADE_OF_OTHERS
+_COPY, _EQUAL, _LIKE, _OF_OTHERS = range(4)
 """What a source may be to the mosaic: a copy; the mosaic wherever they were compared, as one of its orthoimages may be,
 or a copy of it or of a part of it; nearly so; explained by other sources wherever it lies, with less detail."""
 
@@ -60,8 +60,7 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
     Those on a tenth of the mosaic or more are opened and compared with it in up to 72 places; others where one of
     these is like it.
     """
-    copy, equal, like, of_others = _KINDS
-    kinds: dict[int, Message] = {}
+    kinds: dict[int, int] = {}
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     parts = {n: vrt_parts(path) if os.path.isfile(path := sources[n].ref.path) else () for n in on_mosaic}
     copies = [n for n in on_mosaic if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])]
@@ -71,20 +70,25 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
         for n in filter(comparison.is_alike, candidates):
             is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
             if is_whole and is_shown:
-                kinds[n] = copy
+                kinds[n] = _COPY
             elif is_whole or is_shown:
-                kinds[n] = equal if comparison.is_alike(n, ROUNDING) else like
-        others = {n for n in range(len(sources)) if n not in copies and kinds.get(n) is not copy}
+                kinds[n] = _EQUAL if comparison.is_alike(n, ROUNDING) else _LIKE
+        others = {n for n in range(len(sources)) if n not in copies and kinds.get(n) != _COPY}
         while soft := [
             (sharpness, n) for n in candidates if n in others
             and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
         ]:
             softest = min(soft)[1]
             others.remove(softest)  # which does not explain what it was made of
-            kinds[softest] = of_others
-    kinds.update(dict.fromkeys(copies, copy))
-    kept = [replace(source, may_be_copy=n in kinds) for n, source in enumerate(sources) if kinds.get(n) is not copy]
-    return kept, [kind(name=sources[n].ref.name) for kind in _KINDS for n in sorted(kinds) if kinds[n] is kind]
+            kinds[softest] = _OF_OTHERS
+    kinds.update(dict.fromkeys(copies, _COPY))
+    named = [[sources[n].ref.name for n in sorted(kinds) if kinds[n] == kind] for kind in range(4)]
+    return [replace(source, may_be_copy=n in kinds) for n, source in enumerate(sources) if kinds.get(n) != _COPY], [
+        *(messages.COPY_AMONG_SOURCES(name=name) for name in named[_COPY]),
+        *(messages.MAY_BE_COPY(name=name) for name in named[_EQUAL]),
+        *(messages.MAY_BE_ALTERED_COPY(name=name) for name in named[_LIKE]),
+        *(messages.MADE_OF_OTHERS(name=name) for name in named[_OF_OTHERS]),
+    ]
 
 
 @dataclass(frozen=True, eq=False)
