@@ -17,8 +17,8 @@ from .plugin.imagery.rasters import RasterRef as RasterRef
 # Windows
 from .plugin.seams.measure.window.inspection import inspect_window as inspect_window
 from .python.measuring import inspect_windows as inspect_windows
-from .plugin.seams.measure.window.window_request import InspectionSettings as InspectionSettings
-from .plugin.seams.measure.window.window_request import WindowRequest as WindowRequest
+from .plugin.seams.measure.window.measured_window import InspectionSettings as InspectionSettings
+from .plugin.seams.measure.window.measured_window import WindowRequest as WindowRequest
 from .plugin.seams.measure.window.window_result import WindowResult as WindowResult
 from .plugin.seams.measure.judgement.verdicts import Judgement as Judgement
 #: verdict reason

@@ -14,8 +14,11 @@ from typing import Any
 
 import numpy as np
 from scipy import stats
-from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods, find_neighbourhoods
-from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import best_threshold
+from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
+    Neighbourhoods,
+    best_threshold,
+    find_neighbourhoods,
+)
 
 from .timing import print_table
 

@@ -44,7 +44,7 @@ def judged(folder: Path) -> list[list]:
     """Verdict, main cause, kept_1 and its interval, null where there is none, of all windows of a folder."""
     from osgeo import gdal
     from seam_inspector.plugin.imagery.grids import PixelWindow
-    from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+    from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 
     from .readings import inspected_files, reading_of
 

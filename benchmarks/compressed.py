@@ -22,7 +22,7 @@ from uuid import uuid4
 import numpy as np
 from osgeo import gdal
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 from skimage.registration import phase_cross_correlation
 
 from . import seam_makings as seams

@@ -10,8 +10,7 @@ from statistics import median
 
 from seam_inspector.plugin.imagery.raster_pool import ReadingLanes
 from seam_inspector.plugin.seams.measure.window.explained_window import live_profile, read_live
-from seam_inspector.plugin.seams.measure.window.measured_window import MeasuredWindow, measure_window
-from seam_inspector.plugin.seams.measure.window.window_request import WindowRequest
+from seam_inspector.plugin.seams.measure.window.measured_window import MeasuredWindow, WindowRequest, measure_window
 from seam_inspector.plugin.toolkit.background_tasks import SWITCH_INTERVAL_S
 
 from .ground import Ground

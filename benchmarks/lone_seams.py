@@ -32,8 +32,7 @@ from seam_inspector.plugin.seams.measure.scan.lone_stretches import (
     lone_cells,
     lone_stretches,
 )
-from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, SidedSeam, cut_in_pieces
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, SeamPiece, SidedSeam, cut_in_pieces
 from skimage import graph, measure
 
 from . import aftermaths as after

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal
 from seam_inspector.plugin.imagery.limits import LUMINANCE
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 from .compressed import LOSSLESS, Codec

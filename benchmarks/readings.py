@@ -19,7 +19,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.wavelets import luminance
 from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from skimage.measure import blur_effect
 from skimage.metrics import structural_similarity

@@ -15,7 +15,7 @@ from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
 
 from .timing import Speed, timed
 

@@ -29,7 +29,7 @@ from seam_inspector.plugin.seams.measure.window.inspection import (
     make_block,
     window_request,
 )
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
 
 from .ground import COMPRESSED, FORMATS, SIDE, Ground
 from .timing import Goal, Spread, Timing, interleaved, print_table, say

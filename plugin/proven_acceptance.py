@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .imagery.rasters import Raster
     from .seams.measure.source_images import Source
     from .seams.measure.window.inspection import Block
-    from .seams.measure.window.window_request import WindowRequest
+    from .seams.measure.window.measured_window import WindowRequest
     from .toolkit.algorithms.run import Run
 
 _MOST_IMAGES = 2

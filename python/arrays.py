@@ -23,7 +23,7 @@ from ..plugin.noise.measure.band_noise import BandNoise
 from ..plugin.seams.measure.profile.seam_profile import SeamProfile
 from ..plugin.seams.measure.seam_cells import Cell
 from ..plugin.seams.measure.window.inspection import Block, inspect_window, usable_block
-from ..plugin.seams.measure.window.window_request import InspectionSettings
+from ..plugin.seams.measure.window.measured_window import InspectionSettings
 from ..plugin.seams.measure.window.window_result import WindowResult
 from . import messages
 

@@ -28,7 +28,7 @@ from ..plugin.seams.measure.limits import DENSITIES, FAILED, MENDED_SEAMS, STAND
 from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import LEFT, metres
 from ..plugin.seams.measure.window.inspection import Block, open_block
-from ..plugin.seams.measure.window.window_request import InspectionSettings
+from ..plugin.seams.measure.window.measured_window import InspectionSettings
 from ..plugin.seams.measure.window.window_tables import window_rows
 from .deciding import NoSeamsError, decide
 from .measuring import inspect_windows, mend, scan

@@ -5,7 +5,6 @@ import logging
 import os
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
-from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -19,18 +18,19 @@ from ..plugin.imagery.gdal_calls import gdal_silenced
 from ..plugin.imagery.limits import PATH_TYPES, check_type
 from ..plugin.imagery.messages import CANCELLED
 from ..plugin.imagery.records import GEOMETRY
+from ..plugin.seams.measure import messages as seams_messages
 from ..plugin.seams.measure.limits import FAILED
-from ..plugin.seams.measure.mending import messages as mending_messages
 from ..plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces
 from ..plugin.seams.measure.mending.mend_run import MendSettings
 from ..plugin.seams.measure.mending.mending import PATCHED, MendedSeam, Mending, MendRequest, mending
 from ..plugin.seams.measure.scan import whole_scan
 from ..plugin.seams.measure.scan.scan_result import ScanResult
-from ..plugin.seams.measure.scan.whole_scan import ScanRun, ScanSettings
+from ..plugin.seams.measure.scan.whole_scan import ScanSettings
 from ..plugin.seams.measure.window import inspection
 from ..plugin.seams.measure.window.inspection import Block, PathLike
-from ..plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from ..plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
 from ..plugin.seams.measure.window.window_result import WindowResult
+from ..plugin.seams.measure.workers import Workers
 from ..plugin.toolkit.executors import Crew, open_executor
 from . import messages
 from .outputs import GEOTIFF, VRT, check_writing
@@ -131,8 +131,8 @@ def scan(
     given = os.fspath(seamlines).partition("|")[0]
     check_writing({"loss": (os.fspath(loss), GEOTIFF)} if loss else {}, filter(None, (*block.paths, given)))
     with open_executor(executor, is_cancelled) as crew:
-        run = ScanRun(*crew, tell, is_cancelled)
-        result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, run=run)
+        workers = Workers(*crew, is_cancelled, tell)
+        result = whole_scan.scan(block, settings, seamlines=seamlines, loss=loss, workers=workers)
     _tell(result.notices)
     return replace(result, told={**result.told, SEAMLINES: os.path.abspath(given)}) if given else result
 
@@ -184,7 +184,7 @@ def mend(
     pieces = tuple(given_pieces(features, FIELDS, which))
     request = MendRequest(block.sheet or block.mosaic, block.sources, pieces, settings)
     with open_executor(executor, is_cancelled) as crew, mending(request, folder, os.fspath(mended), read) as job:
-        return _mended(job, crew, tell, is_cancelled)
+        return _mended(job, Workers(*crew, is_cancelled, tell))
 
 
 def _watchers(progress: Progress | None, cancelled: Cancelled | None) -> tuple[Progress, Callable[[], bool]]:
@@ -205,22 +205,15 @@ def _watchers(progress: Progress | None, cancelled: Cancelled | None) -> tuple[P
     return tell, asked or (lambda: False)
 
 
-def _mended(
-    job: Mending, crew: tuple[Executor, int], progress: Progress, cancelled: Callable[[], bool]
-) -> list[MendedSeam]:
-    for step in job.steps(*crew, cancelled):
+def _mended(job: Mending, workers: Workers) -> list[MendedSeam]:
+    for step in job.steps(workers):
         _tell(step.notices)
-        progress(PATCHED * step.share)
-    if cancelled():
-        raise CancelledError(mending_messages.MENDING_STOPPED())
-
-    def goes_on(share: float) -> bool:
-        progress(PATCHED + (1 - PATCHED) * share)
-        return not cancelled()
-
-    made = job.result(goes_on, *crew)
+        workers.progress(PATCHED * step.share)
+    if workers.cancelled():
+        raise CancelledError(seams_messages.MENDING_STOPPED())
+    made = job.result(workers.part(PATCHED))
     _tell(dict.fromkeys(seam.reason.as_warning() for seam in made if seam.reason is not None))
-    progress(1.0)
+    workers.progress(1.0)
     return made
 
 

@@ -25,7 +25,7 @@ from ..toolkit.picture_stretch import (
     thinned,
     to_bytes,
 )
-from .measure.window.window_request import WindowRequest
+from .measure.window.measured_window import WindowRequest
 
 _NO_DATA_GREYS, _NO_DATA_SQUARE = (88, 104), 8  # squares that say that there is nothing, and their side, px
 

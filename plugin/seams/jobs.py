@@ -24,9 +24,9 @@ from .measure.seamlines.given_seams import GivenSeams, given_seams
 from .measure.seamlines.seam_features import SeamFeature
 from .measure.source_images import Source
 from .measure.window.inspection import inspect_in_stages, inspect_windows
-from .measure.window.measured_window import MeasureWindow, measure_window
-from .measure.window.window_request import WindowRequest
+from .measure.window.measured_window import MeasureWindow, WindowRequest, measure_window
 from .measure.window.window_result import WindowClips
+from .measure.workers import Workers
 from .tables.scan_layers import write_scan_file
 
 
@@ -143,7 +143,7 @@ def scan_job(order: ScanOrder, files: ScanFiles) -> Job:
                 return
             workers = _workers()
             with reading_threads(1 + workers) as executor:  # one puts it together
-                result = scan.result(str(files.picture), lambda _share: not cancelled(), executor, _AHEAD * workers)
+                result = scan.result(str(files.picture), Workers(executor, _AHEAD * workers, cancelled))
             if result is None or cancelled():
                 return
             write_scan_file(files.layers, result, request)
@@ -177,7 +177,7 @@ def _measured(scan: WholeScan, cancelled: Cancelled) -> Iterator[ScanNews]:
     share, told_at = 0.0, 0.0
     sentences: set[str] = set()
     with reading_threads(workers) as executor:
-        for step in scan.steps(executor, _AHEAD * workers, cancelled):
+        for step in scan.steps(Workers(executor, _AHEAD * workers, cancelled)):
             share = max(share, MEASURED * step.share)  # a second look adds blocks
             fresh = tuple(notice for notice in step.notices if str(notice) not in sentences)
             sentences.update(map(str, fresh))

@@ -108,7 +108,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     def _judged(run: Run) -> tuple[list[str], list[WindowRecord]]:
         """The windows' fields, and those that an observer judged."""
         from ...toolkit import layers
-        from ..measure.calibration.observer_agreement import agreement
+        from ..measure.calibration.threshold_calibration import agreement
         from ..tables.record_tables import doubts, read_windows
 
         windows = run.source(WINDOWS)

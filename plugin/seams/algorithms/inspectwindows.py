@@ -24,7 +24,7 @@ from .block_parameters import check_sources, given_block, given_sources
 if TYPE_CHECKING:
     from ..measure.seam_cells import Cell
     from ..measure.window.inspection import Block
-    from ..measure.window.window_request import InspectionSettings, WindowRequest
+    from ..measure.window.measured_window import InspectionSettings, WindowRequest
 
 WINDOWS, CELLS, REFERENCE, DIRECTIONS = "WINDOWS", "CELLS", "REFERENCE", "DIRECTIONS"
 MIN_KEPT = "MIN_KEPT"
@@ -171,7 +171,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         }
 
     def _settings(self, run: Run) -> InspectionSettings:
-        from ..measure.window.window_request import InspectionSettings
+        from ..measure.window.measured_window import InspectionSettings
 
         return InspectionSettings(
             *run.decomposition(), run.real(common.MAX_RATIO), run.text(REFERENCE), run.real(MIN_KEPT),
@@ -193,7 +193,7 @@ class InspectWindows(SeamInspectorAlgorithm):
     @staticmethod
     def _requests(drawn: WindowFeatures, block: Block, settings: InspectionSettings) -> Iterator[WindowRequest]:
         from ..measure.window.inspection import window_request
-        from ..measure.window.window_request import WindowRequest
+        from ..measure.window.measured_window import WindowRequest
 
         for window in drawn.windows():
             if window.extent is None:

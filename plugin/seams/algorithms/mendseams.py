@@ -18,8 +18,8 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
+from ..measure import messages
 from ..measure.limits import MEND_BLEND_PX, MEND_WIDTH_M, MENDED_SEAMS, MOST_BLEND_PX
-from ..measure.mending import messages
 from .block_parameters import check_sources, follow_steps, gathered_sources, given_features, given_sources
 
 if TYPE_CHECKING:
@@ -100,6 +100,7 @@ class MendSeams(SeamInspectorAlgorithm):
         from ..measure.inputs.mosaic_copies import leave_out_copies
         from ..measure.mending.mend_run import MendSettings
         from ..measure.mending.mending import CUT_COLUMNS, LEFT, PATCHED, MendRequest, mending, metres
+        from ..measure.workers import Workers
         from ..report.mending_report import save_mending_report
 
         self.check(run)
@@ -115,10 +116,11 @@ class MendSeams(SeamInspectorAlgorithm):
                 mending(request, patches, mended) as job:
             if job.done:
                 run.tell(messages.MENDING_GOES_ON(done=job.done))
-            follow_steps(run, job.steps(*crew, run.is_cancelled), PATCHED)
+            workers = Workers(*crew, run.is_cancelled, run.progress)
+            follow_steps(run, job.steps(workers), PATCHED)
             if run.is_cancelled():
                 raise CancelledError(messages.MENDING_STOPPED())
-            seams = job.result(lambda share: run.goes_on(PATCHED + (1 - PATCHED) * share), *crew)
+            seams = job.result(workers.part(PATCHED))
         run.tell_once(seam.reason.as_warning() for seam in seams if seam.reason is not None)
         fields = column_fields(CUT_COLUMNS)
         sink, cuts = run.sink(CUTS, fields, QgsWkbTypes.Type.LineString, crs)
@@ -139,20 +141,17 @@ class MendSeams(SeamInspectorAlgorithm):
         from ...toolkit import layers
         from ..measure.mending.failed_runs import FIELDS, given_pieces
         from ..measure.scan.scan_result import seam_rows
-        from ..measure.scan.whole_scan import ScanRun, scan
+        from ..measure.scan.whole_scan import scan
         from ..measure.window.inspection import Block
+        from ..measure.workers import Workers
 
         given, what = run.source(SEAMS), run.text(WHAT)
         if QgsWkbTypes.geometryType(given.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
             return given_pieces(*given_features(run, SEAMS, crs), what)
 
-        def goes_on(share: float) -> None:
-            if run.is_cancelled():
-                raise CancelledError(messages.MENDING_STOPPED())
-
         transform = run.transform(given, crs)
         windows = [layers.window_geometry(feature, transform) for feature in layers.features(given)]
-        result = scan(Block(self._mosaic, tuple(sources)), run=ScanRun(progress=goes_on))
+        result = scan(Block(self._mosaic, tuple(sources)), workers=Workers(cancelled=run.is_cancelled))
         run.tell_once(result.notices)
         rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(result)]
         return given_pieces(rows, FIELDS, what, lambda vertices: any(

@@ -161,12 +161,12 @@ class ScanMosaic(SeamInspectorAlgorithm):
         """What all blocks tell. Raises CancelledError where nobody wants it any more."""
         from ...toolkit.executors import open_executor
         from ..measure.scan.whole_scan import MEASURED
+        from ..measure.workers import Workers
 
-        with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as (executor, ahead):
-            follow_steps(run, scan.steps(executor, ahead, run.is_cancelled), MEASURED)
-            result = None if run.is_cancelled() else scan.result(
-                loss, lambda share: run.goes_on(MEASURED + (1 - MEASURED) * share), executor, ahead
-            )
+        with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as crew:
+            workers = Workers(*crew, run.is_cancelled, run.progress)
+            follow_steps(run, scan.steps(workers), MEASURED)
+            result = None if run.is_cancelled() else scan.result(loss, workers.part(MEASURED))
         if result is None:
             raise CancelledError(messages.SCAN_STOPPED())
         return result

@@ -228,10 +228,6 @@ SOURCES_NOT_READ = Message(
     "No orthoimage could be read, so nothing was measured; fix that, or leave them all out to scan the mosaic along "
     "its seamlines alone: {why}"
 )
-SOURCES_CROWDED = Message(
-    "More than {most} orthoimages overlap in parts of the mosaic (blocks: {count}); there the {most} that cover most "
-    "of a block are used.", WARNING
-)
 SOURCE_WITHOUT_BAND = Message("{name} has no {band} band, which the mosaic is measured by, so it is not used.", WARNING)
 # seams as producers deliver them
 SEAMS_CUT_OFF = Message(
@@ -269,9 +265,6 @@ SEAM_FEATURES_BROKEN = Message(
 )
 SEAM_FEATURES_ALL_BROKEN = Message(
     "The geometry of no feature of the seamline layer can be read; repair it ('Fix geometries' or ogr2ogr -makevalid)."
-)
-SEAM_LINES_CROSS = Message(
-    "Lines of the seamline layer that cross themselves: {count}; they are measured as they are.", WARNING
 )
 SEAM_POLYGONS_REPAIRED = Message(
     "Polygons of the seamline layer whose outline crosses itself, repaired: {count}.", WARNING
@@ -398,3 +391,75 @@ LONE_FROM_LENGTH = Message(
 LONE_NEVER = Message(
     "Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.", WARNING
 )
+# why a raster of a project is not suggested as a source
+IS_THE_MOSAIC = Message("The mosaic itself.", INFO)
+APART_FROM_MOSAIC = Message("Does not overlap the mosaic.", INFO)
+OTHER_BANDS = Message("Other bands, {bands} and not {mosaic}: heights, a mask or a map.", INFO)
+LARGER_PIXELS = Message("Pixels {factor:.1f} times as large as the mosaic's: an overview or a map.", INFO)
+SMALLER_PIXELS = Message("Pixels {factor:.1f} times smaller than the mosaic's: another flight.", INFO)
+OTHER_SYSTEM = Message("In another reference system than the mosaic and others here: a reprojected copy.", INFO)
+OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a converted copy.", INFO)
+COVERS_MOSAIC = Message("Covers the whole mosaic, as few others do: a copy of it, another mosaic or a map.", INFO)
+# sources that were made from the mosaic, and are given
+COPY_AMONG_SOURCES = Message(
+    "{name} matches the mosaic on both sides of its seams, so it is a copy or an overview of it, or the mosaic that "
+    "this one was cut from. It would hide every loss and is left out of the sources.", WARNING
+)
+MAY_BE_COPY = Message(
+    "{name} is the same as the mosaic wherever they were compared. It is used, as it may be one of the orthoimages; "
+    "if it is a copy of the mosaic or a part of it, it hides every loss there, so remove it from the sources.", WARNING
+)
+MAY_BE_ALTERED_COPY = Message(
+    "{name} is like the mosaic wherever they were compared, as orthoimages of one ground can be. If it was made from "
+    "the mosaic, it hides losses, so remove it from the sources.", INFO
+)
+MADE_OF_OTHERS = Message(
+    "{name} shows what other sources show, with less detail, as a blurred mosaic or a mean of orthoimages does. It "
+    "hides losses, so remove it from the sources.", WARNING
+)
+ONE_IMAGE_IN_PARTS = Message(
+    "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "
+    "as one.", INFO
+)
+# why a run of seam stays as it is, where seams are cut anew
+NO_WAY = Message(
+    "Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider."
+)
+IMAGES_MISFIT = Message(
+    "The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor "
+    "or register the images better."
+)
+IMAGES_UNLIKE = Message(
+    "The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images."
+)
+IMAGES_OF_OTHER_GROUND = Message(
+    "The orthoimages differ from the mosaic on {share:.1%} of the ground near the seam, as those of another date do, "
+    "or any where its tones are clipped at white or black; choose those that it was made from."
+)
+DETAIL_NOT_SHOWN = Message(
+    "{name} has {share:.0%} of the mosaic's fine detail beside the seam (band {band}), so it can't replace the mosaic "
+    "there; choose the images that the mosaic was made from."
+)
+TONES_NOT_TOLD = Message(
+    "Near the seam there is too little ground that shows one orthoimage alone, so its tones can't be determined."
+)
+PART_NOT_COVERED = Message("One of the two orthoimages has no pixels along the new cut.")
+BANDS_LACK = Message("{name} lacks bands of the mosaic: {bands}.")
+NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its patch is left out.")
+
+CUT_NOT_MEASURED = Message("What the new cut keeps can't be measured, so its patch is left out.")
+NOT_ON_MOSAIC = Message("The seam does not lie on this mosaic; give the seams that a scan of it found.")
+SIDES_UNKNOWN = Message("The seam does not name two of the given orthoimages; give those the mosaic was made from.")
+
+WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
+NO_WIDTH = Message("The corridor is {value:g} m wide; give more than 0.")
+NO_BLEND = Message("A blend of {value:g} pixels can't be made; give a whole number of 0 to {most}.")
+NOT_OF_A_SCAN = Message(
+    "The layer of seams lacks fields of a scan ({fields}); give the seams as a scan of the mosaic writes them."
+)
+NO_PIECES = Message("The layer of seams holds no piece of seam; give the seams as a scan of the mosaic writes them.")
+MENDING_STOPPED = Message(
+    "Mending was stopped; start it again with the same outputs to continue.", INFO
+)
+MENDING_GOES_ON = Message("Mending continues where it stopped; seams that are cut already: {done}.", INFO)
+NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)

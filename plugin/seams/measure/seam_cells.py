@@ -5,6 +5,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from pathlib import PurePath
 
 import numpy as np
@@ -37,13 +38,11 @@ def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
 
 
 def cell_labels(
-    cells: Sequence[Cell], paths: Sequence[str], grid: Grid, window: PixelWindow, images: Sequence[int] | None = None
+    cells: Sequence[Cell], images: Sequence[Sequence[str]], grid: Grid, window: PixelWindow
 ) -> np.ndarray:
-    """Index of each pixel's source in ``paths``, (rows, columns) uint8, ``UNKNOWN`` where no cell says which one.
-
-    ``images``: what stands instead of the index, where several files may be one image.
-    """
-    meant = meant_sources({cell.source for cell in cells}, paths, images)
+    """Index of each pixel's source in ``images``, the paths of each, (rows, columns) uint8, ``UNKNOWN`` where no cell
+    says which one."""
+    meant = meant_sources({cell.source for cell in cells}, images)
     shapes = [
         (ogr.CreateGeometryFromWkb(cell.wkb), next(iter(meant[cell.source])))
         for cell in cells if len(meant[cell.source]) == 1
@@ -78,31 +77,31 @@ def source_stem(name: str) -> str:
     return (path.name if ":" in path.suffix else path.stem).lower()
 
 
-def meant_sources(
-    names: Iterable[str], paths: Sequence[str], images: Sequence[int] | None = None
-) -> dict[str, set[int]]:
-    """For each name all places in ``paths`` that it fits: whole file names, told apart by their folders where the name
-    has some; else the one file that has it as a part of its name. ``images``: what is found instead of places."""
+def meant_sources(names: Iterable[str], images: Sequence[Sequence[str]]) -> dict[str, set[int]]:
+    """For each name all places in ``images``, the paths of each, that it fits: whole file names, told apart by their
+    folders where the name has some; else the one image of which a file has it as a part of its name."""
     by_stem: dict[str, set[int]] = {}
     parts: dict[str, set[int]] = {}
-    folders = [_folders(path) for path in paths]
-    for place, path in enumerate(paths):
+    files = [(path, image) for image, paths in enumerate(images) for path in paths]
+    folders = [_folders(path) for path, _ in files]
+    for place, (path, _) in enumerate(files):
         stem = source_stem(path)
         by_stem.setdefault(stem, set()).add(place)
-        for part in _runs(stem):
-            parts.setdefault(part, set()).add(place)
+        words = _words(stem)
+        for first, last in combinations(range(len(words) + 1), 2):  # all runs of them
+            parts.setdefault("_".join(words[first:last]), set()).add(place)
     meant = {}
     for name in set(names):
         stem = source_stem(name)
         places = by_stem.get(stem, set())
         if not places:
             some = parts.get("_".join(_words(stem)), set())
-            places = some if len({place if images is None else images[place] for place in some}) == 1 else set()
+            places = some if len({files[place][1] for place in some}) == 1 else set()
         name_folders = _folders(name)
         # With a folder more of the name at a time, as long as some file still fits.
         for count in range(1, len(name_folders) + 1):
             places = {place for place in places if folders[place][-count:] == name_folders[-count:]} or places
-        meant[name] = {place if images is None else images[place] for place in places}
+        meant[name] = {files[place][1] for place in places}
     return meant
 
 
@@ -112,12 +111,6 @@ def _folders(path: str) -> list[str]:
 
 def _words(stem: str) -> list[str]:
     return re.findall(r"[^\W_]+", stem)
-
-
-def _runs(stem: str) -> set[str]:
-    """All runs of the words of a name."""
-    words = _words(stem)
-    return {"_".join(words[i:j]) for i in range(len(words)) for j in range(i + 1, len(words) + 1)}
 
 
 def names_apart(paths: Sequence[str]) -> list[str]:

@@ -5,11 +5,14 @@ import logging
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Executor, Future, wait
-from dataclasses import dataclass
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from itertools import islice
-from typing import Callable, TypeVar
+from typing import Callable, NoReturn, TypeVar
 
-from ...imagery.errors import Message, SeamInspectorError
+from ...imagery.errors import CancelledError, Message, SeamInspectorError
+from ...imagery.messages import CANCELLED
+from ...imagery.raster_pool import own_threads
 from . import messages
 
 _log = logging.getLogger("seam_inspector")
@@ -23,17 +26,51 @@ _AT_A_TIME = 8
 
 @dataclass(frozen=True, eq=False)
 class Workers:
-    """Who measures, and until when."""
+    """Who measures, until when, and who is told how far it is."""
 
-    executor: Executor
-    ahead: int
-    """Most requests under way or waiting to be taken, so that memory does not grow with their number."""
+    executor: Executor | None = None
+    """A thread per core where None."""
+    ahead: int = 0
+    """Most requests under way or waiting to be taken, so that memory does not grow with their number; twice this
+    machine's cores where 0."""
     cancelled: Callable[[], bool] = lambda: False
+    """Is asked several times a second whether to end."""
+    progress: Callable[[float], object] = lambda share: None
+    """Is told the share that is done, 0 to 1, now and then; what it raises ends the work."""
 
     @property
     def together(self) -> int:
         """Requests that are handed out at once: several where many take them, as one takes as long as all."""
         return _AT_A_TIME if self.ahead > _MANY else 1
+
+    @contextmanager
+    def at_work(self) -> Iterator[Workers]:
+        """These, with an executor as long as the block lasts."""
+        with own_threads(self.executor, self.ahead) as (executor, ahead):
+            yield replace(self, executor=executor, ahead=ahead)
+
+    def part(self, first: float, last: float = 1.0) -> Workers:
+        """These at a part of the work, from one share that is done to another."""
+        return replace(self, progress=lambda share: self.progress(first + (last - first) * share))
+
+    def tell(self, share: float) -> None:
+        """So much is done. Raises CancelledError where nobody wants more."""
+        self.progress(share)
+        if self.cancelled():
+            raise CancelledError(CANCELLED())
+
+    def map(self, work: Callable[[Request], Result], requests: Iterable[Request], count: int) -> Iterator[Result]:
+        """What is made of each of so many requests, in their order. Raises what it raises, CancelledError."""
+        done = 0
+        for done, result in enumerate(in_order(requests, work, _raised, self, self.together), 1):
+            yield result
+            self.tell(done / count)
+        if done < count:
+            raise CancelledError(CANCELLED())
+
+
+def _raised(_request: object, reason: Message) -> NoReturn:
+    raise SeamInspectorError(reason)
 
 
 def in_order(
@@ -55,6 +92,7 @@ def in_order(
         while some := list(islice(requests, together)):
             if workers.cancelled():
                 break
+            assert workers.executor is not None
             try:
                 future = workers.executor.submit(_each, measure, some)
             except RuntimeError as error:  # of one that was shut down, for which Python has no error of its own

@@ -19,7 +19,7 @@ from qgis.core import QgsFeature, QgsField, QgsFields, QgsWkbTypes
 from ...imagery.errors import WindowLayerError
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.gdal_paths import FEATURES, holds_only_tables, open_dataset
-from ...imagery.records import Column, Row
+from ...imagery.records import Column, Row, record_of
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.geopackages import free_path, write_table
 from ...toolkit.table_fields import column_fields
@@ -34,7 +34,6 @@ from ..measure.window.window_tables import (
     pair_rows,
     profile_rows,
     result_of,
-    result_record,
 )
 from ..measure.window_records import WindowRecord
 
@@ -122,7 +121,7 @@ def store(path: Path, results: Iterable[StoredResult]) -> None:
                 dataset.ExecuteSQL(f"DELETE FROM {name} WHERE window_id = {number}")
             for name, (_columns, rows_of) in _MEASURED.items():
                 _insert(dataset.GetLayerByName(name), rows_of([result]))
-            record = {"window_id": number, "fingerprint": mark, "record": result_record(result)}
+            record = {"window_id": number, "fingerprint": mark, "record": record_of(result)}
             _insert(dataset.GetLayerByName(_RESULTS), [record])
 
 

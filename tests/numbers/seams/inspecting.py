@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.source_images import gather_sources
 from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 MakeRaster = Callable[..., str]

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.calibration.observer_agreement import agreement, cohen_kappa
+from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import agreement, cohen_kappa
 
 SKIN = np.array([[10, 4, 1, 0], [5, 10, 12, 2], [2, 4, 12, 5], [0, 2, 6, 13]])
 """Two dermatologists: SAS/STAT User's Guide, The FREQ Procedure, Example "Cohen's Kappa Coefficient"."""

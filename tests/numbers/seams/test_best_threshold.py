@@ -6,8 +6,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy.special import ndtr, ndtri
-from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import best_threshold
+from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import Neighbourhoods, best_threshold
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
 from tests.examples import at_most

@@ -3,10 +3,10 @@ from __future__ import annotations
 
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery.grids import Extent
+from seam_inspector.plugin.imagery.grids import Extent, extents_meet
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure import messages
-from seam_inspector.plugin.seams.measure.source_images import Footprints, Source, gather_sources, sources_in
+from seam_inspector.plugin.seams.measure.source_images import Footprints, Source, gather_sources
 
 from tests.work import calls_of
 
@@ -26,7 +26,9 @@ def rectangles(draw: st.DrawFn) -> Extent:
 @given(st.lists(rectangles(), max_size=300), rectangles())
 def test_it_finds_what_looking_at_every_one_finds_in_the_same_order(given: list[Extent], asked: Extent) -> None:
     sources = [source(number, extent) for number, extent in enumerate(given)]
-    assert [sources[number] for number in Footprints(sources).meeting(asked)] == list(sources_in(sources, asked))
+    assert [sources[number] for number in Footprints(sources).meeting(asked)] == [
+        met for met in sources if extents_meet(met.extent, asked)
+    ]
 
 
 def test_footprints_that_are_no_numbers_meet_nothing_and_endless_ones_everything() -> None:

@@ -14,7 +14,7 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.seam_cells import Cell
 from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 
 from tests.numbers.seams.inspecting import (
     FAR_AWAY,

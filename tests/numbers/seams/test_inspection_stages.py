@@ -10,7 +10,7 @@ from seam_inspector.plugin.seams.measure.window.inspection import (
     inspect_window,
     window_request,
 )
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import REFERENCES
 

@@ -21,8 +21,12 @@ from seam_inspector.plugin.seams.measure.window.inspection import (
     inspect_window,
     window_request,
 )
-from seam_inspector.plugin.seams.measure.window.measured_window import KEPT, MeasuredAhead
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from seam_inspector.plugin.seams.measure.window.measured_window import (
+    KEPT,
+    InspectionSettings,
+    MeasuredAhead,
+    WindowRequest,
+)
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of
 from tests.numbers.synthetic import orthoimage

@@ -24,7 +24,7 @@ from seam_inspector.plugin.seams.measure.planning.loss_forecast import (
 )
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources, sources_over
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 
 from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, texture, wkt
 

@@ -12,7 +12,7 @@ import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import Block, inspect_window, inspect_windows, window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 from tests.numbers.conftest import MakeRaster

@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import Extent
-from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import (
+from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     Neighbourhoods,
     effective_count,
     find_neighbourhoods,

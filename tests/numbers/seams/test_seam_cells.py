@@ -30,7 +30,7 @@ def box(source: str, left: float, top: float, right: float, bottom: float) -> Ce
 
 
 def labels(*cells: Cell) -> np.ndarray:
-    return cell_labels(cells, NAMES, GRID, WINDOW)
+    return cell_labels(cells, [(name,) for name in NAMES], GRID, WINDOW)
 
 
 def test_a_pixel_belongs_to_the_cell_that_holds_its_centre() -> None:

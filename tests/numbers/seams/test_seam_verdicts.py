@@ -22,7 +22,7 @@ from seam_inspector.plugin.seams.measure.judgement.verdicts import (
 )
 from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
 from seam_inspector.plugin.seams.measure.window.explained_window import judge_by_seam
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 from seam_inspector.plugin.seams.measure.window_records import MAY_BE_SIGNIFICANT, OF_THE_REST
 
 LITTLE = 1e-9

@@ -9,7 +9,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.judgement.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window
-from seam_inspector.plugin.seams.measure.window.window_request import (
+from seam_inspector.plugin.seams.measure.window.measured_window import (
     ENOUGH_PX,
     MARGIN_PX,
     InspectionSettings,

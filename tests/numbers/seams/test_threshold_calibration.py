@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.polynomial import Polynomial
 from scipy import stats
-from seam_inspector.plugin.seams.measure.calibration.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.calibration.threshold_calibration import (
     STANDARD_LIMITS,
+    Neighbourhoods,
     Verdicts,
     area_interval,
     calibrate,
@@ -154,18 +153,6 @@ def test_the_score_interval_is_hanley_and_mcneils_with_many_verdicts(area: float
     low, high = area_interval(area, count, count)
     reach = 1.96 * hanley_mcneil(area, count, count)
     assert (low, high) == pytest.approx((area - reach, area + reach), abs=0.15 * reach)
-
-
-@given(st.integers(0, 20), st.integers(5, 300), st.integers(5, 300))
-def test_the_score_interval_is_newcombes(twentieths: int, visible: int, invisible: int) -> None:
-    """His method 5 multiplied out: where (A - x)^2 equals z^2 V(x), a polynomial of the fourth degree in x."""
-    area, others = twentieths / 20, (visible + invisible) / 2 - 1
-    x = Polynomial([0, 1])
-    spread = (2 - x) * (1 + x) + others * ((1 - x) * (1 + x) + x * (2 - x))
-    difference = visible * invisible * (area - x) ** 2 * (2 - x) * (1 + x) - 1.959964**2 * x * (1 - x) * spread
-    roots = difference.roots()
-    ends = np.sort(roots[(abs(roots.imag) < 1e-6) & (roots.real > -1e-6) & (roots.real < 1 + 1e-6)].real)
-    assert area_interval(area, visible, invisible) == pytest.approx((ends[0], ends[-1]), abs=1e-4)
 
 
 @given(st.floats(0, 1), st.integers(5, 300), st.integers(5, 300))

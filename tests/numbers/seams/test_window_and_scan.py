@@ -21,7 +21,8 @@ from seam_inspector.plugin.seams.measure.seam_cells import Cell
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, given_seams
 from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 from demo.block import GAP_FILLER, MIDDLE
 from demo.block import make_block as make_demo_block
@@ -70,7 +71,7 @@ def scanned_pieces(delivery: Delivery, folder: Path, is_given: bool, piece_m: fl
     made = tuple(Source(RasterRef(str(path)), describe(RasterRef(str(path))).extent) for path in delivery.sources)
     request, _ = scan_request(mosaic, made, ScanSettings(piece_m=piece_m), delivery.given() if is_given else None)
     with whole_scan(request, folder / "loss.tif") as scan, ThreadPoolExecutor(2) as executor:
-        for _ in scan.steps(executor, 4):
+        for _ in scan.steps(Workers(executor, 4)):
             pass
         result = scan.result("")
         scan.finish()

@@ -5,7 +5,7 @@ import numpy as np
 from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.seams.measure.window.explained_window import WindowComposite, window_composite
 from seam_inspector.plugin.seams.measure.window.inspection import window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of
 from tests.numbers.seams.made_seams import BORDER, WHOLE, as_bytes, blended, three_images

@@ -244,6 +244,7 @@ def test_what_was_stopped_goes_on(feathered: Files, scanned: Run, mended: Run, t
     assert any("Mending was stopped" in said for said in stopped.log.infos), (stopped.log.infos, stopped.results)
     ended = mend(feathered, scanned, tmp_path, log)
     assert any("continues where it stopped" in said for said in log.infos)
+    assert not [said for said in (*log.warnings, *log.errors) if "please report" in said]
     assert not [path for path in tmp_path.iterdir() if ".mend" in path.name]
     assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
 

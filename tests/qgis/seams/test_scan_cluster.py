@@ -17,6 +17,7 @@ from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.workers import Workers
 from seam_inspector.plugin.toolkit.executors import open_executor
 
 from tests.numbers.synthetic import orthoimage, write_raster
@@ -53,7 +54,7 @@ def request_(tmp_path_factory: pytest.TempPathFactory) -> ScanRequest:
 
 def in_threads(request: ScanRequest, loss: Path) -> ScanResult | None:
     with whole_scan(request, loss) as scan, ThreadPoolExecutor(2) as executor:
-        list(scan.steps(executor, 4))
+        list(scan.steps(Workers(executor, 4)))
         return scan.result(str(loss))
 
 
@@ -74,7 +75,7 @@ def test_killed_workers_cost_a_scan_nothing_but_time(cluster: str, request_: Sca
     killed = []
     with whole_scan(request_, tmp_path / "cluster.tif") as scan:
         with open_executor(cluster) as (executor, ahead):
-            for number, step in enumerate(scan.steps(executor, ahead)):
+            for number, step in enumerate(scan.steps(Workers(executor, ahead))):
                 assert step.notices == ()
                 if number in (1, 5):
                     killed.append(worker_processes(cluster)[0])

@@ -21,7 +21,7 @@ from ..map.lost_detail import PictureOverlay, loss_of, placed_picture
 from ..map.window_view import WindowOutline, WindowView
 
 if TYPE_CHECKING:
-    from ...measure.window.window_request import WindowRequest
+    from ...measure.window.measured_window import WindowRequest
     from ..session import Session
 
 _GAP = 4  # px

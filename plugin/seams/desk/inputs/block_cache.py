@@ -40,7 +40,7 @@ from ...measure.seam_cells import Cell
 from ...measure.seamlines.seam_features import SeamFeature
 from ...measure.source_images import Source
 from ...measure.window.inspection import Block, make_block, window_request, without_copies
-from ...measure.window.window_request import InspectionSettings, WindowRequest
+from ...measure.window.measured_window import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...tables import input_layers, window_layer
 from ...tables.window_file import KnownMosaic

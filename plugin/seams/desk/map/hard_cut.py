@@ -31,7 +31,7 @@ from ....toolkit.project_settings import unmodified
 from ....toolkit.reference_systems import keep_system, reference_system
 from ....toolkit.translation import sentence, tr
 from ...measure.window.explained_window import WindowComposite, window_composite
-from ...measure.window.window_request import WindowRequest
+from ...measure.window.measured_window import WindowRequest
 
 if TYPE_CHECKING:
     from ..session import Session

@@ -17,8 +17,7 @@ from ... import jobs
 from ...measure.planning.window_placing import SeamIndex
 from ...measure.window.explained_window import LiveWindow, live_profile, read_live
 from ...measure.window.inspection import window_request
-from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow
-from ...measure.window.window_request import WindowRequest
+from ...measure.window.measured_window import MeasuredAhead, MeasuredWindow, WindowRequest
 from ...measure.window_records import WindowRecord
 from ..inputs.block_cache import BlockCache
 

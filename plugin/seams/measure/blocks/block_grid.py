@@ -47,6 +47,11 @@ class BlockGrid:
         """Number of columns of blocks."""
         return -(-self.grid.columns // BLOCK_PX)
 
+    @property
+    def label_size(self) -> tuple[int, int]:
+        """Columns and rows of labels."""
+        return labels_in(self.grid.columns), labels_in(self.grid.rows)
+
     def __iter__(self) -> Iterator[BlockKey]:
         """All blocks, row by row."""
         return ((row, column) for row in range(self.rows) for column in range(self.columns))
@@ -56,6 +61,11 @@ class BlockGrid:
         row, column = key
         whole = PixelWindow(column * BLOCK_PX, row * BLOCK_PX, BLOCK_PX, BLOCK_PX)
         return whole.cut_to(self.grid.columns, self.grid.rows)
+
+
+def labels_in(length: int) -> int:
+    """Labels whose middle lies within so many pixels."""
+    return -(-(length - LABEL_PX // 2) // LABEL_PX)
 
 
 def place_of(key: BlockKey, side: int) -> tuple[slice, slice]:

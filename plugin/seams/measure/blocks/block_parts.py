@@ -188,8 +188,9 @@ def _composite(
         followed = labels == number
         if not followed.any():
             continue
-        place = _around(followed)
-        squares = tuple(slice(part.start // TONE_PX, part.stop // TONE_PX) for part in place)
+        lines = (np.flatnonzero(followed.any(axis=axis)) // TONE_PX for axis in (1, 0))
+        squares = tuple(slice(int(held[0]), int(held[-1]) + 1) for held in lines)
+        place = tuple(slice(part.start * TONE_PX, part.stop * TONE_PX) for part in squares)
         plane = planes.sources[number].plane[place]
         whole = followed[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
         gains = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
@@ -198,13 +199,3 @@ def _composite(
     margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
     inside = gain[margin:-margin, margin:-margin]
     return made, square_shares(inside, per_cell)
-
-
-def _around(mask: np.ndarray) -> tuple[slice, slice]:
-    """Rows and columns in which a mask is set, in whole squares of tone."""
-    rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
-    down, across = (
-        slice(int(lines[0]) // TONE_PX * TONE_PX, -(-(int(lines[-1]) + 1) // TONE_PX) * TONE_PX)
-        for lines in (rows, columns)
-    )
-    return down, across

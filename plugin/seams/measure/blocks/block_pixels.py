@@ -1,8 +1,10 @@
-"""The pixels of one block, read once: what mosaic and sources show of it, in the band that is judged."""
+"""The pixels of one block, read once: what mosaic and sources show of it, in the band that is judged; and how much of
+all blocks could be read."""
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Callable, NamedTuple
 
 import numpy as np
@@ -16,14 +18,13 @@ from ....imagery.rasters import Raster, RasterRef
 from ....imagery.wavelets import judged_plane
 from .. import messages
 from ..compared_image import ComparedImage
-from ..inputs.grey_values import factor_of
+from ..inputs.grey_values import clip_factor
 
 _Pick = Callable[[np.ndarray], np.ndarray]
 """Picks of pixels (..., rows, columns) those that are wanted, as an image of their own."""
 
 JUDGED = ("judged",)
 """The band of such an image."""
-_EVERY = 16  # rows and columns of which the range of values is taken
 MOST_HELD = 8
 """Sources of a block that are held in memory; of others only what is asked for is read."""
 
@@ -53,8 +54,7 @@ class BlockPixels:
     """The clips of one window of the mosaic, and parts of them; what lies beyond is read anew."""
 
     def __init__(
-        self, mosaic: Raster, refs: Sequence[RasterRef], window: PixelWindow, margin_px: int | None = 0,
-        grey_factor: float = 1.0,
+        self, mosaic: Raster, refs: Sequence[RasterRef], window: PixelWindow, margin_px: int | None = 0
     ) -> None:
         """Reads the mosaic and the sources that have pixels there, and ``margin_px`` around; None: parts on demand.
 
@@ -67,8 +67,7 @@ class BlockPixels:
         """Whether any orthoimage was read; None where none has pixels here."""
         self.mosaic, self._refs, self._band = mosaic, refs, mosaic.judged_band
         self._absent: set[int] = set()
-        self._factors: dict[int, float] = {}
-        self._margin, self._factor = margin_px or 0, grey_factor
+        self._margin = margin_px or 0
         self._around = window.with_margin(self._margin)
         self._held = None if margin_px is None else self._read(self._around, range(min(len(refs), MOST_HELD)))
 
@@ -94,8 +93,12 @@ class BlockPixels:
         block that was read as a whole."""
         down, across = (rows + self._margin).tolist(), (columns + self._margin).tolist()
 
-        def pick(pixels: np.ndarray) -> np.ndarray:
-            return _squares(pixels, down, across, side)
+        def pick(pixels: np.ndarray) -> np.ndarray:  # by arrays of indices it takes ten times as long
+            picked = np.empty((*pixels.shape[:-2], len(down) * side, len(across) * side), pixels.dtype)
+            for (i, row), (j, column) in product(enumerate(down), enumerate(across)):
+                square = pixels[..., row : row + side, column : column + side]
+                picked[..., i * side : (i + 1) * side, j * side : (j + 1) * side] = square
+            return picked
 
         planes = self._planes(*self.held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
@@ -145,8 +148,6 @@ class BlockPixels:
                 self.notices.append(messages.SOURCE_WITHOUT_BAND(name=clip.raster.ref.name, band=self._band))
                 continue
             clips[i] = clip
-            if i not in self._factors:
-                self._factors[i] = factor_of(clip.bands[:3, ::_EVERY, ::_EVERY])
         if window == self._around:
             self._absent.update(i for i in numbers if i not in clips)
         return clips
@@ -154,30 +155,80 @@ class BlockPixels:
     def _planes(self, mosaic: Clip, clips: dict[int, Clip], pick: _Pick = lambda pixels: pixels) -> Planes:
         sources = {}
         for i, clip in clips.items():
-            plane = _plane(clip, self._band, pick, self._factors.get(i, 1.0))
+            plane = self._plane(clip, pick)
             valid = None if clip.valid is None else pick(clip.valid)
             offset = clip.offset_x, clip.offset_y
             sources[i] = ComparedImage(plane[np.newaxis], JUDGED, {}, {}, clip.raster, offset, valid, plane)
         return Planes(
-            _plane(mosaic, self._band, pick, self._factor), None if mosaic.valid is None else pick(mosaic.valid),
+            self._plane(mosaic, pick), None if mosaic.valid is None else pick(mosaic.valid),
             sources, frozenset(i for i, clip in clips.items() if clip.resampled),
         )
 
+    def _plane(self, clip: Clip, pick: _Pick) -> np.ndarray:
+        names, band = clip.raster.band_names, self._band
+        wanted = slice(0, 3) if band == LUMINANCE else slice(names.index(band), names.index(band) + 1)
+        plane = judged_plane(pick(clip.bands[wanted]), names[wanted])
+        if (factor := clip_factor(clip, self.mosaic)) != 1:
+            plane *= np.float32(factor)
+        return plane
 
-def _plane(clip: Clip, band: str, pick: _Pick, factor: float) -> np.ndarray:
-    names = clip.raster.band_names
-    wanted = slice(0, 3) if band == LUMINANCE else slice(names.index(band), names.index(band) + 1)
-    plane = judged_plane(pick(clip.bands[wanted]), names[wanted])
-    if factor != 1:
-        plane *= np.float32(factor)
-    return plane
+
+@dataclass(frozen=True)
+class BlockReading:
+    """What of one block could be read; without anything said all of it."""
+
+    unread: tuple[PixelWindow, ...] = ()
+    """Windows of the mosaic that were to be measured and could not be read."""
+    has_mosaic: bool = True
+    """Whether anything of the mosaic was read, or it has no pixels there."""
+    has_sources: bool | None = None
+    """Whether any orthoimage was read; None where none had to be."""
 
 
-def _squares(pixels: np.ndarray, rows: Sequence[int], columns: Sequence[int], side: int) -> np.ndarray:
-    """Squares that begin at these rows and columns, side by side; by arrays of indices it takes ten times as long."""
-    picked = np.empty((*pixels.shape[:-2], len(rows) * side, len(columns) * side), pixels.dtype)
-    for i, row in enumerate(rows):
-        for j, column in enumerate(columns):
-            square = pixels[..., row : row + side, column : column + side]
-            picked[..., i * side : (i + 1) * side, j * side : (j + 1) * side] = square
-    return picked
+ALL_READ = BlockReading()
+
+
+class MosaicReading:
+    """What of all blocks could be read."""
+
+    def __init__(self, mosaic: Raster) -> None:
+        self._mosaic = mosaic
+        self.unread: dict[PixelWindow, None] = {}
+        """Windows on the mosaic that could not be read, each once."""
+        self._has_mosaic = self._has_sources = False
+        self._why_no_mosaic: Message | None = None
+        self._why_no_sources: Message | None = None
+
+    def add(self, block: BlockReading, notices: Sequence[Message]) -> None:
+        """One block more; ``notices``: why it lacks something."""
+        self.unread |= dict.fromkeys(
+            window.cut_to(self._mosaic.columns, self._mosaic.rows) for window in block.unread
+        )
+        self._has_mosaic |= block.has_mosaic
+        self._has_sources |= bool(block.has_sources)
+        why = next(iter(notices), None)
+        self._why_no_mosaic = self._why_no_mosaic or (None if block.has_mosaic else why)
+        self._why_no_sources = self._why_no_sources or (why if block.has_sources is False else None)
+
+    def check(self) -> None:
+        """Raise RasterError where nothing of the mosaic, or no orthoimage at all, could be read."""
+        if self._why_no_mosaic is not None and not self._has_mosaic:
+            raise RasterError(messages.MOSAIC_NOT_READ(name=self._mosaic.ref.name, why=self._why_no_mosaic))
+        if self._why_no_sources is not None and not self._has_sources:
+            raise RasterError(messages.SOURCES_NOT_READ(why=self._why_no_sources))
+
+    @property
+    def told(self) -> tuple[dict[str, str], tuple[Message, ...]]:
+        """What the layers say of it, and in words: the share of the mosaic that was to be measured and could not be
+        read, and the middle of its largest window; nothing where all was read."""
+        if not self.unread:
+            return {}, ()
+        share = sum(map(_area, self.unread)) / (self._mosaic.columns * self._mosaic.rows)
+        largest = max(self.unread, key=_area)
+        x, y = self._mosaic.grid.to_map(largest.column + largest.width / 2, largest.row + largest.height / 2)
+        notes = {"unread": f"{share:.3g}", "unread_at": f"{x:.10g} {y:.10g}"}
+        return notes, (messages.MOSAIC_UNREAD(share=100 * share, x=x, y=y),)
+
+
+def _area(window: PixelWindow) -> int:
+    return window.width * window.height

@@ -10,15 +10,14 @@ import numpy as np
 
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
-from ....imagery.rasters import Raster
+from ....imagery.rasters import Raster, RasterRef
 from ..following.boxes import enlarged, in_squares, widened
 from ..following.source_filters import Learned
 from ..limits import FULL
 from ..profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ..profile.detail_sums import ROUNDING
 from ..seam_cells import UNKNOWN
-from ..seamlines.piece_index import PieceIndex
-from ..source_images import Source
+from ..seamlines.seam_pieces import PieceIndex
 from ..while_measuring import measuring
 from .block_grid import (
     BESIDE_PX,
@@ -31,12 +30,12 @@ from .block_grid import (
     UNIT_PX,
     UNITS,
     BlockKey,
+    labels_in,
     rectangles,
     squares_met,
 )
-from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
-from .block_pixels import BlockPixels
-from .mosaic_reading import ALL_READ, BlockReading
+from .block_parts import BLOCK_MARGIN_PX, SAMPLED, DensePart, measure_part, measure_plain
+from .block_pixels import ALL_READ, BlockPixels, BlockReading
 from .patches import SquareLook, look_at_squares, middle_sources
 from .scan_settings import ScanSettings
 
@@ -64,7 +63,7 @@ class BlockRequest:
     """All that is needed to scan one block, in plain data that can cross threads and processes."""
 
     mosaic: Raster
-    sources: tuple[Source, ...]
+    refs: tuple[RasterRef, ...]
     """Sources that meet the block."""
     key: BlockKey
     window: PixelWindow
@@ -74,8 +73,6 @@ class BlockRequest:
     """(UNITS, UNITS) bool, what is to be measured densely, without a look at patches; None: what these call for."""
     along_seams: np.ndarray | None = None
     """(UNITS, UNITS) bool, what given seams call for beside the patches."""
-    grey_factor: float = 1.0
-    """What floating point values are multiplied by."""
     pieces: PieceIndex | None = None
     """The pieces of given seams that may matter in it."""
     beside: Mapping[int, Sides] = field(default_factory=dict)
@@ -124,11 +121,23 @@ class BlockScan:
     """What could be read."""
 
     @classmethod
+    def empty(cls, request: BlockRequest) -> BlockScan:
+        """A block of which nothing was measured yet."""
+        levels = request.settings.levels
+        dense, wanted = np.zeros((2, UNITS, UNITS), bool)
+        mixture, grey, grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
+        return cls(
+            request.key, request.numbers, np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), dense, wanted,
+            np.full((LABELS, LABELS), UNKNOWN, np.uint8), mixture, grey, grain, CellTable.empty(levels),
+            MixtureTable.empty(levels), np.full((UNITS, UNITS), EMPTY, np.int16),
+        )
+
+    @classmethod
     def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> BlockScan:
         """A block of which nothing could be measured; without notices the mosaic has no pixels there."""
         made, window = _Block(request), request.window
-        made.leave_out(None if notices else np.zeros((window.height, window.width), bool))
-        return replace(made.result(notices), reading=BlockReading((window,), False) if notices else ALL_READ)
+        valid = None if notices else np.zeros((window.height, window.width), bool)
+        return made.result(valid, notices, BlockReading((window,), False) if notices else ALL_READ)
 
 
 @measuring()
@@ -163,7 +172,8 @@ def _looked_at(request: BlockRequest) -> BlockScan:
     # Those of a block at the mosaic's edge may be too few for a patch.
     width, height = max(request.window.width, SQUARE_PX), max(request.window.height, SQUARE_PX)
     around = replace(request.window, width=width, height=height)
-    pixels, made = _pixels(request, around, BLOCK_MARGIN_PX if is_full else 0), _Block(request)
+    pixels = BlockPixels(request.mosaic, request.refs, around, BLOCK_MARGIN_PX if is_full else 0)
+    made = _Block(request)
     look = look_at_squares(pixels, settings.wavelet, settings.levels)
     midway = middle_sources(pixels, look, 1), middle_sources(pixels, look, 0)
     doubtful = widened(enlarged(look.doubtful, SQUARE_PX // UNIT_PX), 1)  # and a unit around it
@@ -174,15 +184,14 @@ def _looked_at(request: BlockRequest) -> BlockScan:
     made.take_look(look, wanted)
     if is_full:
         made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
-    made.leave_out(pixels.valid)
-    reading = BlockReading((), True, pixels.has_sources)
-    return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
+    return made.result(pixels.valid, pixels.notices, BlockReading((), True, pixels.has_sources))
 
 
 def _measured_where(wanted: np.ndarray, request: BlockRequest) -> BlockScan:
     """What is measured pixel by pixel in some units of a block, (UNITS, UNITS) bool."""
     wanted = wanted[: -(-request.window.height // UNIT_PX), : -(-request.window.width // UNIT_PX)]
-    pixels, made = _pixels(request, request.window, 0 if wanted.mean() >= WHOLE_SHARE else None), _Block(request)
+    margin_px = 0 if wanted.mean() >= WHOLE_SHARE else None
+    pixels, made = BlockPixels(request.mosaic, request.refs, request.window, margin_px), _Block(request)
     waiting = deque(rectangles(wanted))
     unread: list[PixelWindow] = []
     has_mosaic = not waiting
@@ -202,14 +211,7 @@ def _measured_where(wanted: np.ndarray, request: BlockRequest) -> BlockScan:
             waiting.extendleft(reversed(_halves(window)))
         else:
             made.take_part(part)
-    made.leave_out(pixels.valid)
-    reading = BlockReading(tuple(unread), has_mosaic, pixels.has_sources)
-    return replace(made.result(tuple(dict.fromkeys(pixels.notices))), reading=reading)
-
-
-def _pixels(request: BlockRequest, window: PixelWindow, margin_px: int | None) -> BlockPixels:
-    refs = [source.ref for source in request.sources]
-    return BlockPixels(request.mosaic, refs, window, margin_px, request.grey_factor)
+    return made.result(pixels.valid, pixels.notices, BlockReading(tuple(unread), has_mosaic, pixels.has_sources))
 
 
 def called_for(
@@ -256,7 +258,12 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
         rows, columns = squares_met(window, SQUARE_PX)  # and those around them, as the array begins a square before
         nearby = request.followed[rows.start : rows.stop + 2, columns.start : columns.stop + 2]
         around = set(np.unique(nearby).tolist())
-    named = _named_near(placed, request)
+    named = set[Optional[int]]()
+    if request.pieces is not None:
+        near = request.pieces.near(placed, float(MARGIN_PX)).numbers.tolist()
+        named = {side for number in near for side in request.beside[number]}
+    if None in named:  # nothing says which source lies beside a seam
+        named = set()
     likely = tuple(i for i in everyone if i in around or i in named)
     if len(likely) > 1:
         if _is_crowded(likely, window):
@@ -267,15 +274,6 @@ def _measured(pixels: BlockPixels, window: PixelWindow, request: BlockRequest) -
     if _is_crowded(everyone, window):
         return None
     return measure_part(pixels, placed, everyone, request.taps, request.settings)
-
-
-def _named_near(window: PixelWindow, request: BlockRequest) -> set[int | None]:
-    """Sources that lie beside the seams in a window, on the mosaic's grid; none where one of them is not named."""
-    if request.pieces is None:
-        return set()
-    near = request.pieces.near(window, float(MARGIN_PX)).numbers.tolist()
-    named = {side for number in near for side in request.beside[number]}
-    return set() if None in named else named
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
@@ -296,91 +294,75 @@ class _Block:
     """What becomes a BlockScan."""
 
     def __init__(self, request: BlockRequest) -> None:
-        self._request = request
-        self._squares = np.full((SQUARES, SQUARES), UNKNOWN, np.uint8)
-        self._dense, self._wanted = np.zeros((2, UNITS, UNITS), bool)
-        self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
-        self._mixture, self._grey, self._grain = np.full((3, CELLS, CELLS), np.nan, np.float32)
+        self._scan, self._window = BlockScan.empty(request), request.window
         self._valid = np.ones((LABELS, LABELS), bool)
         self._plain = np.zeros((SQUARES, SQUARES), bool)
         self._learned: Learned | None = None
-        self._tables: list[CellTable] = []
-        self._mixtures: list[MixtureTable] = []
+        self._tables, self._mixtures = [self._scan.cells], [self._scan.beside]
 
     def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
         """What the patches say where nothing more is measured."""
         self._learned = look.learned
-        self._wanted[: wanted.shape[0], : wanted.shape[1]] = wanted
+        self._scan.wanted[: wanted.shape[0], : wanted.shape[1]] = wanted
         rows, columns = look.source.shape
-        self._squares[:rows, :columns] = look.source
+        self._scan.squares[:rows, :columns] = look.source
         self._plain[:rows, :columns] = look.plain & (look.source == UNKNOWN)
         side = SQUARE_PX // LABEL_PX
-        self._labels[: rows * side, : columns * side] = enlarged(look.source, side)
-        cells, window = look.cells, self._request.window
+        self._scan.labels[: rows * side, : columns * side] = enlarged(look.source, side)
+        cells, window = look.cells, self._window
         sides = UNIT_PX // CELL_PX
         kept = ~wanted[cells.row // sides, cells.column // sides]
         placed = cells.chosen(kept)
-        self._mixture[placed.row, placed.column] = 0
+        self._scan.mixture[placed.row, placed.column] = 0
         self._tables.append(placed.moved(window.row // CELL_PX, window.column // CELL_PX))
 
     def take_plain(self, cells: CellTable) -> None:
         """All cells between the seams, instead of samples of them."""
-        window = self._request.window
-        self._mixture[cells.row - window.row // CELL_PX, cells.column - window.column // CELL_PX] = 0
+        first_row, first_column = self._window.row // CELL_PX, self._window.column // CELL_PX
+        self._scan.mixture[cells.row - first_row, cells.column - first_column] = 0
         self._tables = [cells]
 
     def take_part(self, part: DensePart) -> None:
         """What was measured in a rectangle; what sticks out of the block is left out."""
-        window = self._request.window
-        inside = part.window.moved_by(-window.column, -window.row).cut_to(BLOCK_PX, BLOCK_PX)
-        for target, name in (
-            (self._labels, "labels"), (self._valid, "valid"), (self._mixture, "mixture"), (self._grey, "grey"),
-            (self._grain, "grain"),
-        ):
+        inside = part.window.moved_by(-self._window.column, -self._window.row).cut_to(BLOCK_PX, BLOCK_PX)
+        for name, plane in part.planes.items():
+            target = self._valid if name == "valid" else getattr(self._scan, name)
             place = target[squares_met(inside, BLOCK_PX // len(target))]
-            place[...] = part.planes[name][: place.shape[0], : place.shape[1]]
-        self._dense[squares_met(inside, UNIT_PX)] = True
+            place[...] = plane[: place.shape[0], : place.shape[1]]
+        self._scan.dense[squares_met(inside, UNIT_PX)] = True
         self._tables.append(part.cells)
         self._mixtures.append(part.beside)
 
-    def leave_out(self, valid: np.ndarray | None) -> None:
-        """Nothing is followed where the mosaic has no pixels."""
-        window, half = self._request.window, LABEL_PX // 2
-        rows, columns = -(-(window.height - half) // LABEL_PX), -(-(window.width - half) // LABEL_PX)
-        self._valid[rows:], self._valid[:, columns:] = False, False
-        if valid is not None:
-            self._valid[:rows, :columns] &= valid[half : window.height : LABEL_PX, half : window.width : LABEL_PX]
-        self._labels[~self._valid] = UNKNOWN
-
     def _ground(self) -> np.ndarray:
         """Ground of the units as ``BlockScan`` has it."""
-        side, window = LABELS // UNITS, self._request.window
-        labels, valid = (in_squares(plane, side) for plane in (self._labels, self._valid))
+        side, scan = LABELS // UNITS, self._scan
+        labels, valid = (in_squares(plane, side) for plane in (scan.labels, self._valid))
         rows, columns = (
-            np.clip(-(-(length - LABEL_PX // 2) // LABEL_PX) - side * np.arange(UNITS), 0, side)
-            for length in (window.height, window.width)
+            np.clip(labels_in(length) - side * np.arange(UNITS), 0, side)
+            for length in (self._window.height, self._window.width)
         )
         inside, has_pixels = np.outer(rows, columns), valid.sum(axis=(1, 3))
         held = np.sort(labels.transpose(0, 2, 1, 3).reshape(UNITS, UNITS, -1), axis=2)  # UNKNOWN last
         known = np.count_nonzero(held != UNKNOWN, axis=2)
         middle = np.take_along_axis(held, known[:, :, np.newaxis] // 2, axis=2)[:, :, 0]  # of two that which has more
         ground = np.where(has_pixels - known >= MOST_LACKING * has_pixels, LACKING, middle.astype(np.int16))
-        ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~self._dense] = PLAIN
-        is_even = self._grain <= ROUNDING * np.abs(self._grey)  # never where that is not known
+        ground[enlarged(self._plain, SQUARE_PX // UNIT_PX) & ~scan.dense] = PLAIN
+        is_even = scan.grain <= ROUNDING * np.abs(scan.grey)  # never where that is not known
         ground[in_squares(is_even, CELLS // UNITS).all(axis=(1, 3))] = PLAIN
         ground[inside - has_pixels >= np.maximum(MOST_LACKING * inside, 1)] = EMPTY
         ground[inside == 0] = EMPTY
         return ground
 
-    def result(self, notices: tuple[Message, ...]) -> BlockScan:
-        """All that was taken."""
-        request = self._request
-        levels = request.settings.levels
-        table = CellTable.joined([CellTable.empty(levels), *self._tables])
-        beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
-        return BlockScan(
-            request.key, request.numbers, self._squares, self._dense, self._wanted,
-            self._labels,
-            self._mixture, self._grey, self._grain, table, beside, self._ground(),
-            self._learned, notices,
+    def result(
+        self, valid: np.ndarray | None, notices: Sequence[Message], reading: BlockReading
+    ) -> BlockScan:
+        """All that was taken; nothing is followed where the mosaic has no pixels, (rows, columns) bool ``valid``."""
+        rows, columns = labels_in(self._window.height), labels_in(self._window.width)
+        self._valid[rows:], self._valid[:, columns:] = False, False
+        if valid is not None:
+            self._valid[:rows, :columns] &= valid[SAMPLED][:rows, :columns]
+        self._scan.labels[~self._valid] = UNKNOWN
+        return replace(
+            self._scan, cells=CellTable.joined(self._tables), beside=MixtureTable.joined(self._mixtures),
+            ground=self._ground(), learned=self._learned, notices=tuple(dict.fromkeys(notices)), reading=reading,
         )

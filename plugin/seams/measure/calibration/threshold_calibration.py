@@ -11,6 +11,12 @@ themselves jumps from one window's value to another's: it errs like the cube roo
 does not hold (Kim and Pollard 1990, Annals of Statistics 18, 191-219; Abrevaya and Huang 2005, Econometrica 73,
 1175-1204). That of fitted distributions (Fluss, Faraggi and Reiser 2005, Biometrical Journal 47, 458-472) moves evenly
 with every verdict, errs half as much, and can be resampled.
+
+Windows that lie near each other tell less than as many far apart: they share ground, sources and feathering. So judged
+windows are put into neighbourhoods, and resampled neighbourhood by neighbourhood (the cluster bootstrap: Davison and
+Hinkley 1997, section 3.8; blocks of a long row: Kuensch 1989, Annals of Statistics 17, 1217-1241).
+
+And how well two observers agree on the windows that both judged (Cohen's kappa).
 """
 from __future__ import annotations
 
@@ -20,14 +26,16 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import Polynomial
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 from scipy.special import ndtr
 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message
 from ....imagery.grids import Extent
-from ....imagery.statistics import NORMAL_95, Interval, critical_t
+from ....imagery.statistics import DECIDED, NORMAL_95, Interval, critical_t
 from .. import limits, messages
-from .neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods, find_neighbourhoods
 
 STANDARD_LIMITS = {
     "kept_1": limits.MAX_SIGNIFICANT_KEPT, "ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO,
@@ -131,7 +139,9 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     area, fitted = (statistic(visible, invisible, places) for statistic in (roc_area, best_threshold))
     values = sign * np.unique(np.concatenate([visible, invisible]))
     name, reach = verdicts.measure, (fitted.high - fitted.low) * _ROUNDING
-    step = step_at(verdicts, sign * min(_round_within(fitted.value, reach), most - _FINEST_STEP))
+    rounded = (round(fitted.value, digits) for digits in range(12))  # the fewest decimals that are near enough
+    threshold = next((value for value in rounded if abs(value - fitted.value) <= reach), fitted.value)
+    step = step_at(verdicts, sign * min(threshold, most - _FINEST_STEP))
     best = step if fitted.value < most and step.youden > 0 else None
     # The range of thresholds that can be set, the given one among them.
     fitting = [best.threshold, *(sign * end for end in (fitted.low, min(fitted.high, most)))] if best else []
@@ -159,11 +169,6 @@ def step_at(verdicts: Verdicts, threshold: float) -> Step:
     )
     seen, unseen = len(verdicts.visible), len(verdicts.invisible)
     return Step(threshold, hits, vain, hits / seen, (unseen - vain) / unseen)
-
-
-def _round_within(middle: float, reach: float) -> float:
-    """The number with the fewest decimals that is no farther off."""
-    return next((rounded for digits in range(12) if abs((rounded := round(middle, digits)) - middle) <= reach), middle)
 
 
 def roc_area(visible: np.ndarray, invisible: np.ndarray, neighbourhoods: Neighbourhoods) -> Interval:
@@ -276,3 +281,132 @@ def _crossings(kinds: Sequence[np.ndarray], weights: Sequence[np.ndarray]) -> tu
     best = np.where(is_alike, (mean + other_mean) / 2, np.where(np.greater_equal(*youden), first, second))
     lows, highs = zip(*((kind.mean() - _REACH * kind.std(), kind.mean() + _REACH * kind.std()) for kind in kinds))
     return np.clip(best, min(lows), max(highs)), unlikely
+
+
+LINK_SIDES = 2.0  # centres that far apart or less: windows that overlap, touch or leave room for one between them,
+# as those of one seam do at the standard spacing
+LONGEST_SIDES = 8.0  # of a block: four windows at the standard spacing
+MIN_NEIGHBOURHOODS = 1.5  # of either kind: below it there is nothing to resample
+
+RESAMPLES = 2000
+"""Draws of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends."""
+_SEED = 20100705  # the same verdicts give the same interval
+
+
+def find_neighbourhoods(extents: Sequence[Extent | None]) -> list[int]:
+    """The number of each window's neighbourhood; a window without an outline is one of its own.
+
+    Windows that come within a side of each other belong together; what reaches far is cut into even blocks.
+    """
+    placed = [place for place, extent in enumerate(extents) if extent is not None]
+    if not placed:
+        return list(range(len(extents)))
+    left, bottom, right, top = np.array([extents[place] for place in placed], np.float64).T
+    sides = np.median([right - left, top - bottom], axis=1)  # so that degrees do as well as metres
+    centres = np.column_stack([left + right, bottom + top]) / 2 / np.where(sides > 0, sides, 1)
+    pairs = cKDTree(centres).query_pairs(LINK_SIDES, p=np.inf, output_type="ndarray")
+    links = coo_matrix((np.ones(len(pairs), bool), (pairs[:, 0], pairs[:, 1])), shape=(len(placed),) * 2)
+    count, groups = connected_components(links, directed=False)
+    numbers = list(range(len(extents)))
+    blocks: dict[tuple[int, tuple[float, ...]], int] = {}
+    for group in range(count):
+        members = np.flatnonzero(groups == group)
+        away = centres[members] - centres[members].min(axis=0)
+        length = away.max(axis=0) + 1
+        block = away // (length / np.ceil(length / LONGEST_SIDES))
+        for member, key in zip(members.tolist(), map(tuple, block.tolist())):
+            numbers[placed[member]] = blocks.setdefault((group, key), len(extents) + len(blocks))
+    return np.unique(numbers, return_inverse=True)[1].tolist()
+
+
+def effective_count(places: Sequence[int] | np.ndarray) -> float:
+    """How many neighbourhoods of equal size would tell as much."""
+    counts = np.bincount(places)
+    return float(counts.sum() ** 2 / (counts**2).sum())
+
+
+class Neighbourhoods:
+    """Neighbourhoods of the judged windows of a measure, resampled as wholes."""
+
+    def __init__(self, visible: Sequence[int], invisible: Sequence[int]) -> None:
+        """The neighbourhoods' numbers, verdict by verdict."""
+        self._places = np.unique(np.array([*visible, *invisible]), return_inverse=True)[1]
+        self._visible = len(visible)
+        self.count = int(self._places.max()) + 1
+        self.fewest = min(effective_count(self._places[: len(visible)]), effective_count(self._places[len(visible) :]))
+        """Effective number of those that hold verdicts of a kind, of the kind that has fewer."""
+
+    def resamples(self) -> tuple[np.ndarray, np.ndarray]:
+        """How often each visible and each invisible verdict is drawn, (resamples, verdicts).
+
+        Neighbourhoods with visible verdicts alone, with invisible ones alone and with both are drawn among themselves,
+        so that both kinds remain, and one fewer than there are, so that resamples spread as much as samples do (Rao and
+        Wu 1988, Journal of the American Statistical Association 83, 231-241). A draw lacking two of a kind is left out.
+        """
+        seen, unseen = (
+            np.bincount(kind, minlength=self.count) > 0 for kind in np.split(self._places, [self._visible])
+        )
+        strata = [np.flatnonzero(kind) for kind in (seen & ~unseen, unseen & ~seen, seen & unseen)]
+        if 1 in map(len, strata):  # it would be alone
+            strata = [np.arange(self.count)]
+        random = np.random.default_rng(_SEED)
+        drawn = np.empty((RESAMPLES, self.count), np.int64)
+        for stratum in filter(len, strata):
+            shares = np.full(len(stratum), 1 / len(stratum))
+            drawn[:, stratum] = random.multinomial(len(stratum) - 1, shares, RESAMPLES)
+        visible, invisible = np.split(drawn[:, self._places], [self._visible], axis=1)
+        usable = (visible.sum(axis=1) >= 2) & (invisible.sum(axis=1) >= 2)
+        return visible[usable], invisible[usable]
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """How often two operators said the same."""
+
+    count: int
+    """Windows that both judged."""
+    agreed: int
+    """Windows of which both said the same."""
+    kappa: Interval | None
+    """1: always agreed, 0: as often as by chance. None where one of them said one word only."""
+
+
+def agreement(words: Sequence[tuple[str, str]]) -> Agreement:
+    """Agreement of pairs of words; where one of the two did not judge, or was not sure, a pair does not count."""
+    table = np.zeros((2, 2), np.int64)
+    for first, second in words:
+        if first in DECIDED and second in DECIDED:
+            table[DECIDED.index(first), DECIDED.index(second)] += 1
+    return Agreement(int(table.sum()), int(table.trace()), cohen_kappa(table))
+
+
+def cohen_kappa(table: np.ndarray) -> Interval | None:
+    """Cohen's kappa of a square table of counts (first's word, second's word), with its 95 % interval.
+
+    Cohen 1960 (Educational and Psychological Measurement 20, 37-46); the standard error is that of Fleiss, Cohen and
+    Everitt 1969 (Psychological Bulletin 72, 323-327). It is zero where all agree or none, however few they are; the
+    other end is then the kappa of as many exceptions as the score interval of none in n allows (Wilson 1927). None for
+    an empty table, and where one observer used one word only: kappa is 0 then whatever the other one said.
+    """
+    count = float(table.sum())
+    if count == 0:
+        return None
+    shares = table / count
+    rows, columns = shares.sum(axis=1), shares.sum(axis=0)
+    if rows.max() == 1 or columns.max() == 1:
+        return None
+    by_chance = float(rows @ columns)
+    agreed = float(shares.trace())
+    kappa = (agreed - by_chance) / (1 - by_chance)
+    exceptions = NORMAL_95**2 / (count + NORMAL_95**2)
+    if agreed == 1:
+        return Interval(1.0, (1 - exceptions - by_chance) / (1 - by_chance), 1.0)
+    if agreed == 0:
+        return Interval(kappa, kappa, (exceptions - by_chance) / (1 - by_chance))
+    same, rest = shares.diagonal(), 1 - kappa
+    marginals = (columns[:, np.newaxis] + rows) ** 2
+    agreeing = float((same * (1 - (rows + columns) * rest) ** 2).sum())
+    apart = rest**2 * float((shares * marginals).sum() - (same * marginals.diagonal()).sum())
+    spread = agreeing + apart - (kappa - by_chance * rest) ** 2  # Fleiss, Cohen and Everitt 1969, equation 13
+    reach = NORMAL_95 * math.sqrt(max(spread, 0.0) / count) / (1 - by_chance)
+    return Interval(kappa, max(kappa - reach, -1.0), min(kappa + reach, 1.0))

@@ -39,15 +39,19 @@ def read_grey_clip(
 ) -> tuple[Clip, float]:
     """A clip as ``read_clip`` has it, in values as those of 8 or 16 bit are, and by what they were multiplied.
 
-    A source of the mosaic's scale is multiplied by what the mosaic is. Raises RasterError.
+    Raises RasterError.
     """
     clip = read_clip(source, mosaic, window, partly)
-    mosaic_factor, factor = grey_factor(mosaic), grey_factor(source.raster)
-    if clip.bands.dtype.kind != "f":
-        return clip, 1.0
-    if mosaic_factor / _ALIKE < factor < mosaic_factor * _ALIKE:
-        factor = mosaic_factor
+    factor = clip_factor(clip, mosaic)
     return (clip if factor == 1 else replace(clip, bands=clip.bands * clip.bands.dtype.type(factor))), factor
+
+
+def clip_factor(clip: Clip, mosaic: Raster) -> float:
+    """What the values of a clip are multiplied by: those of a source of the mosaic's scale as the mosaic's."""
+    if clip.bands.dtype.kind != "f":
+        return 1.0
+    mosaic_factor, factor = grey_factor(mosaic), grey_factor(clip.raster)
+    return mosaic_factor if mosaic_factor / _ALIKE < factor < mosaic_factor * _ALIKE else factor
 
 
 @lru_cache(1024)

@@ -11,8 +11,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from enum import Enum
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -24,9 +23,9 @@ from ....imagery.grids import Extent, PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import KEPT_OPEN
 from ....imagery.rasters import Raster, RasterRef
+from .. import messages
 from ..following.boxes import in_squares
 from ..source_images import Footprints, Source, is_same_file
-from . import messages
 
 SIDE_PX = 64  # of a patch that is compared
 PLACES, FEWEST_PLACES = 12, 4  # along each side of the mosaic
@@ -50,43 +49,18 @@ LEAST_SHARP = 0.95  # of the others' fine detail by their coarser: an image that
 LEAST_SHOWN = 0.5  # of the places, by other images. Brighton: 0.7 and more of a mosaic, 0.2 of a single orthoimage
 
 
-class Likeness(Enum):
-    """What a source is to the mosaic."""
-
-    OTHER = "other"
-    COPY = "copy"
-    EQUAL = "equal"
-    """The mosaic wherever they were compared: one of its orthoimages, or a copy of it or of a part of it."""
-    LIKE = "like"
-    """Nearly so."""
-    OF_OTHERS = "of others"
-    """Explained by other sources wherever it lies, with less detail."""
+_COPY, _EQUAL, _LIKE, _OF_OTHERS = range(4)
+"""What a source may be to the mosaic: a copy; the mosaic wherever they were compared, as one of its orthoimages may be,
+or a copy of it or of a part of it; nearly so; explained by other sources wherever it lies, with less detail."""
 
 
 def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
-    """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those and of doubtful ones."""
-    likeness = likenesses(mosaic, sources)
-    named: dict[Likeness, list[Source]] = {kind: [] for kind in Likeness}
-    for source, kind in zip(sources, likeness):
-        named[kind].append(source)
-    return [
-        replace(source, may_be_copy=kind is not Likeness.OTHER) for source, kind in zip(sources, likeness)
-        if kind is not Likeness.COPY
-    ], [
-        *(messages.COPY_AMONG_SOURCES(name=source.ref.name) for source in named[Likeness.COPY]),
-        *(messages.MAY_BE_COPY(name=source.ref.name) for source in named[Likeness.EQUAL]),
-        *(messages.MAY_BE_ALTERED_COPY(name=source.ref.name) for source in named[Likeness.LIKE]),
-        *(messages.MADE_OF_OTHERS(name=source.ref.name) for source in named[Likeness.OF_OTHERS]),
-    ]
-
-
-def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
-    """What each source is to the mosaic.
+    """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those and of doubtful ones.
 
     Those on a tenth of the mosaic or more are opened and compared with it in up to 72 places; others where one of
     these is like it.
     """
-    likeness = [Likeness.OTHER] * len(sources)
+    kinds: dict[int, int] = {}
     on_mosaic = [n for n, source in enumerate(sources) if covered_share(mosaic.extent, source.extent) >= LEAST_COVER]
     parts = {n: vrt_parts(path) if os.path.isfile(path := sources[n].ref.path) else () for n in on_mosaic}
     copies = [n for n in on_mosaic if any(is_same_file(RasterRef(part), mosaic.ref) for part in parts[n])]
@@ -96,20 +70,25 @@ def likenesses(mosaic: Raster, sources: Sequence[Source]) -> list[Likeness]:
         for n in filter(comparison.is_alike, candidates):
             is_whole, is_shown = comparison.is_whole(n), comparison.is_shown_by_others(n)
             if is_whole and is_shown:
-                likeness[n] = Likeness.COPY
+                kinds[n] = _COPY
             elif is_whole or is_shown:
-                likeness[n] = Likeness.EQUAL if comparison.is_alike(n, ROUNDING) else Likeness.LIKE
-        others = {n for n in range(len(sources)) if n not in copies and likeness[n] is not Likeness.COPY}
+                kinds[n] = _EQUAL if comparison.is_alike(n, ROUNDING) else _LIKE
+        others = {n for n in range(len(sources)) if n not in copies and kinds.get(n) != _COPY}
         while soft := [
             (sharpness, n) for n in candidates if n in others
             and (sharpness := comparison.sharpness(n, others - {n})) is not None and sharpness < LEAST_SHARP
         ]:
             softest = min(soft)[1]
             others.remove(softest)  # which does not explain what it was made of
-            likeness[softest] = Likeness.OF_OTHERS
-    for n in copies:
-        likeness[n] = Likeness.COPY
-    return likeness
+            kinds[softest] = _OF_OTHERS
+    kinds.update(dict.fromkeys(copies, _COPY))
+    named = [[sources[n].ref.name for n in sorted(kinds) if kinds[n] == kind] for kind in range(4)]
+    return [replace(source, may_be_copy=n in kinds) for n, source in enumerate(sources) if kinds.get(n) != _COPY], [
+        *(messages.COPY_AMONG_SOURCES(name=name) for name in named[_COPY]),
+        *(messages.MAY_BE_COPY(name=name) for name in named[_EQUAL]),
+        *(messages.MAY_BE_ALTERED_COPY(name=name) for name in named[_LIKE]),
+        *(messages.MADE_OF_OTHERS(name=name) for name in named[_OF_OTHERS]),
+    ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,8 +153,7 @@ class _Comparison:
 
     def __init__(self, mosaic: Raster, sources: Sequence[Source]) -> None:
         self._mosaic, self._sources, self._opened = mosaic, sources, lru_cache(KEPT_OPEN)(OpenRaster)
-        self._known: dict[tuple[int, int], tuple[float, float]] = {}
-        self._patches: dict[tuple[int, int], _Patch | None] = {}
+        self._patch, self._compared = cache(self._read_patch), cache(self._compare)
         patches = []
         for window in _windows(mosaic):
             with suppress(RasterError):
@@ -214,7 +192,7 @@ class _Comparison:
         """Fine detail of a source that others explain nearly wherever it lies, as a share of that of those most like
         it; None for one that shows what they don't."""
         places = [k for k, over in enumerate(self._over) if number in over and over & {*others}]
-        detail, missed, likest_pairs = [], 0, []
+        detail, alone, missed = [], Counter[int](), 0
         for k in places:
             patch = self._patch(number, k)
             if patch is None:
@@ -223,32 +201,27 @@ class _Comparison:
             seen = {n: other for n in sorted(self._over[k] & {*others}) if (other := self._patch(n, k)) is not None}
             averaged = {n: other.averaged(AVERAGED_PX) for n, other in seen.items()}
             lacking = {n: _lacking(coarse, other) for n, other in averaged.items()}
-            likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])
-            if not likest:
-                continue
-            first = likest[0]
-            explained = _explained(coarse, [averaged[n] for n in likest[:MOST_OTHERS]])
-            likest_pairs.append((first, coarse, averaged[first]))
+            likest = sorted((n for n in seen if not np.isnan(lacking[n])), key=lambda n: lacking[n])[:MOST_OTHERS]
+            explained = _explained(coarse, [averaged[n] for n in likest]) if likest else np.nan
             missed += explained < LEAST_EXPLAINED
             if missed > MOST_ELSEWHERE * len(places):
                 return None
             if not np.isnan(explained):
+                first = likest[0]
                 detail.append(list(map(_energy, (patch, coarse, seen[first], averaged[first]))))
+                alone[first] += _explained(coarse, [averaged[first]]) >= LEAST_EXPLAINED
         if len(detail) < FEWEST_EXPLAINED or missed > MOST_ELSEWHERE * len(detail):
             return None
-        alone = Counter(n for n, patch, other in likest_pairs if _explained(patch, [other]) >= LEAST_EXPLAINED)
-        if max(alone.values(), default=0) >= (1 - MOST_ELSEWHERE) * len(detail):
+        if max(alone.values()) >= (1 - MOST_ELSEWHERE) * len(detail):
             return None  # another image given twice, as in a second system
-        fine, coarse, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
-        return fine * their_coarse / (coarse * their_fine) if coarse * their_fine else None
+        fine, coarse_sum, their_fine, their_coarse = np.sum(detail, axis=0).tolist()
+        return fine * their_coarse / (coarse_sum * their_fine) if coarse_sum * their_fine else None
 
-    def _patch(self, number: int, k: int) -> _Patch | None:
+    def _read_patch(self, number: int, k: int) -> _Patch | None:
         """A source at a place; None where it can't be read."""
-        if (number, k) not in self._patches:
-            self._patches[number, k] = None
-            with suppress(RasterError):  # the scan says so where it needs it
-                self._patches[number, k] = self._read(self._sources[number].ref, self._places[k][0])
-        return self._patches[number, k]
+        with suppress(RasterError):  # the scan says so where it needs it
+            return self._read(self._sources[number].ref, self._places[k][0])
+        return None
 
     def _is_another(self, number: int) -> bool:
         """Whether a source is another image of the ground somewhere, or may be; what was made of the mosaic is not."""
@@ -258,18 +231,16 @@ class _Comparison:
     def _lacking(self, number: int) -> Iterator[float]:
         return (self._compared(number, k)[0] for k in range(len(self._places)))
 
-    def _compared(self, number: int, k: int) -> tuple[float, float]:
+    def _compare(self, number: int, k: int) -> tuple[float, float]:
         """What a source lacks of the mosaic at a place, nan where that can't be told, and the share of the place where
         the mosaic has pixels and it has none."""
-        if number not in self._over[k]:
+        source, patch = self._patch(number, k) if number in self._over[k] else None, self._places[k][1]
+        if source is None:
             return np.nan, 1.0
-        source, patch = self._patch(number, k), self._places[k][1]
-        if source is not None and (number, k) not in self._known:
-            size = self._opened(self._sources[number].ref).raster.ground_sample_distance
-            side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
-            lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
-            self._known[number, k] = lacking, float((patch.valid & ~source.valid).mean())
-        return self._known.get((number, k), (np.nan, 1.0))
+        size = self._opened(self._sources[number].ref).raster.ground_sample_distance
+        side = AVERAGED_PX * max(round(size / self._mosaic.ground_sample_distance), 1)
+        lacking = _lacking(patch.averaged(side), source.averaged(side)) if side <= MOST_AVERAGED_PX else np.nan
+        return lacking, float((patch.valid & ~source.valid).mean())
 
     def _read(self, ref: RasterRef, window: PixelWindow) -> _Patch:
         clip = read_clip(self._opened(ref), self._mosaic, window, partly=True)

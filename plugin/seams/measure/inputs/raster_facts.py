@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ....imagery.errors import Message
 from ....imagery.grids import Extent, extents_meet
-from . import messages
+from .. import messages
 from .mosaic_copies import covered_share
 
 MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have

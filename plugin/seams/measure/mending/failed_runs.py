@@ -11,11 +11,11 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.lines import as_xy, is_line, line_points, read_geometry, simple_parts, vertex_stations
 from ....imagery.seam_totals import MOST_KEPT, STRETCH, PieceState, possible
+from .. import messages
 from ..judgement.verdicts import Verdict
 from ..limits import ALL, FAILED, MENDED_SEAMS, REDUCED
 from ..seamlines.seam_features import SeamFeature
-from ..seamlines.seam_pieces import SeamPiece, cut_at
-from . import messages
+from ..seamlines.seam_pieces import SeamPiece, cut_at, joined_pieces
 
 LONGEST_PX = 1024.0
 """Longest run, so that memory does not grow with the seams; a single piece may be longer."""
@@ -142,11 +142,9 @@ def _goes_on(first: SeamRun, second: SeamRun, longest_m: float) -> bool:
 
 
 def _joined(first: SeamRun, second: SeamRun) -> SeamRun:
-    piece, other = first.piece, second.piece
     measured = [(run.kept, run.piece.length_m) for run in (first, second) if run.kept is not None]
     kept = sum(kept * metres for kept, metres in measured) / sum(metres for _, metres in measured) if measured else None
-    vertices = np.concatenate([piece.vertices, other.vertices[1:]])
     return replace(
-        first, piece=replace(piece, vertices=vertices, length_m=piece.length_m + other.length_m), kept=kept,
-        width_m=max(first.width_m, second.width_m), numbers=first.numbers + second.numbers,
+        first, piece=joined_pieces([first.piece, second.piece]), kept=kept, width_m=max(first.width_m, second.width_m),
+        numbers=first.numbers + second.numbers,
     )

@@ -16,22 +16,32 @@ from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stat
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import judged_plane
-from ..blocks.block_pixels import JUDGED, BlockPixels
-from ..blocks.mosaic_reading import ALL_READ
+from .. import messages
+from ..blocks.block_pixels import ALL_READ, JUDGED, BlockPixels
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.levelling import SQUARE_PX, to_pixels
 from ..judgement.hard_cut import JudgedGround, as_type, judged_ground
 from ..limits import MEND_BLEND_PX, MEND_WIDTH_M, MOST_BLEND_PX
 from ..seam_cells import UNKNOWN
-from ..seamlines.piece_index import NearestPieces, PieceIndex
+from ..seamlines.seam_pieces import NearestPieces, PieceIndex
 from ..source_images import Source
 from ..while_measuring import measuring
-from . import messages
-from .dressing import EASED_PX, dress, eased, placed_bands, shown_detail, tells_tones, tone_step
 from .failed_runs import SeamRun
 from .mended_mosaic import patch_file
-from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
+from .new_cut import (
+    CELL_PX,
+    EASED_PX,
+    cheapest_way,
+    cutting_cost,
+    dress,
+    eased,
+    fit_along,
+    placed_bands,
+    shown_detail,
+    tells_tones,
+    tone_step,
+)
 
 GROUND_PX = 192
 """Around the old seam and the new cut: what tones and filters are learned of."""
@@ -73,11 +83,10 @@ class MendSettings:
 class RunRequest:
     """All that is needed to cut one run anew, in plain data that can cross threads and processes."""
 
+    numbers = ()
     key: tuple[int, int]
     """The run's number, and 0."""
     mosaic: Raster
-    grey_factor: float
-    """What its values are multiplied by to be judged."""
     sources: tuple[Source, ...]
     """Sources beside the run, the left one first, then others that are near."""
     run: SeamRun
@@ -93,7 +102,7 @@ class RunRequest:
 class MendedRun:
     """What became of it."""
 
-    reading = ALL_READ
+    reading, sources = ALL_READ, ()
     key: tuple[int, int]
     """Key of the request."""
     reason: Message | None = None
@@ -236,7 +245,7 @@ class _Pixels:
     def __init__(self, request: RunRequest, window: PixelWindow, count: int) -> None:
         """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
         refs = [source.ref for source in request.sources[:count]]
-        block = BlockPixels(request.mosaic, refs, window, 0, request.grey_factor)
+        block = BlockPixels(request.mosaic, refs, window)
         self.window, self.mosaic = window, request.mosaic
         self.mosaic_clip, self.clips = block.held.mosaic, block.held.clips
         if any(side not in self.clips for side in _SIDES):

@@ -8,13 +8,11 @@ import os
 import shutil
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from operator import attrgetter
 from pathlib import Path
-from typing import Callable
 
 import numpy as np
 
@@ -27,19 +25,19 @@ from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, record_of, sentences_of, value_of
+from .. import messages
 from ..blocks.block_grid import BlockKey
 from ..blocks.scan_settings import ScanSettings
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
 from ..scan.piece_sums import around_pieces
-from ..scan.scan_journal import ScanJournal, fingerprint_of, journal_beside
+from ..scan.scan_journal import ScanInputs, ScanJournal, journal_beside
 from ..scan.scan_request import ScanRequest
 from ..scan.whole_scan import whole_scan
 from ..seamlines.given_seams import GivenSeams
-from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_pieces import SidedSeam
+from ..seamlines.seam_features import source_numbers
+from ..seamlines.seam_pieces import PieceIndex, SidedSeam
 from ..source_images import Source
 from ..workers import Workers
-from . import messages
 from .failed_runs import SeamRun, part_of, seam_runs
 from .mend_run import GROUND_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
 from .mended_mosaic import PlacedPatch, joined_patches, write_mended
@@ -68,15 +66,10 @@ class MendRequest:
     settings: MendSettings
 
     @cached_property
-    def scan(self) -> ScanRequest:
-        """Scan of the mosaic, for what the names of sources mean."""
-        return ScanRequest(self.mosaic, self.sources, ScanSettings())
-
-    @cached_property
     def numbers(self) -> dict[str, int]:
         """Numbers of the sources by what the pieces call them."""
         names = {str(side) for piece in self.pieces for side in (piece.piece.left, piece.piece.right)}
-        return self.scan.numbers_named(names)[0]
+        return source_numbers(names, [source.ref.paths for source in self.sources])[0]
 
     @cached_property
     def runs(self) -> tuple[list[SeamRun], list[SeamRun]]:
@@ -99,7 +92,7 @@ class MendRequest:
         named = [self.numbers.get(str(side)) for piece in beside for side in (piece.left, piece.right)]
         order = dict.fromkeys([*run.sides, *(number for number in named if number is not None)])
         return RunRequest(
-            key, self.mosaic, self.scan.grey_factor, tuple(self.sources[number] for number in order), run,
+            key, self.mosaic, tuple(self.sources[number] for number in order), run,
             self.near(run, 2 * _WIDEST_PX),
             min(self.settings.width_m / self.mosaic.ground_sample_distance, _WIDEST_PX), self.settings.blend_px,
         )
@@ -165,11 +158,12 @@ class Mending:
         """Runs that an earlier one has cut already."""
         return len(self._journal.files.names)
 
-    def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
+    def steps(self, workers: Workers) -> Iterator[ScanStep]:
         """Cuts all runs anew."""
-        blocks, fitting = JournaledBlocks(self._journal, Workers(executor, ahead, cancelled)), {}
+        fitting = {}
         runs = {(number, 0): run for number, run in enumerate(self.request.runs[0])}
-        with rasters_kept():
+        with rasters_kept(), workers.at_work() as crew:
+            blocks = JournaledBlocks(self._journal, crew)
             for step in blocks.steps(_LOOK, list(runs), lambda key: self.request.run(key, runs[key])):
                 fitting[step.key] = step.brief
                 yield step
@@ -192,11 +186,11 @@ class Mending:
                 span = station + first if first else -np.inf, station + last if last < whole else np.inf
                 yield (key[0], (place + 1) // 2 if place % 2 else 0), replace(part, span=span)
 
-    def result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
+    def result(self, workers: Workers) -> list[MendedSeam]:
         """Measures the new cuts, and writes the patches that are better than the mosaic, and the mended mosaic. All
         wanted seams, whatever became of them.
 
-        Raises SettingsError or RasterError where they can't be written, CancelledError when ``goes_on`` says no.
+        Raises SettingsError or RasterError where they can't be written, CancelledError.
         """
         place, mosaic = Path(self._mended), self.request.mosaic
         # The folder may go away meanwhile, or its disk be full.
@@ -206,13 +200,17 @@ class Mending:
             tried = list(self._tried(Path(folder)))
             cuts = {number: cut.vertices for number, (cut, patch) in enumerate(tried) if patch is not None}
             write_mended(path := str(Path(folder) / "mended.vrt"), mosaic, [patch for _, patch in tried if patch])
-            kept = self._measured(path, cuts, goes_on, executor, ahead) if cuts else {}
+            kept = self._measured(path, cuts, workers) if cuts else {}
             seams = [self._judged(number, cut, kept.get(number)) for number, (cut, _) in enumerate(tried)]
             better = [patch for (_, patch), seam in zip(tried, seams) if patch is not None and seam.outcome != LEFT]
             if self._single:
                 better = [joined_patches(self._single, mosaic, better)] if better else []
             else:
-                better = [self._moved(seam) for seam in better]
+                for number, patch in enumerate(better):
+                    path = str(self._folder / os.path.basename(patch.path))
+                    with whole_raster(path) as unfinished:
+                        shutil.move(patch.path, unfinished)
+                    better[number] = replace(patch, path=path)
             write_mended(self._mended, mosaic, better)
         reason = messages.SIDES_UNKNOWN()
         named, unnamed = self.request.runs
@@ -232,16 +230,7 @@ class Mending:
                 cut.patch.tofile(patch.path)
             yield replace(cut, patch=None), patch
 
-    def _moved(self, patch: PlacedPatch) -> PlacedPatch:
-        path = str(self._folder / os.path.basename(patch.path))
-        with whole_raster(path) as unfinished:
-            shutil.move(patch.path, unfinished)
-        return replace(patch, path=path)
-
-    def _measured(
-        self, path: str, cuts: dict[int, np.ndarray | None], goes_on: Callable[[float], bool], executor: Executor,
-        ahead: int,
-    ) -> dict[int, float]:
+    def _measured(self, path: str, cuts: dict[int, np.ndarray | None], workers: Workers) -> dict[int, float]:
         """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of
         given seams, those that stay among them."""
         request = self.request
@@ -260,9 +249,7 @@ class Mending:
         settings = ScanSettings(levels=1, piece_m=_ONE_PIECE_M, corridor_m=corridor, worst_count=0)
         mended = describe_mosaic(replace(request.mosaic.ref, path=path))
         with whole_scan(ScanRequest(mended, request.sources, settings, GivenSeams(seams, (), ())), Path(path)) as scan:
-            for step in scan.steps(executor, ahead, lambda: not goes_on(PATCHED)):
-                goes_on(PATCHED + (1 - PATCHED) * step.share)
-            result = scan.result("", goes_on, executor, ahead) if goes_on(1.0) else None
+            result, _ = scan.measured("", workers)
         if result is None:
             raise CancelledError(messages.MENDING_STOPPED())
         kept: dict[int, float] = {}
@@ -298,8 +285,7 @@ def mending(request: MendRequest, patches: str, mended: str, read: Iterable[str]
         folder.mkdir(parents=True, exist_ok=True)
         made = [patches] if _is_file(patches) else [str(path) for path in folder.glob(_PATCHES)]
     outputs = {"mended": mended, **{os.path.basename(path): path for path in made}}
-    place = request.mosaic.geotransform, request.mosaic.wkt
-    fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, given, place)
+    fingerprint = ScanInputs(request.mosaic, request.sources).fingerprint(request.settings, given)
     refuse_overwriting(outputs, (*read, *(path for ref in refs for path in ref.paths)))
     with journal_beside(Path(mended), JOURNAL_ENDING, fingerprint) as (journal, _):
         yield Mending(request, patches, mended, journal)

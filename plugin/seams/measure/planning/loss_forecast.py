@@ -38,8 +38,7 @@ from ..judgement.feather_prediction import (
 from ..limits import COSINE, RAMPS
 from ..source_images import Source, covers
 from ..while_measuring import measuring
-from ..window.measured_window import comparable, measured_clip
-from ..window.window_request import InspectionSettings, WindowRequest
+from ..window.measured_window import InspectionSettings, WindowRequest, comparable, measured_clip
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ def place_windows(
             outside += 1
         elif not len(stretches):
             tiny += 1
-        elif all(map(placed.covers, *track.pixels_along(stretches).T)):
+        elif all(map(placed.covers, *grid.to_pixels(track.points_along(stretches)).T)):
             covered += 1
         else:
             along, lost, too_near = _along(track, stretches, settings.spacing_m, densest_m, is_valid)
@@ -261,13 +261,10 @@ class SeamTrack:
         self._station = vertex_stations(seam.vertices * (grid.metres_x, grid.metres_y))
         self._pixels = grid.to_pixels(seam.vertices)
 
-    def _points(self, stations: np.ndarray) -> np.ndarray:
-        """(n, 2) on the map."""
-        return points_at(self._vertices, self._station, stations)
-
     def windows(self, stations: np.ndarray) -> list[PixelWindow]:
         """The window centred at each station."""
-        return [standard_window(self._grid, x, y, self.side_px) for x, y in self._points(stations)]
+        places = points_at(self._vertices, self._station, stations)
+        return [standard_window(self._grid, x, y, self.side_px) for x, y in places]
 
     def nearby(self, fitting: np.ndarray, station: float, first: float, last: float) -> np.ndarray:
         """Stations from first to last that lie in the stretches (k, 2), an eighth of a window apart, nearest first."""
@@ -276,9 +273,9 @@ class SeamTrack:
         every = np.concatenate([np.clip(station, starts, ends), *self._spaced(zip(starts, ends))])
         return every[np.argsort(abs(every - station), kind="stable")]
 
-    def pixels_along(self, stretches: np.ndarray) -> np.ndarray:
-        """(n, 2) columns and rows along stretches, an eighth of a window apart."""
-        return self._grid.to_pixels(self._points(np.concatenate(self._spaced(stretches))))
+    def points_along(self, stretches: np.ndarray) -> np.ndarray:
+        """(n, 2) places on the map along stretches, an eighth of a window apart."""
+        return points_at(self._vertices, self._station, np.concatenate(self._spaced(stretches)))
 
     def _spaced(self, stretches: Iterable[tuple[float, float]]) -> list[np.ndarray]:
         """Stations along each stretch, an eighth of a window apart."""

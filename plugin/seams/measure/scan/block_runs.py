@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from operator import attrgetter
@@ -19,16 +20,15 @@ from ....imagery.errors import Message, SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
 from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
-from .. import messages
 from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
-from ..blocks.mosaic_reading import ALL_READ, BlockReading
+from ..blocks.block_pixels import ALL_READ, BlockReading
 from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
 from ..following.boxes import enlarged
 from ..following.source_filters import UNTOUCHED, Learned
-from ..profile.cell_table import CellTable, MixtureTable
+from ..profile.cell_table import CellTable, MixtureTable, Rows
 from ..seam_cells import NONE, UNKNOWN
 from ..workers import Workers, in_order, unforeseen
-from .scan_journal import INCOMPLETE, ScanJournal, not_saved
+from .scan_journal import INCOMPLETE, ScanJournal, loaded, not_saved, save
 from .scan_request import ScanRequest
 
 _AS_WELL, _LEAST_LEFT = 1.3, 0.002
@@ -97,28 +97,29 @@ class JournaledBlocks:
         self._total += len(keys)
         measure, failed = partial(_looked_at, look, files), partial(_without, look, files)
         for block in in_order(map(request, keys), measure, failed, self._workers, self._workers.together):
-            yield self._step(look, block)
-
-    def _step(self, look: BlockLook, block: ScanStep) -> ScanStep:
-        if block.trouble:
-            raise not_saved(self._journal.files, block.trouble)
-        if block.record is not None:
-            self._journal.is_shared = False
-            self._journal.save(_name(look, block.key, block.notices), block.record)
-        self._done += 1
-        self._timed += not block.was_held
-        if block.was_held:  # by an earlier run, which began with the same blocks
-            self._started = time.monotonic()
-        seconds_left = None
-        if self._timed >= _FEWEST_TIMED:
-            seconds_left = (time.monotonic() - self._started) / self._timed * (self._total - self._done)
-        return replace(block, record=None, share=self._done / self._total, seconds_left=seconds_left)
+            if block.trouble:
+                raise not_saved(files, block.trouble)
+            if block.record is not None:
+                self._journal.is_shared = False
+                save(files, _name(look, block.key, block.notices), block.record)
+            self._done += 1
+            self._timed += not block.was_held
+            if block.was_held:  # by an earlier run, which began with the same blocks
+                self._started = time.monotonic()
+            seconds_left = None
+            if self._timed >= _FEWEST_TIMED:
+                seconds_left = (time.monotonic() - self._started) / self._timed * (self._total - self._done)
+            yield replace(block, record=None, share=self._done / self._total, seconds_left=seconds_left)
 
 
 def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanStep:
-    scan = _kept_before(look, files, request)
+    name, scan = _name(look, request.key), None
+    with suppress(SettingsError):  # damaged: it is measured again
+        scan = loaded(files, name, look.scan_of)
     if scan is not None:
-        return ScanStep(scan.key, look.brief(scan), was_held=True)
+        if (scan.key, scan.sources) == (request.key, request.numbers):
+            return ScanStep(scan.key, look.brief(scan), was_held=True)
+        files.forget(name)  # of no such block
     try:
         scan = look.measure(request)
     except Exception as error:  # which costs this block only
@@ -129,22 +130,6 @@ def _looked_at(look: BlockLook, files: RecordFiles, request: Request) -> ScanSte
 def _without(look: BlockLook, files: RecordFiles, request: Request, reason: Message) -> ScanStep:
     """A step of a block of which the measuring failed in a way that nobody foresaw."""
     return _kept(look, files, look.nothing(request, (reason.as_warning(),)))
-
-
-def _kept_before(look: BlockLook, files: RecordFiles, request: Request) -> Scan | None:
-    """What an earlier run has measured; what is of no such block is forgotten."""
-    name = _name(look, request.key)
-    try:
-        record = files.load(name)
-        if record is None:
-            return None
-        scan = look.scan_of(record)
-        if scan.key == request.key and scan.sources == request.numbers:
-            return scan
-    except (NotUnderstoodError, OSError):
-        pass  # damaged: it is measured again
-    files.forget(name)
-    return None
 
 
 def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
@@ -160,19 +145,9 @@ def _kept(look: BlockLook, files: RecordFiles, scan: Scan) -> ScanStep:
 
 
 def held(look: BlockLook, files: RecordFiles, key: BlockKey) -> Any:
-    """The scan that was kept of one block; None where there is none.
-
-    Raises SettingsError where it can't be read any more; it is then measured again when the scan is started again.
-    """
-    name = _name(look, key)
-    try:
-        record = files.load(name)
-        record = files.load(f"{INCOMPLETE} {name}") if record is None else record
-        return None if record is None else look.scan_of(record)
-    except (OSError, NotUnderstoodError) as error:
-        files.forget(name)
-        why = system_reason(error) if isinstance(error, OSError) else str(error)
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=why)) from None
+    """The scan that was kept of one block; None where there is none. Raises SettingsError as ``loaded`` does."""
+    names = _name(look, key), _name(look, key, INCOMPLETE)
+    return next((scan for name in names if (scan := loaded(files, name, look.scan_of)) is not None), None)
 
 
 def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
@@ -185,47 +160,42 @@ _ARRAYS = {
     "grey": CELLS, "grain": CELLS,
 }
 """And how many samples each has along a side."""
-_LEARNED = "learned taps", "learned of", "learned left over"
-_TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
+_TABLES: dict[str, type[Rows]] = {"cells": CellTable, "beside": MixtureTable}
 
 
 def record_of(scan: BlockScan) -> bytes:
     """All but the notices, which are told once."""
     arrays = {name: getattr(scan, name) for name in _ARRAYS}
-    for table, names in _TABLES.items():
-        arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
-    arrays["key"] = np.array(scan.key)
-    arrays["sources"] = np.array(scan.sources, np.int32)
+    for table, kind in _TABLES.items():
+        arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in kind.names()}
     learned = scan.learned or Learned({}, {})
-    of = sorted(learned.taps)
-    taps = np.array([learned.taps[number] for number in of], np.float32)
-    left_over = np.array([learned.left_over[number] for number in of])
-    held = taps.reshape(-1, *UNTOUCHED.shape), np.array(of, np.uint8), left_over
-    return packed({**arrays, **dict(zip(_LEARNED, held))}, compressed=_ARRAYS)
+    arrays |= {
+        "key": np.array(scan.key), "sources": np.array(scan.sources, np.int32),
+        "learned": np.array([*learned.taps], int),
+        "taps": np.array([*learned.taps.values()], np.float32).reshape(-1, *UNTOUCHED.shape),
+        "left over": np.array([learned.left_over[number] for number in learned.taps]),
+    }
+    return packed(arrays, compressed=_ARRAYS)
 
 
 def scan_of(record: bytes) -> BlockScan:
     """What ``record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
     with understanding():
         held = unpacked(record)
-        row, column = held["key"].tolist()
-        cells = CellTable(*(held[f"cells {name}"] for name in _TABLES["cells"]))
-        beside = MixtureTable(*(held[f"beside {name}"] for name in _TABLES["beside"]))
+        (row, column), numbers, taps = held["key"].tolist(), held["learned"].tolist(), held["taps"]
+        tables = {
+            table: kind(*(held[f"{table} {name}"] for name in kind.names())) for table, kind in _TABLES.items()
+        }
         if any(held[name].shape != (side, side) for name, side in _ARRAYS.items()):
             raise NotUnderstoodError("of another size")
-        if any(column.shape[-1] != len(table.row) for table in (cells, beside) for column in vars(table).values()):
+        if any(values.shape[-1] != len(table) for table in tables.values() for values in vars(table).values()):
             raise NotUnderstoodError("a table with holes")
-        arrays = {name: held[name] for name in _ARRAYS}
-        sources, learned = tuple(held["sources"].tolist()), _learned(held)
-        return BlockScan((row, column), sources, **arrays, cells=cells, beside=beside, learned=learned)
-
-
-def _learned(held: Mapping[str, np.ndarray]) -> Learned | None:
-    taps, of, left_over = (held[name] for name in _LEARNED)
-    if taps.shape[1:] != UNTOUCHED.shape or of.dtype != np.uint8:
-        raise NotUnderstoodError("filters of another kind")
-    numbers = of.tolist()
-    return Learned(dict(zip(numbers, taps)), dict(zip(numbers, left_over.tolist()))) if numbers else None
+        if taps.shape[1:] != UNTOUCHED.shape:
+            raise NotUnderstoodError("filters of another kind")
+        arrays: dict[str, Any] = {**{name: held[name] for name in _ARRAYS}, **tables}
+        if numbers:
+            arrays["learned"] = Learned(dict(zip(numbers, taps)), dict(zip(numbers, held["left over"].tolist())))
+        return BlockScan((row, column), tuple(held["sources"].tolist()), **arrays)
 
 
 class BlockRun:

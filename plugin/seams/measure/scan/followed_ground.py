@@ -49,15 +49,6 @@ class GroundPlace:
         return f"{self.x:.10g} {self.y:.10g} {self.width_m:.0f} {self.height_m:.0f}"
 
 
-def _open_ends(paths: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """Ends of lines, (n, 2) each, that no other line shares, as lines of one vertex."""
-    if not paths:
-        return []
-    ends = np.concatenate([path[[0, -1]] for path in paths])
-    _, which, count = np.unique(np.rint(ends), axis=0, return_inverse=True, return_counts=True)
-    return [end[np.newaxis] for end in ends[count[which.ravel()] == 1]]
-
-
 class FollowedGround:
     """The units of a mosaic, and the pieces of its seams."""
 
@@ -74,8 +65,10 @@ class FollowedGround:
         long = [piece for piece in pieces if piece.length_m >= least_m]
         paths = [self._grid.to_pixels(piece.vertices) for piece in long]
         self._on_seam = self._marked(paths)
-        # Beside a seam, not beyond its end: there it may have been cut off.
-        along = self._on_seam & ~self._marked(_open_ends(paths))
+        # Beside a seam, not beyond its end, which no other shares: there it may have been cut off.
+        ends = np.concatenate([np.zeros((0, 2)), *(path[[0, -1]] for path in paths)])
+        _, which, count = np.unique(np.rint(ends), axis=0, return_inverse=True, return_counts=True)
+        along = self._on_seam & ~self._marked([end[np.newaxis] for end in ends[count[which.ravel()] == 1]])
         self._at_seam = self._on_seam | ndimage.maximum_filter(along, 2 * _AT_SEAM_PX // UNIT_PX + 1)
 
     def _marked(self, paths: Sequence[np.ndarray]) -> np.ndarray:
@@ -101,7 +94,14 @@ class FollowedGround:
         if self.looked < 1:
             notes["looked_at"] = f"{self.looked:.4f}"
         if self.unexplained >= LEAST_UNEXPLAINED:
-            notes["unexplained_border"] = f"{self._around_lacking_m:.1f}"
+            # Its border with what follows a source: as much seam may be there, where none is known. By the sides of
+            # units, whose staircases are 4 / pi times as long as lines of any direction (Cauchy).
+            lacks, followed = self._lacking & ~self._at_seam, self._units >= 0
+            sides = sum(
+                np.count_nonzero(first[:-1] & other[1:]) for first, other in
+                ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
+            )
+            notes["unexplained_border"] = f"{np.pi / 4 * float(sides) * self._unit_m:.1f}"
         if self.empty:
             notes["nodata_inside"] = f"{self.empty:.6f}"
         for name, borders in (("unseen", self.unseen), ("hidden", self.hidden)):
@@ -160,17 +160,6 @@ class FollowedGround:
         total = np.count_nonzero((self._units >= 0) | lacks)
         is_part = sizes >= np.maximum(min(LEAST_PART * total, (self._piece_m / self._unit_m) ** 2), 1)
         return np.asarray(is_part[parts])
-
-    @property
-    def _around_lacking_m(self) -> float:
-        """Length of its border with what follows a source: as much seam may be there, where none is known. By the sides
-        of units, whose staircases are 4 / pi times as long as lines of any direction (Cauchy)."""
-        lacks, followed = self._lacking & ~self._at_seam, self._units >= 0
-        sides = sum(
-            np.count_nonzero(first[:-1] & other[1:]) for first, other in
-            ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
-        )
-        return np.pi / 4 * float(sides) * self._unit_m
 
     @cached_property
     def _inside(self) -> np.ndarray:

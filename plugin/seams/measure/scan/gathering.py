@@ -7,41 +7,28 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Executor
-from contextlib import ExitStack
+from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
-from typing import Any, Callable
 
 import numpy as np
 from osgeo import ogr
 
-from ....imagery import messages as imagery_messages
 from ....imagery.clips import shared_extent
-from ....imagery.errors import CancelledError, Message, SeamInspectorError
-from ....imagery.raster_pool import own_threads
+from ....imagery.errors import Message
 from ....imagery.rasters import RasterRef
 from ....imagery.seam_totals import PieceState
 from .. import messages
 from ..blocks.block_grid import LABEL_PX, UNIT_PX, UNITS, place_of, squares_met
-from ..blocks.mosaic_reading import MosaicReading
+from ..blocks.block_pixels import MosaicReading
 from ..blocks.scan_block import EMPTY, NOT_LOOKED
 from ..judgement.visibility import white_grey
-from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
-from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, parts_with_area, polygons_of, seams_of, trace_borders
-from ..workers import Workers, in_order
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, cut_in_pieces, sided
+from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
+from ..workers import Workers
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
-from .piece_sums import (
-    REACH_PX,
-    BlockOutputs,
-    PiecesRequest,
-    around_pieces,
-    block_outputs,
-    by_blocks,
-    measure_pieces,
-)
+from .piece_sums import REACH_PX, Pieces, around_pieces, block_outputs, by_blocks, measure_pieces
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import JudgedPiece, PieceFigures, ScanResult, judge_piece, metres, without_verdict, worst_windows
@@ -64,75 +51,64 @@ class Gathering:
     """Puts together what a journal holds."""
 
     def __init__(self, request: ScanRequest, journal: ScanJournal, reading: MosaicReading) -> None:
-        self._request, self._journal, self._reading = request, journal, reading
+        self._request, self._files, self._reading = request, journal.files, reading
         self._blocks = request.blocks
         self._shown: dict[int, int] = {}  # numbers of the sources in the picture of losses
         number = np.min_scalar_type(-len(request.sources) - 1)
         self._units = np.full((self._blocks.rows * UNITS, self._blocks.columns * UNITS), NOT_LOOKED, number)
 
-    def result(
-        self, loss_path: str, goes_on: Callable[[float], bool], executor: Executor, ahead: int
-    ) -> ScanResult | None:
+    def result(self, loss_path: str, workers: Workers) -> ScanResult:
         """All of it; the picture of losses is written to ``loss_path``, if that is not empty.
 
-        ``goes_on`` takes the share that is done; where it says no the result is None. Raises SettingsError when the
-        journal can't be read, RasterError when the picture can't be written.
+        Raises SettingsError when the journal can't be read, RasterError when the picture can't be written,
+        CancelledError.
         """
-        try:
-            with ExitStack() as stack:
-                if not self._journal.is_shared:
-                    executor, ahead = stack.enter_context(own_threads())
-                picture = loss_raster(loss_path, self._request.mosaic, self._request.settings.cell_px)
-                raster = stack.enter_context(picture) if loss_path else None
-                return self._result(_Crew(executor, ahead, goes_on), raster)
-        except CancelledError:  # which leaves no picture
-            return None
-
-    def _result(self, crew: _Crew, raster: LossRaster | None) -> ScanResult:
-        request, grid = self._request, self._request.mosaic.grid
-        known = given_polygons(request)
-        borders = self._borders(raster, crew, not (request.given and known))
-        polygons = known or tuple(polygons_of(borders))
-        pieces = list(request.pieces) if request.given else cut_in_pieces(
-            seams_of(borders), request.settings.piece_m, grid
-        )
-        too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
-        pieces = [] if too_many else pieces
-        for unread in self._reading.unread:
-            self._units[squares_met(unread, UNIT_PX)] = NOT_LOOKED
-        if request.counted is not None:  # what lies beside it is counted where it belongs
-            elsewhere = np.ones(self._units.shape, bool)
-            elsewhere[squares_met(request.counted, UNIT_PX)] = False
-            self._units[elsewhere] = EMPTY
-        crew.tell(_CUT)
-        judged, notes, notices = self._judged(pieces, crew)
-        ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], request.settings.piece_m)
-        judged = tuple(part for part in judged if request.counts(part.piece))
-        of_reading, lost = self._reading.told
-        notes.update(of_reading)
-        if names := request.not_given:
-            notes["not_given"] = ", ".join(names)
-        if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
-            notes["may_be_copies"] = ", ".join(doubtful)
-        notes.update(ground.told)
-        if raster is not None:
-            sources = _listed(source.ref for source in request.sources)
-            settings = {**request.settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
-            raster.close([request.source_names[number] for number in self._shown], settings)
-        worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
-        notices = [*lost, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
-        if not (pieces or request.given or too_many):
-            followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
-            notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
-        crew.tell(1.0)
+        request, settings = self._request, self._request.settings
+        picture = loss_raster(loss_path, request.mosaic, settings.cell_px) if loss_path else nullcontext()
+        with picture as raster:
+            known = given_polygons(request)
+            borders = self._borders(raster, workers.part(0, _TRACED), not (request.given and known))
+            polygons = known or tuple(polygons_of(borders))
+            pieces = list(request.pieces) if request.given else cut_in_pieces(
+                seams_of(borders), settings.piece_m, request.mosaic.grid
+            )
+            too_many = () if request.given else tuple(_more_than_outlines(request, pieces))
+            pieces = [] if too_many else pieces
+            for unread in self._reading.unread:
+                self._units[squares_met(unread, UNIT_PX)] = NOT_LOOKED
+            if request.counted is not None:  # what lies beside it is counted where it belongs
+                elsewhere = np.ones(self._units.shape, bool)
+                elsewhere[squares_met(request.counted, UNIT_PX)] = False
+                self._units[elsewhere] = EMPTY
+            workers.tell(_CUT)
+            judged, notes, notices = self._judged(pieces, workers.part(_CUT, _MEASURED))
+            ground = FollowedGround(self._units, self._blocks, [part.piece for part in judged], settings.piece_m)
+            judged = tuple(part for part in judged if request.counts(part.piece))
+            of_reading, lost = self._reading.told
+            notes.update(of_reading)
+            if names := request.not_given:
+                notes["not_given"] = ", ".join(names)
+            if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
+                notes["may_be_copies"] = ", ".join(doubtful)
+            notes.update(ground.told)
+            if raster is not None:
+                sources = _listed(source.ref for source in request.sources)
+                how = {**settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
+                raster.close([request.source_names[number] for number in self._shown], how)
+            worst = worst_windows(judged, request.mosaic, settings.worst_count, settings.levels)
+            notices = [*lost, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
+            if polygons and not (pieces or request.given or too_many):
+                followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
+                notices.append(messages.SCAN_WITHOUT_SEAMS(name=followed))
+            workers.tell(1.0)
         return ScanResult(judged, polygons, tuple(worst), (), tuple(notices), notes, tuple(request.source_names))
 
     def _judged(
-        self, pieces: Sequence[SeamPiece], crew: _Crew
+        self, pieces: Sequence[SeamPiece], workers: Workers
     ) -> tuple[tuple[JudgedPiece, ...], dict[str, str], list[Message]]:
         """The pieces of seam with their verdicts, and what there is to tell of those that may be none."""
         request = self._request
-        measured, brightest = self._measured(pieces, crew)
+        measured, brightest = self._measured(pieces, workers)
         white = white_grey(request.mosaic, brightest)
         judged = []
         for figures in measured:
@@ -159,55 +135,44 @@ class Gathering:
             return side if number is None else self._request.source_names[number]
         return None if side is None else self._request.source_names[side]
 
-    def _borders(self, raster: LossRaster | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
+    def _borders(self, raster: LossRaster | None, workers: Workers, traces: bool) -> list[SourceBorder]:
         """Borders of what is followed, none unless they are traced; the picture of losses on the way."""
-        mosaic = self._request.mosaic
-        half = LABEL_PX // 2
-        edges = [np.zeros((4, 0), np.int64)]
-        rows, columns = (-(-(length - half) // LABEL_PX) for length in (mosaic.rows, mosaic.columns))
+        edges, size = [np.zeros((4, 0), np.int64)], self._blocks.label_size
         cell_px = self._request.settings.cell_px if raster is not None else 0
-        work = partial(block_outputs, self._journal.files, (columns, rows), cell_px, traces)
-        total = self._blocks.rows * self._blocks.columns
-        outputs: Iterator[BlockOutputs] = crew.map(work, self._blocks, total, 0, _TRACED)
-        for block in outputs:
+        work = partial(block_outputs, self._files, size, cell_px, traces)
+        for block in workers.map(work, self._blocks, self._blocks.rows * self._blocks.columns):
             edges.append(block.edges)
             self._units[place_of(block.key, UNITS)] = block.ground
-            cells = self._numbered(block)
-            if raster is not None and cells is not None:
+            # Their sources are numbered in the order in which the picture of losses meets them.
+            shown = {source: self._shown.setdefault(source, len(self._shown) + 1) for source in block.sources}
+            if raster is not None and block.cells is not None:
+                cells = block.cells.copy()
+                for source, number in shown.items():
+                    cells[SOURCE_BAND - 1][block.cells[SOURCE_BAND - 1] == source + 1] = number
                 raster.write(*block.key, cells)
-        return trace_borders(np.concatenate(edges, axis=1), mosaic.grid, columns, LABEL_PX)
+        return trace_borders(np.concatenate(edges, axis=1), self._blocks.grid, size[0], LABEL_PX)
 
-    def _numbered(self, block: BlockOutputs) -> np.ndarray | None:
-        """Cells of the picture of losses, their sources numbered in the order in which it meets them."""
-        losses = block.cells
-        cells = None if losses is None else losses.copy()
-        for source in block.sources:
-            number = self._shown.setdefault(source, len(self._shown) + 1)
-            if losses is not None and cells is not None:
-                cells[SOURCE_BAND - 1][losses[SOURCE_BAND - 1] == source + 1] = number
-        return cells
-
-    def _measured(self, pieces: Sequence[SeamPiece], crew: _Crew) -> tuple[list[PieceFigures], float]:
+    def _measured(self, pieces: Sequence[SeamPiece], workers: Workers) -> tuple[list[PieceFigures], float]:
         """Figures of all pieces, which then say what lies beside them, and the brightest cell along any."""
-        index = PieceIndex(pieces, self._blocks.grid)
+        index, named = PieceIndex(pieces, self._blocks.grid), self._request.named[0]
         groups = by_blocks(pieces, self._blocks, _BLOCKS_OF_PIECES)
-        requests = (self._pieces(index, numbers, [pieces[number] for number in numbers.tolist()]) for numbers in groups)
-        of_piece, brightest = dict[int, PieceFigures](), 0.0
-        measured = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
-        for numbers, (group, brightest_of_group) in zip(groups, measured):
-            brightest = max(brightest, brightest_of_group)
-            for number, figures in zip(numbers.tolist(), group):
-                if figures.beside is not None:
-                    figures = replace(figures, piece=sided(figures.piece, figures.beside, self._request.named[0]))
-                of_piece[number] = figures
-        return [of_piece[number] for number in range(len(pieces))], brightest
+        levels, is_given = self._request.settings.levels, self._request.given is not None
+        work = partial(measure_pieces, self._files, self._blocks, levels, is_given)
 
-    def _pieces(self, index: PieceIndex, numbers: np.ndarray, pieces: Sequence[SeamPiece]) -> PiecesRequest:
-        around = around_pieces(pieces, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
-        return PiecesRequest(
-            self._journal.files, pieces, numbers, index.near(around, 0.0), self._blocks,
-            self._request.settings.levels, self._request.given is not None,
-        )
+        def near(numbers: np.ndarray) -> Pieces:
+            held = [pieces[number] for number in numbers.tolist()]
+            around = around_pieces(held, self._blocks.grid, 2 * REACH_PX)  # what lies nearer to a cell than any of them
+            return held, numbers, index.near(around, 0.0)
+
+        of_piece, brightest = dict[int, PieceFigures](), 0.0
+        for numbers, (group, largest) in zip(groups, workers.map(work, map(near, groups), len(groups))):
+            brightest = max(brightest, largest)
+            for number, figures in zip(numbers.tolist(), group):
+                beside = figures.beside
+                of_piece[number] = figures if beside is None else replace(
+                    figures, piece=sided(figures.piece, beside, named)
+                )
+        return [of_piece[number] for number in range(len(pieces))], brightest
 
 
 def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> Iterator[Message]:
@@ -232,45 +197,14 @@ def _notices(ground: FollowedGround) -> Iterator[Message]:
         )
 
 
-class _Crew:
-    """The executor that measures, and who is told how far it is."""
-
-    def __init__(self, executor: Executor, ahead: int, goes_on: Callable[[float], bool]) -> None:
-        self._executor, self._ahead, self._goes_on = executor, ahead, goes_on
-        self._share = 0.0
-
-    def tell(self, share: float) -> None:
-        """So much is done. Raises CancelledError where nobody wants more."""
-        self._share = share
-        if not self._goes_on(share):
-            raise CancelledError(imagery_messages.CANCELLED())
-
-    def map(
-        self, work: Callable[[Any], Any], requests: Iterable[Any], count: int, first: float, last: float
-    ) -> Iterator[Any]:
-        """What is found of each request, in their order; the share grows from ``first`` to ``last``. Raises what it
-        raises."""
-        done, crew = 0, Workers(self._executor, self._ahead, lambda: not self._goes_on(self._share))
-        for result in in_order(requests, work, _raised, crew, crew.together):
-            yield result
-            done += 1
-            self.tell(first + (last - first) * done / count)
-        if done < count:
-            raise CancelledError(imagery_messages.CANCELLED())
-
-
-def _raised(_request: Any, reason: Message) -> Any:
-    raise SeamInspectorError(reason)
-
-
 def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
     """What the given seams say themselves of which source each part came from."""
     cells = request.given.cells if request.given else ()
     numbers, _ = request.numbers_named({cell.source for cell in cells})
-    by_source: dict[int, ogr.Geometry] = {}
+    by_source: dict[int, list[ogr.Geometry]] = {}
     for cell in cells:
         if cell.source in numbers:
-            whole = by_source.setdefault(numbers[cell.source], ogr.Geometry(ogr.wkbMultiPolygon))
-            for part in parts_with_area(ogr.CreateGeometryFromWkb(cell.wkb)):
-                whole.AddGeometry(part)
-    return tuple(SourcePolygon(source, bytes(by_source[source].ExportToWkb())) for source in sorted(by_source))
+            by_source.setdefault(numbers[cell.source], []).append(ogr.CreateGeometryFromWkb(cell.wkb))
+    return tuple(
+        SourcePolygon(source, bytes(multipolygon(parts).ExportToWkb())) for source, parts in sorted(by_source.items())
+    )

@@ -13,15 +13,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....imagery.errors import Message
-from ....imagery.seam_totals import MOST_SPREAD
+from ....imagery.seam_totals import MOST_SPREAD, STANDARD_LEAST_KEPT, piece_state
 from ....imagery.statistics import critical_t
 from .. import messages
 from ..judgement.verdicts import Verdict
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
-from ..seamlines.seam_pieces import SeamPiece
+from ..seamlines.seam_pieces import SeamPiece, joined_pieces
 from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP, STRIP_PX, ZONES_PX, LoneStretches, ground_of
-from .scan_result import JudgedPiece, state_by
+from .scan_result import JudgedPiece
 
 EXCESS, DECAY = 1.5, 0.75
 """The variance of the mean of n stretches is that of one of them, times the first, over n to the power of the second:
@@ -251,17 +251,10 @@ def judge_stretches(
                 continue
             kept = seams.kept(run)
             if kept is not None and verdict_of(kept) is not None:
-                whole = _joined([judged[number].piece for number in run])
+                whole = joined_pieces([judged[number].piece for number in run])
                 stretches.append(replace(_judged(whole, kept, least, pixel_m, levels), is_stretch=True))
                 wanted.difference_update(run)
     return stretches
-
-
-def _joined(pieces: Sequence[SeamPiece]) -> SeamPiece:
-    """Pieces that follow one another as one."""
-    first, *others = pieces
-    vertices = np.concatenate([first.vertices, *(piece.vertices[1:] for piece in others)])
-    return replace(first, vertices=vertices, length_m=sum(piece.length_m for piece in pieces))
 
 
 def verdict_of(kept: LoneKept) -> Verdict | None:
@@ -298,6 +291,7 @@ def _judged(
         why: Message | None = messages.TOO_LITTLE_BESIDE_SEAM()
         return JudgedPiece(piece, left, right, None, None, None, None, Verdict.NOT_COMPARABLE, why)
     verdict, why = verdict_of(kept), None
+    state = piece_state(kept.kept, kept.low, kept.high, STANDARD_LEAST_KEPT, verdict is not None)
     if verdict is None:
         verdict, low, high = Verdict.NOT_COMPARABLE, 100 * kept.low, 100 * kept.high
         if least_px is None or kept.length_px >= least_px:
@@ -306,5 +300,5 @@ def _judged(
             why = messages.LONE_PIECE_TOO_SHORT(needed=least_px * pixel_m, low=low, high=high)
     return JudgedPiece(
         piece, left, right, (kept.kept, *[None] * (levels - 1)), kept.low, kept.high, kept.band_width_px * pixel_m,
-        verdict, why, state=state_by(kept.kept, kept.low, kept.high, verdict),
+        verdict, why, state=state,
     )

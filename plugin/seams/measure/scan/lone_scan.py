@@ -4,21 +4,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import Callable
 
 import numpy as np
 
-from ....imagery.clips import read_clip
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
-from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
-from ....imagery.wavelets import judged_plane
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, BlockKey, SeamSquares, rectangles
-from ..blocks.mosaic_reading import ALL_READ, BlockReading, MosaicReading
+from ..blocks.block_pixels import ALL_READ, BlockPixels, BlockReading, MosaicReading
 from ..blocks.scan_block import BlockRequest
-from ..seamlines.piece_index import PieceIndex
+from ..compared_image import ComparedImage
+from ..seamlines.seam_pieces import PieceIndex
 from ..while_measuring import measuring
 from ..workers import Workers
 from .block_runs import BlockLook, JournaledBlocks, ScanStep, held
@@ -29,7 +26,6 @@ from .lone_stretches import (
     STRIP_PX,
     LoneStretches,
     LoneTable,
-    MosaicPixels,
     lone_cells,
     lone_stretches,
 )
@@ -75,17 +71,19 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
         window = part.moved_by(request.window.column, request.window.row)
         try:
             around = window.with_margin(MARGIN_PX)
-            clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
+            pixels = BlockPixels(request.mosaic, (), around)
         except NotCoveredError:
             continue
         except RasterError as error:
             notices.append(error.message.as_warning())
             unread.append(window)
         else:
-            bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
-            pixels = MosaicPixels(around, judged_plane(bands, clip.raster.band_names), bands, clip.valid)
+            clip, judged = pixels.held.mosaic, pixels.part(around, ()).mosaic
+            image = ComparedImage(
+                clip.bands, clip.raster.band_names, {}, {}, clip.raster, valid=clip.valid, judged=judged
+            )
             near = request.pieces.near(around, REACH_PX)
-            tables.append(lone_cells(pixels, window, near, request.settings.wavelet))
+            tables.append(lone_cells(image, around, window, near, request.settings.wavelet))
     reading = BlockReading(tuple(unread), not unread or len(unread) < len(parts))
     return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)), reading)
 
@@ -123,13 +121,13 @@ class LoneScanning:
             window = self._blocks.window(key)
             return BlockRequest(
                 self._mosaic, (), key, window, self._request.settings, self._along.dense_in(key),
-                grey_factor=self._request.grey_factor, pieces=self._index.near(window, REACH_PX + MARGIN_PX),
+                pieces=self._index.near(window, REACH_PX + MARGIN_PX),
             )
 
         yield from JournaledBlocks(self._journal, workers).steps(LONE_LOOK, self._along.met, block)
 
-    def result(self, loss_path: str, goes_on: Callable[[float], bool]) -> ScanResult | None:
-        """Pieces, worst windows and, where a path is given, the picture of losses; None where ``goes_on`` says no.
+    def result(self, loss_path: str, workers: Workers) -> ScanResult:
+        """Pieces, worst windows and, where a path is given, the picture of losses. Raises CancelledError.
 
         Levels beyond the first are not told.
         """
@@ -144,8 +142,7 @@ class LoneScanning:
             if tables:
                 table = LoneTable.joined(tables)
                 parts.append(lone_stretches(table, self._pieces, numbers, self._index, pixel_m))
-            if not goes_on(0.8 * done / len(groups)):
-                return None
+            workers.tell(0.8 * done / len(groups))
         pieces: list[JudgedPiece] = []
         stretches: list[JudgedPiece] = []
         notices: list[Message] = []
@@ -170,8 +167,8 @@ class LoneScanning:
         of_reading, unread = self._reading.told
         notices += (*unread, *without_verdict(pieces))
         notes = {"orthoimages": "none", **of_reading}
-        result = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), notes)
-        return result if goes_on(1.0) else None
+        workers.tell(1.0)
+        return ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), notes)
 
     def _draw(self, raster: LossRaster, judged: Sequence[JudgedPiece], cell_px: int) -> None:
         """What each piece kept, in the cells of its strip."""

@@ -17,11 +17,11 @@ from scipy import ndimage
 
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import placed_components
+from ..compared_image import ComparedImage
 from ..energy_response import bounded, log_link_fit
 from ..following.boxes import in_squares
-from ..profile.cell_table import CELL_PX
-from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_pieces import SeamPiece
+from ..profile.cell_table import CELL_PX, Rows
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece
 
 REACH_PX = 128.0
 """Cells whose middle lies farther than this from any seam are left out."""
@@ -38,68 +38,34 @@ _COLOURS = 3  # bands that tell ground from ground; with fewer its brightness do
 
 
 @dataclass(frozen=True, eq=False)
-class LoneTable:
-    """Cells of 16 px, and the parts of them in each zone of distance. Some 40 bytes for each pixel of seam."""
+class LoneTable(Rows):
+    """A row for each cell and zone of distance, its ``bin``, of ``ZONES_PX``. Some 60 bytes for each pixel of seam."""
 
-    row: np.ndarray
-    """(cells,) int32: of the mosaic's cells."""
-    column: np.ndarray
-    """(cells,) int32"""
-    colour: np.ndarray
-    """(cells, 1 or 3) float32: mean of the measured plane, then what the bands beside the second differ from it."""
-    cell: np.ndarray
-    """(parts,) int32: number of the cell that the part is of."""
-    zone: np.ndarray
-    """(parts,) uint8: of ``ZONES_PX``, by the distance from the nearest seam."""
     area: np.ndarray
-    """(parts,) float32: pixels."""
+    """(n,) float32: pixels."""
     energy: np.ndarray
-    """(parts,) float32: of the details at level 1, DN squared, summed."""
-
-    def __len__(self) -> int:
-        """How many cells."""
-        return len(self.row)
+    """(n,) float32: of the details at level 1, DN squared, summed."""
+    colour: np.ndarray
+    """(1 or 3, n) float32, of the cell: mean of the measured plane, then what the bands beside the second differ from
+    it."""
 
     @classmethod
     def empty(cls, colours: int = _COLOURS) -> LoneTable:
-        """Without cells."""
+        """A table without rows."""
         place, number = np.zeros(0, np.int32), np.zeros(0, np.float32)
-        return cls(place, place, np.zeros((0, colours), np.float32), place, np.zeros(0, np.uint8), number, number)
-
-    @classmethod
-    def joined(cls, tables: Sequence[LoneTable]) -> LoneTable:
-        """Cells of several windows that share no cell; at least one table, all of one mosaic."""
-        some = [table for table in tables if len(table)] or list(tables[:1])
-        firsts = np.cumsum([0, *(len(table) for table in some[:-1])])
-        cells = [table.cell + np.int32(first) for table, first in zip(some, firsts)]
-        parts = {
-            name: np.concatenate([getattr(table, name) for table in some])
-            for name in ("row", "column", "colour", "zone", "area", "energy")
-        }
-        return cls(cell=np.concatenate(cells), **parts)
+        return cls(place, place, np.zeros(0, np.uint8), number, number, np.zeros((colours, 0), np.float32))
 
 
-@dataclass(frozen=True, eq=False)
-class MosaicPixels:
-    """What the mosaic shows in a window."""
-
-    window: PixelWindow
-    """On the mosaic's grid."""
-    plane: np.ndarray
-    """(rows, columns): what is measured."""
-    bands: np.ndarray
-    """(bands, rows, columns), the first three of which are taken as colours, fewer as none."""
-    valid: np.ndarray | None = None
-    """(rows, columns) bool; None: everywhere."""
-
-
-def lone_cells(pixels: MosaicPixels, window: PixelWindow, pieces: PieceIndex, wavelet: str) -> LoneTable:
+def lone_cells(
+    mosaic: ComparedImage, around: PixelWindow, window: PixelWindow, pieces: PieceIndex, wavelet: str
+) -> LoneTable:
     """The cells of a window that lie along seams and have all their pixels.
 
-    ``pixels``: of the window with ``MARGIN_PX`` on all sides where the mosaic goes on; both start at multiples of 16
-    and have sides that are multiples of 16. ``pieces``: those near the window.
+    ``mosaic``: its pixels ``around``, in the window with ``MARGIN_PX`` on all sides where the mosaic goes on, the first
+    three of its bands taken as colours, fewer as none; both start at multiples of 16 and have sides that are multiples
+    of 16. ``pieces``: those near the window.
     """
-    around, plane, bands, valid = pixels.window, pixels.plane, pixels.bands, pixels.valid
+    plane, bands, valid = mosaic.plane, mosaic.bands, mosaic.valid
     first_row, first_column = window.row // CELL_PX, window.column // CELL_PX
     rows, columns = window.height // CELL_PX, window.width // CELL_PX
     down, across = np.mgrid[first_row : first_row + rows, first_column : first_column + columns]
@@ -122,8 +88,9 @@ def lone_cells(pixels: MosaicPixels, window: PixelWindow, pieces: PieceIndex, wa
         colours += [_by_cell(bands[i])[place] - second for i in (0, 2)]
     row, column = down[near].astype(np.int32), across[near].astype(np.int32)
     energies = in_squares(finest, CELL_PX // _GRID_PX).swapaxes(1, 2)[place][near]
-    parts = _parts(energies, row, column, distance[near], pieces)
-    return LoneTable(row, column, np.stack([colour[near] for colour in colours], axis=1).astype(np.float32), *parts)
+    cell, zone, area, energy = _parts(energies, row, column, distance[near], pieces)
+    colour = np.stack([plane[near] for plane in colours]).astype(np.float32)
+    return LoneTable(row[cell], column[cell], zone, area, energy, colour[:, cell])
 
 
 def _parts(
@@ -146,7 +113,7 @@ def _parts(
     sums = np.bincount(key, finest.ravel(), count * (BEYOND + 1))
     there = np.flatnonzero(samples)
     return (
-        (there // (BEYOND + 1)).astype(np.int32), (there % (BEYOND + 1)).astype(np.uint8),
+        there // (BEYOND + 1), (there % (BEYOND + 1)).astype(np.uint8),
         (samples[there] * _GRID_PX**2).astype(np.float32), sums[there].astype(np.float32),
     )
 
@@ -224,32 +191,34 @@ def lone_stretches(
     counts = np.maximum(1, np.round(length / pixel_m / STRETCH_PX)).astype(np.intp)
     count = int(counts.sum())
     # The stretch that is nearest to each cell, where that is one of those asked for, and its side.
-    seam = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
+    _, first, of_cell = np.unique(table.keys, return_index=True, return_inverse=True)
+    cells = table.chosen(first)
+    seam = index.beside((cells.column + 0.5) * CELL_PX, (cells.row + 0.5) * CELL_PX, REACH_PX)
     order = np.full(len(pieces) + 1, -1)
     order[list(numbers)] = np.arange(len(numbers))
     order = order[seam.number]  # -1, no piece, is the last
     is_near = order >= 0
     order = order[is_near]
     share = (seam.station_m[is_near] - start[order]) / length[order]
-    stretch = np.zeros(len(table), np.intp)
+    stretch = np.zeros(len(cells), np.intp)
     stretch[is_near] = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
     stretch[is_near] += (np.cumsum(counts) - counts)[order]
 
-    ratio = table.energy / table.area / _expected(table)[table.cell]
-    belongs = is_near[table.cell]
+    ratio = table.energy / table.area / _expected(table, of_cell, cells)[of_cell]
+    belongs = is_near[of_cell]
     piece_of = np.repeat(np.arange(len(counts)), counts)
     zones = len(ZONES_PX) - 1
-    inner = belongs & (table.zone < zones)
-    place = table.zone.astype(np.intp) * count + stretch[table.cell]
+    inner = belongs & (table.bin < zones)
+    place = table.bin.astype(np.intp) * count + stretch[of_cell]
     zone_area, zone_matched = _means(ratio[inner], table.area[inner], place[inner], piece_of, zones)
     # The strip's parts of a cell are one: smaller ones would be capped oftener than the cells of the ground.
-    part = np.full(len(table.zone), -1)
-    part[table.zone < ZONES_PX.index(STRIP_PX)] = 0
+    part = np.full(len(table), -1)
+    part[table.bin < ZONES_PX.index(STRIP_PX)] = 0
     for range_, (near, far) in enumerate(RANGES_PX):
-        there = (table.zone >= ZONES_PX.index(near)) & (table.zone < ZONES_PX.index(far))
-        part[there] = ground_of(range_).start + ~seam.on_left[table.cell[there]]
+        there = (table.bin >= ZONES_PX.index(near)) & (table.bin < ZONES_PX.index(far))
+        part[there] = ground_of(range_).start + ~seam.on_left[of_cell[there]]
     used = belongs & (part >= 0)
-    key, merged = np.unique(table.cell[used].astype(np.int64) * _PARTS + part[used], return_inverse=True)
+    key, merged = np.unique(of_cell[used].astype(np.int64) * _PARTS + part[used], return_inverse=True)
     cell, part = np.divmod(key, _PARTS)
     area = np.bincount(merged, table.area[used], len(key))
     plain = np.bincount(merged, table.energy[used], len(key)) / area
@@ -260,7 +229,7 @@ def lone_stretches(
     _, plain_means = _means(plain[large], area, place, piece_of, _PARTS)
     return LoneStretches(
         np.repeat(np.asarray(numbers, dtype=np.intp), counts), np.repeat(length / pixel_m / counts, counts),
-        areas, matched_means, plain_means, zone_area, zone_matched, np.full(count, table.colour.shape[1] > 1),
+        areas, matched_means, plain_means, zone_area, zone_matched, np.full(count, len(table.colour) > 1),
     )
 
 
@@ -280,22 +249,22 @@ def _means(
     return areas.reshape(groups, count), means.reshape(groups, count)
 
 
-def _expected(table: LoneTable) -> np.ndarray:
-    """The finest energy a pixel that ground like each cell's has, (cells,)."""
-    far = table.zone >= ZONES_PX.index(RANGES_PX[0][0])
-    area = np.bincount(table.cell[far], table.area[far], len(table))
-    energy = np.bincount(table.cell[far], table.energy[far], len(table)) / np.maximum(area, 1)
+def _expected(table: LoneTable, of_cell: np.ndarray, cells: LoneTable) -> np.ndarray:
+    """The finest energy a pixel that ground like each cell's has, (cells,). ``of_cell``: the cell of each row."""
+    far = table.bin >= ZONES_PX.index(RANGES_PX[0][0])
+    area = np.bincount(of_cell[far], table.area[far], len(cells))
+    energy = np.bincount(of_cell[far], table.energy[far], len(cells)) / np.maximum(area, 1)
     known = area >= _LEAST_PART_PX
-    expected = np.full(len(table), np.nan)
+    expected = np.full(len(cells), np.nan)
     if not known.any():
         return expected
-    tile_row, tile_column = table.row // _TILE_CELLS, table.column // _TILE_CELLS
+    tile_row, tile_column, colour = cells.row // _TILE_CELLS, cells.column // _TILE_CELLS, cells.colour.T
     for row, column in np.unique(np.column_stack([tile_row, tile_column]), axis=0):
         inside = (tile_row == row) & (tile_column == column)
-        beside = known & _near(table.row, row) & _near(table.column, column)
+        beside = known & _near(cells.row, row) & _near(cells.column, column)
         if np.count_nonzero(beside) < FEWEST_CELLS:
             beside = known
-        expected[inside] = expected_energies(table.colour[beside], energy[beside], area[beside], table.colour[inside])
+        expected[inside] = expected_energies(colour[beside], energy[beside], area[beside], colour[inside])
     return expected
 
 

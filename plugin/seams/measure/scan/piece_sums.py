@@ -13,14 +13,11 @@ from itertools import product
 
 import numpy as np
 
-from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
-from ....imagery.messages import system_reason
 from ....imagery.record_store import RecordFiles
 from ....imagery.records import record_of, value_of
 from ....imagery.seam_totals import KeptBeside, profile_text
-from .. import messages
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable
@@ -29,13 +26,12 @@ from ..profile.ground import FAR_PX, LevelGround, grounds
 from ..profile.seam_profile import STRIP_PX, SeamProfile, strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
 from ..seam_cells import NONE
-from ..seamlines.piece_index import PieceIndex
-from ..seamlines.seam_pieces import SeamPiece, sources_beside
+from ..seamlines.seam_pieces import PieceIndex, SeamPiece, sources_beside
 from ..seamlines.seam_tracing import MARGIN, cleaned_edges
 from ..while_measuring import measuring
 from .block_runs import block_labels, global_numbers, whole_block
 from .loss_raster import NODATA, loss_cells
-from .scan_journal import not_saved
+from .scan_journal import loaded, save
 from .scan_result import PieceFigures
 
 REACH_PX = 144.0
@@ -57,6 +53,9 @@ class BlockOutputs:
     """That are followed anywhere, ascending."""
     ground: np.ndarray
     """(UNITS, UNITS) int32: as ``BlockScan`` has it, with the numbers of the whole scan."""
+
+
+_GROUND = "ground {} {}"  # name of what is kept beside a block
 
 
 @dataclass(frozen=True)
@@ -84,27 +83,20 @@ def block_outputs(
         edges = cleaned_edges(_labels_in(around, files, key, labels), tile, size, LABEL_PX)
     if scan is None or labels is None:
         return BlockOutputs(key, edges, None, (), np.full((UNITS, UNITS), NOT_LOOKED, np.int32))
-    ground = grounds(scan.cells, lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
-    try:
-        files.save(_ground_name(key), record_of(_BlockGround(tuple(ground))))
-    except OSError as error:
-        raise not_saved(files, system_reason(error)) from None
+
+    def with_neighbours() -> CellTable:
+        near = [(key[0] + down, key[1] + across) for down, across in product((-1, 0, 1), repeat=2) if down or across]
+        measured = [whole_block(files, beside) for beside in near]
+        return CellTable.joined([scan.cells, *(beside.cells for beside in measured if beside is not None)])
+
+    ground = grounds(scan.cells, with_neighbours)
+    save(files, _GROUND.format(*key), record_of(_BlockGround(tuple(ground))))
     cells = loss_cells(scan, labels + 1, ground, cell_px) if cell_px else None
     if cells is not None and (cells == NODATA).all():
         cells = None
     used = np.flatnonzero(np.bincount(labels.ravel() - NONE)[1:]).tolist()
     ground = np.where(scan.ground < 0, scan.ground, numbers[np.maximum(scan.ground, 0)])
     return BlockOutputs(key, edges, cells, used, ground)
-
-
-def held_ground(files: RecordFiles, key: BlockKey) -> tuple[LevelGround | None, ...]:
-    """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
-    SettingsError where it can't be read any more."""
-    try:
-        record = files.load(_ground_name(key))
-    except OSError as error:
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=system_reason(error))) from None
-    return () if record is None else value_of(_BlockGround, record, {}).levels
 
 
 def _label_tile(key: BlockKey) -> PixelWindow:
@@ -125,69 +117,47 @@ def _labels_in(around: PixelWindow, files: RecordFiles, key: BlockKey, of_block:
     return labels_around
 
 
-def _cells_around(files: RecordFiles, key: BlockKey) -> list[CellTable]:
-    """Cells of the neighbours that were measured."""
-    row, column = key
-    near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
-    scans = [whole_block(files, beside) for beside in near]
-    return [scan.cells for scan in scans if scan is not None]
-
-
-def _ground_name(key: BlockKey) -> str:
-    return f"ground {key[0]} {key[1]}"
-
-
-@dataclass(frozen=True, eq=False)
-class PiecesRequest:
-    """All that is needed to measure some pieces, in plain data that can cross threads and processes."""
-
-    files: RecordFiles
-    pieces: Sequence[SeamPiece]
-    numbers: np.ndarray
-    """(pieces,) int: of each in the index, ascending."""
-    index: PieceIndex
-    """With all that lies near them."""
-    blocks: BlockGrid
-    levels: int
-    looks_beside: bool
-    """Whether it is asked which sources lie beside them."""
+Pieces = tuple[Sequence[SeamPiece], np.ndarray, PieceIndex]
+"""Some pieces, their numbers, ascending, in an index, and that, with all that lies near them."""
 
 
 @measuring()
-def measure_pieces(request: PiecesRequest) -> tuple[list[PieceFigures], float]:
-    """Some pieces by the blocks around them, their profiles without bins; and the brightest cell of any strip. Raises
-    SettingsError where what was measured can't be read any more."""
-    grid, files = request.blocks.grid, request.files
-    around = around_pieces(request.pieces, grid, REACH_PX)
+def measure_pieces(
+    files: RecordFiles, blocks: BlockGrid, levels: int, looks_beside: bool, request: Pieces
+) -> tuple[list[PieceFigures], float]:
+    """Some pieces by the blocks around them, their profiles without bins; and the brightest cell of any strip.
+    ``looks_beside``: whether it is asked which sources lie beside them. Raises SettingsError where what was measured
+    can't be read any more."""
+    (pieces, numbers, index), grid = request, blocks.grid
+    around = around_pieces(pieces, grid, REACH_PX)
     place = squares_met(around, CELL_PX)
-    sums, along = PieceSums(request.numbers, request.index, request.levels), _cells_along(request.pieces, grid)
-    grain = np.full(len(request.pieces), np.nan)
-    for key in blocks_of(around, request.blocks):
-        window = request.blocks.window(key)
+    sums, along = PieceSums(numbers, index, levels), _cells_along(pieces, grid)
+    grain = np.full(len(pieces), np.nan)
+    for key in blocks_of(around, blocks):
+        window = blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
-            numbers = global_numbers(scan.sources)
-            mixture = replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
-            sums.add(scan.cells.within(place), mixture.within(place), held_ground(files, key), window, scan.grey)
+            whole = global_numbers(scan.sources)
+            mixture = replace(scan.beside, source=whole[scan.beside.source], other=whole[scan.beside.other])
+            held = loaded(files, _GROUND.format(*key), lambda record: value_of(_BlockGround, record, {}))
+            ground = held.levels if held else ()
+            sums.add(scan.cells.within(place), mixture.within(place), ground, window, scan.grey)
             piece, row, column = along[:, (along[1:] // CELLS == np.array(key)[:, np.newaxis]).all(axis=0)]
             np.fmax.at(grain, piece, scan.grain[row % CELLS, column % CELLS])
     grey, brightest = sums.grey
-    figures = []
+    sides: list[tuple[int, int] | None] = [None] * len(pieces)
+    unchanged = [False] * len(pieces)
+    if looks_beside:
+        labels = partial(_labels_at, files, blocks)
+        beside = sources_beside(pieces, labels, grid, LABEL_PX)
+        aside = sources_beside(pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
+        is_unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
+        sides, unchanged = [(left, right) for left, right in beside.tolist()], is_unchanged.tolist()
     strips = without_even(sums.profiles(), grain, grey)
-    for piece, strip, mean, rms in zip(request.pieces, strips, grey.tolist(), grain.tolist()):
-        text = _profile_text(strip.profile, grid.ground_sample_distance)
-        strip = replace(strip, profile=strip.profile and replace(strip.profile, bins=()))
-        figures.append(PieceFigures(piece, strip, mean, rms, text))
-    if request.looks_beside:
-        labels = partial(_labels_at, request)
-        beside = sources_beside(request.pieces, labels, grid, LABEL_PX)
-        aside = sources_beside(request.pieces, labels, grid, LABEL_PX, (MOST_ASIDE_PX - 8, MOST_ASIDE_PX))
-        unchanged = (beside[:, 0] != NONE) & (np.hstack([beside, aside]) == beside[:, :1]).all(axis=1)
-        figures = [
-            replace(piece, beside=tuple(sides), is_unchanged=is_unchanged)
-            for piece, sides, is_unchanged in zip(figures, beside.tolist(), unchanged.tolist())
-        ]
-    return figures, brightest
+    texts = [_profile_text(strip.profile, grid.ground_sample_distance) for strip in strips]
+    strips = [replace(strip, profile=strip.profile and replace(strip.profile, bins=())) for strip in strips]
+    figures = zip(pieces, strips, grey.tolist(), grain.tolist(), texts, sides, unchanged)
+    return [PieceFigures(*measured) for measured in figures], brightest
 
 
 def _profile_text(profile: SeamProfile | None, pixel_m: float) -> str:
@@ -231,14 +201,13 @@ def by_blocks(pieces: Sequence[SeamPiece], blocks: BlockGrid, together: int = 1)
     return [np.array(of_block[key]) for key in sorted(of_block)]
 
 
-def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+def _labels_at(files: RecordFiles, blocks: BlockGrid, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
     """Labels at places, as ``LabelsAt`` gives them."""
     labels_at = np.full(columns.shape, NONE, np.int32)
-    blocks = request.blocks
     inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
     number = np.where(inside, rows // LABELS * blocks.columns + columns // LABELS, -1)
     for block in np.unique(number[inside]).tolist():
-        labels, in_block = block_labels(request.files, divmod(block, blocks.columns)), number == block
+        labels, in_block = block_labels(files, divmod(block, blocks.columns)), number == block
         if labels is not None:
             labels_at[in_block] = labels[rows[in_block] % LABELS, columns[in_block] % LABELS]
     return labels_at

@@ -4,33 +4,40 @@ As long as what decides on its result is the same, which a fingerprint tells.
 """
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from functools import cached_property
 from hashlib import blake2b
+from itertools import chain
 from pathlib import Path
-from typing import Any
-from xml.etree.ElementTree import ParseError, tostring
+from typing import Any, Callable
 
 import numpy as np
 
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import drop_unfinished
-from ....imagery.documents import plugin_version, xml_root
+from ....imagery.documents import plugin_version
 from ....imagery.errors import Message, SettingsError
-from ....imagery.file_identity import OF_NO_CONSEQUENCE, known_states, local_state
+from ....imagery.file_identity import OF_NO_CONSEQUENCE, FileState, known_states, local_states, states_text
 from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
-from ....imagery.rasters import RasterRef
+from ....imagery.rasters import Raster
 from ....imagery.record_store import RecordFiles, RecordFolder
+from ....imagery.records import NotUnderstoodError
+from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .. import messages
 from ..source_images import Source
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
 _SAID = ".aux.xml"
 """Ending of the file that may say more of a raster, its nodata for instance."""
-_MOST_SAID = 10_000_000  # bytes that are read
+_NOTHING = [re.compile(pattern, re.S) for pattern in (
+    rb"<(%s)\b(?:[^>]*/>|.*?</\1>)" % "|".join(OF_NO_CONSEQUENCE).encode(),
+    rb"<(PAMRasterBand)\b[^>]*(?:/>|>\s*</\1>)", rb"</?PAMDataset\b[^>]*>", rb"\s+",
+)]
+"""What of it changes no pixel, and what is left then of a file that says nothing else."""
 _PARTS = {
     "version": messages.SCAN_OF_ANOTHER_VERSION,
     "mosaic": messages.SCAN_OF_ANOTHER_MOSAIC,
@@ -41,34 +48,58 @@ _PARTS = {
 }
 
 
-def fingerprint_of(
-    mosaic: RasterRef, sources: Sequence[Source], settings: Any, seams: Iterable[object] = (), place: object = None
-) -> str:
-    """Fingerprint that is the same as long as the result of a scan would be: a digest of each of its inputs.
+@dataclass(frozen=True, eq=False)
+class ScanInputs:
+    """The files of a mosaic and of its orthoimages, as they are before they are read.
 
     Local files by path, size, time of change and bytes, those that a VRT or an archive is made of too; no remote source
     is opened. The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them;
-    more by their names. ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes;
-    ``place``: where the mosaic lies.
+    more by their names.
     """
-    asked = sum(is_remote(source.ref.path) for source in sources) <= MOST_ASKED
-    parts = {
-        "version": _digest([plugin_version()]),
-        "mosaic": _digest(item for path in mosaic.paths for item in (path, *_states(path, ask=True))),
-        "sources": _digest(
-            item
-            for source in sources
-            for path in source.ref.paths
-            for item in (path, *_states(path, asked))
-        ),
-        "places": _digest([
-            mosaic.wkt, mosaic.nodata, place,
-            *((source.ref.wkt, source.ref.nodata, source.extent) for source in sources),
-        ]),
-        "settings": _digest([settings]),
-        "seams": _digest(seams),
-    }
-    return " ".join(f"{name}={digest}" for name, digest in parts.items())
+
+    mosaic: Raster
+    sources: Sequence[Source]
+
+    @property
+    def _paths(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        return self.mosaic.ref.paths, tuple(path for source in self.sources for path in source.ref.paths)
+
+    @cached_property
+    def _states(self) -> tuple[Mapping[str, FileState], Mapping[str, FileState]]:
+        of_mosaic, of_sources = self._paths
+        return known_states(of_mosaic), known_states(of_sources, sum(map(is_remote, of_sources)) <= MOST_ASKED)
+
+    def fingerprint(self, settings: Any, seams: Iterable[object] = ()) -> str:
+        """Fingerprint that is the same as long as the result of a scan would be: a digest of each of its inputs.
+
+        ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes.
+        """
+        ref = self.mosaic.ref
+        of_mosaic, of_sources = (
+            [*paths, *states.items(), *said_beside(paths)] for paths, states in zip(self._paths, self._states)
+        )
+        parts: dict[str, Iterable[object]] = {
+            "version": [plugin_version()], "mosaic": of_mosaic, "sources": of_sources,
+            "places": [
+                ref.wkt, ref.nodata, self.mosaic.geotransform, self.mosaic.wkt,
+                *((source.ref.wkt, source.ref.nodata, source.extent) for source in self.sources),
+            ],
+            "settings": [settings], "seams": seams,
+        }
+        return " ".join(f"{name}={_digest(items)}" for name, items in parts.items())
+
+    def check(self) -> None:
+        """Raise SettingsError where a raster has changed meanwhile."""
+        now = local_states(chain(*self._paths))
+        for path, state in chain(*(states.items() for states in self._states)):
+            if now.get(path, state) != state:  # of one that is gone blocks have told
+                raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
+
+    @property
+    def told(self) -> dict[str, str]:
+        """What layers say of them."""
+        of_mosaic, of_sources = self._states
+        return {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
 
 
 def what_changed(older: str, newer: str) -> Message:
@@ -93,36 +124,17 @@ def _digest(items: Iterable[object]) -> str:
     return digest.hexdigest()
 
 
-def _states(path: str, ask: bool) -> Iterator[str]:
-    """What is known of a raster's files, those that say where it lies too, without reading its pixels."""
-    for file, state in known_states([path], ask).items():
-        yield f"{file} {state}"
-    for part in with_parts(path):
-        if not is_remote(part) and local_file(part) == part and (said := _said_beside(part + _SAID)):
-            yield said
-
-
-def _content(path: str) -> str:
-    """Empty where there is no such file."""
-    state = local_state(path)
-    return "" if state is None else f"{state.size} {state.digest}"
-
-
-def _said_beside(path: str) -> str:
-    """What a file of auxiliary data says that may change how pixels are read; empty where there is no such thing."""
-    try:
-        if os.path.getsize(path) > _MOST_SAID:
-            return _content(path)
-        root = xml_root(Path(path).read_bytes())
-    except OSError:
-        return ""
-    except ParseError:
-        return _content(path)
-    for parent in list(root.iter()):
-        for child in [element for element in parent if element.tag in OF_NO_CONSEQUENCE]:
-            parent.remove(child)
-    kept = [band for band in root if len(band) or (band.text or "").strip()]
-    return "".join(re.sub(r"\s+", " ", tostring(element, "unicode")) for element in kept)
+def said_beside(paths: Iterable[str]) -> Iterator[tuple[str, bytes]]:
+    """What files of auxiliary data beside rasters say that may change how their pixels are read."""
+    for part in chain(*map(with_parts, paths)):
+        said = b""
+        with suppress(OSError):  # most have none
+            if not is_remote(part) and local_file(part) == part:
+                said = Path(part + _SAID).read_bytes()
+        for nothing in _NOTHING:
+            said = nothing.sub(b"", said)
+        if said:
+            yield part, said
 
 
 _KIND = "Seam Inspector: journal of a scan"
@@ -175,14 +187,27 @@ class ScanJournal(RecordFolder):
     is_shared = True
     """Whether all who measure see the files."""
 
-    def save(self, name: str, payload: bytes) -> None:
-        """Keep what somebody measured who could not. Raises SettingsError on a full disk; what was saved stays."""
-        try:
-            self.files.save(name, payload)
-        except OSError as error:
-            raise not_saved(self.files, system_reason(error)) from None
+
+def save(files: RecordFiles, name: str, payload: bytes) -> None:
+    """Keep something. Raises SettingsError on a full disk; what was saved stays."""
+    try:
+        files.save(name, payload)
+    except OSError as error:
+        raise not_saved(files, system_reason(error)) from None
 
 
 def not_saved(files: RecordFiles, reason: Message | str) -> SettingsError:
     """Why something could not be kept."""
     return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(path=files.folder, error=reason, done=len(files.names)))
+
+
+def loaded(files: RecordFiles, name: str, read: Callable[[bytes], Any]) -> Any:
+    """What was kept, as ``read`` makes it of bytes; None where nothing was. Raises SettingsError where it can't be read
+    any more; it is then forgotten, and measured again when the scan is started again."""
+    try:
+        record = files.load(name)
+        return None if record is None else read(record)
+    except (OSError, NotUnderstoodError) as error:
+        files.forget(name)
+        why = system_reason(error) if isinstance(error, OSError) else str(error)
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=why)) from None

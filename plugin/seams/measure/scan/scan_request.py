@@ -19,15 +19,22 @@ from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey, SeamSquares
 from ..blocks.scan_block import REACH_PX, BlockRequest
 from ..blocks.scan_settings import ScanSettings
-from ..inputs.grey_values import grey_factor
-from ..inputs.whole_images import whole_images
+from ..inputs.mosaic_copies import covered_share
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN, names_apart
 from ..seamlines.given_seams import GivenSeams
-from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_features import source_numbers
-from ..seamlines.seam_pieces import SeamPiece, Side, SidedSeam, cut_at, cut_in_pieces, cut_off, points_beside
-from ..source_images import Footprints, Source
+from ..seamlines.seam_pieces import (
+    PieceIndex,
+    SeamPiece,
+    Side,
+    SidedSeam,
+    cut_at,
+    cut_in_pieces,
+    cut_off,
+    points_beside,
+)
+from ..source_images import Footprints, Source, whole_images
 
 LEAST_SEAM_PX = MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough to be measured."""
@@ -66,11 +73,6 @@ class ScanRequest:
         """How it is divided."""
         return BlockGrid(self.mosaic.grid)
 
-    @cached_property
-    def grey_factor(self) -> float:
-        """What floating point values are multiplied by."""
-        return grey_factor(self.mosaic)
-
     @property
     def seams(self) -> tuple[SidedSeam, ...]:
         """Seams that are given."""
@@ -97,8 +99,7 @@ class ScanRequest:
 
     def numbers_named(self, names: Iterable[str]) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources that names mean, those of their parts, too; and which names mean none."""
-        files = [(path, number) for number, source in enumerate(self.sources) for path in source.ref.paths]
-        return source_numbers(names, [path for path, _ in files], [number for _, number in files])
+        return source_numbers(names, [source.ref.paths for source in self.sources])
 
     @cached_property
     def source_names(self) -> list[str]:
@@ -130,30 +131,17 @@ class ScanRequest:
         squares = self.seam_squares
         return [key for key in self.blocks if squares is None or squares.is_read(key)]
 
-    @property
-    def between_two_m(self) -> float:
-        """Metres of the given seams on two sources or more, without which nothing can be told of a seam."""
-        places = ((piece, (piece.vertices[:2].sum(axis=0) / 2).tolist()) for piece in self.pieces)
-        return sum(
-            piece.length_m for piece, (x, y) in places if len(self.footprints.meeting((x, y, x, y))) > 1
-        )
-
-    @property
-    def crowded(self) -> int:
-        """Blocks that more sources meet than can be told apart."""
-        if len(self.sources) <= UNKNOWN:
-            return 0
-        extents = (self.mosaic.grid.window_extent(self.blocks.window(key)) for key in self.keys())
-        return sum(len(self.footprints.meeting(extent)) > UNKNOWN for extent in extents)
-
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
-        numbers = self._sources_in(window)
-        sources = tuple(self.sources[number] for number in numbers)
-        request = BlockRequest(
-            self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor, numbers=tuple(numbers)
+        extent = self.mosaic.grid.window_extent(window)
+        # As many sources as can be told apart: those that cover most of it.
+        covering = sorted(
+            self.footprints.meeting(extent), key=lambda number: -covered_share(extent, self.sources[number].extent)
         )
+        numbers = sorted(covering[:UNKNOWN])
+        refs = tuple(self.sources[number].ref for number in numbers)
+        request = BlockRequest(self.mosaic, refs, key, window, self.settings, numbers=tuple(numbers))
         squares = self.seam_squares
         if squares is None:
             return request
@@ -166,18 +154,6 @@ class ScanRequest:
         pieces = ((number, self.pieces[number]) for number in near.numbers.tolist())
         beside = {number: (place(piece.left), place(piece.right)) for number, piece in pieces}
         return replace(request, along_seams=squares.dense_in(key), pieces=near, beside=beside)
-
-    def _sources_in(self, window: PixelWindow) -> list[int]:
-        """Numbers of the sources that meet a window, as many as can be told apart: those that cover most of it."""
-        left, bottom, right, top = extent = self.mosaic.grid.window_extent(window)
-        meeting = self.footprints.meeting(extent)
-        if len(meeting) <= UNKNOWN:
-            return meeting
-        extents = np.array([self.sources[number].extent for number in meeting])
-        width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
-        height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
-        chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
-        return [meeting[place] for place in np.sort(chosen).tolist()]
 
     @cached_property
     def _index(self) -> PieceIndex:
@@ -202,19 +178,16 @@ def parting_seams(given: GivenSeams, numbers: Mapping[str, int], mosaic: OpenRas
     """The given seams that part two orthoimages, ``numbers`` by their names, as far as the mosaic has pixels on both
     sides or on none: what runs along the border of its pixels is an outline. Raises SeamsElsewhereError without any.
     """
-    parting = tuple(
-        part for seam in given.seams if not _is_in_one(seam, given, numbers) for part in _off_border(seam, mosaic)
-    )
+    parting: list[SidedSeam] = []
+    for seam in given.seams:
+        left, right = (numbers.get(side, side) if isinstance(side, str) else side for side in (seam.left, seam.right))
+        is_date = isinstance(left, str) and given.dates.get(left) == left
+        # Not where one orthoimage lies on both sides, by whichever names; two of one day are two.
+        if left is None or left != right or is_date:
+            parting += _off_border(seam, mosaic)
     if not parting:
         raise SeamsElsewhereError(messages.SEAMS_PART_NOTHING())
-    return parting
-
-
-def _is_in_one(seam: SidedSeam, given: GivenSeams, numbers: Mapping[str, int]) -> bool:
-    """Whether the same orthoimage lies on both sides, by whichever names. Two of one day are two."""
-    left, right = (numbers.get(side, side) if isinstance(side, str) else side for side in (seam.left, seam.right))
-    is_date = isinstance(left, str) and given.dates.get(left) == left
-    return left is not None and left == right and not is_date
+    return tuple(parting)
 
 
 def _off_border(seam: SidedSeam, mosaic: OpenRaster) -> Iterator[SidedSeam]:
@@ -241,7 +214,8 @@ def _has_pixels(mosaic: OpenRaster, places: np.ndarray) -> np.ndarray:
     """Whether the mosaic has pixels at columns and rows, (n, 2); what can't be read counts as some."""
     size = np.array([mosaic.columns, mosaic.rows])
     has_pixels = ((places >= 0) & (places < size)).all(axis=1)
-    if is_whole(mosaic):
+    can_lack = mosaic.roles.alpha is not None or mosaic.roles.palette is not None
+    if not can_lack and mosaic.is_all_valid and not mosaic.raster.data_type.startswith("float"):
         return np.asarray(has_pixels)
     cell = np.floor(places / _STEP_PX).astype(np.int64)
     block = np.where(has_pixels[:, np.newaxis], cell // _BLOCK_CELLS, -1)
@@ -287,20 +261,16 @@ def scan_request(
     if given is not None and given.seams:
         seams = parting_seams(given, request.named[0], OpenRaster(mosaic.ref))
         request = replace(request, given=replace(given, seams=seams))
-    seams_m = sum(piece.length_m for piece in request.pieces)
-    if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * seams_m:
-        notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
-        request = replace(request, sources=())
-    if crowded := request.crowded:
-        notices.append(messages.SOURCES_CROWDED(count=crowded, most=UNKNOWN))
+    if kept and given is not None:
+        seams_m = sum(piece.length_m for piece in request.pieces)
+        # On two sources or more, without which nothing can be told of a seam.
+        places = [(piece.length_m, *(piece.vertices[:2].sum(axis=0) / 2).tolist()) for piece in request.pieces]
+        between = sum(length for length, x, y in places if len(request.footprints.meeting((x, y, x, y))) > 1)
+        if between < LEAST_BETWEEN * seams_m:
+            notices.append(messages.SOURCES_TOO_FEW(between=between, all=seams_m))
+            request = replace(request, sources=())
     if given is not None:
         outside = cut_off(given.seams, request.pieces, mosaic.grid)
         unnamed = request.named[1] if request.sources else None
         notices = [*notices, *given.notices, *(notice for notice in (outside, unnamed) if notice is not None)]
     return request, notices
-
-
-def is_whole(source: OpenRaster) -> bool:
-    """Whether nothing in a raster can say that a pixel is none."""
-    is_plain = source.roles.alpha is None and source.roles.palette is None
-    return is_plain and source.is_all_valid and not source.raster.data_type.startswith("float")

@@ -5,7 +5,8 @@ The tables have one entry per column. The field names are contracts; layers and 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, Callable
 
@@ -119,7 +120,8 @@ def judge_piece(
         verdict, why = judge_profile(profile)
         if verdict is Verdict.NOT_COMPARABLE and profile.low <= MAX_KEPT_LOW:
             why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
-        state = state_by(profile.kept[0], profile.low, profile.high, verdict)
+        has_verdict = verdict is not Verdict.NOT_COMPARABLE
+        state = piece_state(profile.kept[0], profile.low, profile.high, STANDARD_LEAST_KEPT, has_verdict)
         if state is not PieceState.NOT_MEASURED or not is_even:
             width = profile.band_width_px * ground_sample_distance
             feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
@@ -131,11 +133,6 @@ def judge_piece(
     if is_even:
         why, state = messages.PIECE_WITHOUT_DETAIL(), PieceState.NO_DETAIL
     return JudgedPiece(piece, left, right, None, None, None, None, Verdict.NOT_COMPARABLE, why, state=state)
-
-
-def state_by(kept: float | None, low: float | None, high: float | None, verdict: Verdict) -> PieceState:
-    """What a piece counts as by the standard limit."""
-    return piece_state(kept, low, high, STANDARD_LEAST_KEPT, verdict is not Verdict.NOT_COMPARABLE)
 
 
 def dated(judged: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
@@ -166,15 +163,18 @@ SMALLEST_SIDE_PX = 128
 
 def worst_windows(
     pieces: Sequence[JudgedPiece], mosaic: Raster, count: int, levels: int,
-    is_valid: Callable[[PixelWindow], bool] | None = None,
+    is_valid: Callable[[PixelWindow], bool] = lambda window: True,
 ) -> list[PlacedWindow]:
     """Up to ``count`` windows on the pieces that kept least, the least first, each where the mosaic has pixels; of two
     that share more than half only the worse.
 
     A window lies around its piece, or is moved aside, or made smaller, as far as it has to be; where it fits nowhere
-    there is none. ``is_valid``: whether a window has enough pixels; the mosaic is asked unless told otherwise.
+    there is none. ``is_valid``: whether a window has enough pixels, where the file says nothing of it, or can't be
+    read.
     """
-    grid, is_valid = mosaic.grid, is_valid or valid_in(mosaic)
+    grid = mosaic.grid
+    with suppress(RasterError):
+        is_valid = is_valid if (opened := open_raster(mosaic.ref)).is_all_valid else opened.is_valid
     side = window_side_px(grid, levels)
     taken = WindowIndex(max(side, 1))
     worst: list[PlacedWindow] = []
@@ -199,15 +199,6 @@ def window_side_px(grid: Grid, levels: int) -> int:
         side //= 2
     side = min(side, shorter)
     return side - side % 2**levels
-
-
-def valid_in(mosaic: Raster) -> Callable[[PixelWindow], bool]:
-    """Whether a window of a mosaic has enough pixels; always where the file says nothing of it, or can't be read."""
-    try:
-        opened = open_raster(mosaic.ref)
-    except RasterError:
-        return lambda window: True
-    return (lambda window: True) if opened.is_all_valid else opened.is_valid
 
 
 def _fitting(
@@ -333,23 +324,18 @@ def seam_rows(result: ScanResult) -> TableRows:
     mosaic's reference system.
     """
     imagery_limits.check_type("result", result, ScanResult)
-    features, kinds = result.features, {**kinds_of(SEAM_COLUMNS, _levels(result.features)), GEOMETRY: "text"}
-    rows = TableRows(wkt=result.told.get(SYSTEM, ""), kinds=kinds)
-    for row, feature in zip(_field_rows(features), features):
-        rows.append({**row, GEOMETRY: line_wkt(feature.piece.vertices)})
-    return rows
+    held, levels = _field_rows(result.features)
+    rows = ({**row, GEOMETRY: line_wkt(feature.piece.vertices)} for row, feature in zip(held, result.features))
+    return TableRows(rows, result.told.get(SYSTEM, ""), {**kinds_of(SEAM_COLUMNS, levels), GEOMETRY: "text"})
 
 
 def seam_notes(result: ScanResult) -> dict[str, str]:
     """What stands beside the rows of SEAMS: how and of what they were measured, their totals, and the seal."""
     notes = {"version": plugin_version(), **result.told}
     lines = (feature.piece.vertices for feature in result.features)
-    return RowTotals(zip(_field_rows(result.features), lines)).sealed(notes)
+    return RowTotals(zip(_field_rows(result.features)[0], lines)).sealed(notes)
 
 
-def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:
-    return list(rows_of(SEAM_COLUMNS, features, _levels(features)))
-
-
-def _levels(features: Sequence[JudgedPiece]) -> int:
-    return max((len(feature.kept) for feature in features if feature.kept), default=1)
+def _field_rows(features: Sequence[JudgedPiece]) -> tuple[Iterator[Row], int]:
+    levels = max((len(feature.kept) for feature in features if feature.kept), default=1)
+    return rows_of(SEAM_COLUMNS, features, levels), levels

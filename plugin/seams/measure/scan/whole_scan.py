@@ -3,25 +3,21 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterator, Mapping
-from concurrent.futures import Executor
+from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
-from itertools import chain
+from dataclasses import replace
 from pathlib import Path
-from typing import Callable
 
 from osgeo import ogr
 
-from ....imagery.errors import CancelledError, Message, SeamsElsewhereError, SettingsError
-from ....imagery.file_identity import FileState, known_states, local_states, states_text
-from ....imagery.gdal_paths import is_remote
+from ....imagery.errors import CancelledError, Message, SeamsElsewhereError
+from ....imagery.file_identity import known_states, states_text
 from ....imagery.messages import CANCELLED
-from ....imagery.raster_pool import own_threads, rasters_kept
+from ....imagery.raster_pool import rasters_kept
 from ....imagery.rasters import Raster
-from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SOURCE_FILES, SYSTEM
+from ....imagery.seam_totals import METRES, MOSAIC_FILES, NEIGHBOURS, SYSTEM
 from .. import messages
-from ..blocks.mosaic_reading import MosaicReading
+from ..blocks.block_pixels import MosaicReading
 from ..blocks.scan_settings import ScanSettings
 from ..seamlines.given_seams import GivenSeams, given_seams
 from ..seamlines.seam_features import read_seam_features
@@ -31,7 +27,7 @@ from ..workers import Workers
 from .block_runs import BlockRun, ScanStep
 from .gathering import Gathering
 from .lone_scan import LoneScanning
-from .scan_journal import MOST_ASKED, ScanJournal, fingerprint_of, journal_beside
+from .scan_journal import ScanInputs, ScanJournal, journal_beside
 from .scan_request import ScanRequest, scan_request
 from .scan_result import ScanResult, dated
 
@@ -41,64 +37,63 @@ JOURNAL_ENDING = ".scan"
 MEASURED = 0.9
 """Share of the time of a scan in which blocks are measured: the rest is to put them together."""
 
-GoesOn = Callable[[float], bool]
-"""Takes the share that is done, and says whether more is wanted."""
-
 
 class WholeScan:
     """One scan, which may have begun in an earlier run."""
 
     def __init__(
-        self, request: ScanRequest, journal: ScanJournal, notice: Message | None,
-        read: tuple[Mapping[str, FileState], Mapping[str, FileState]] = ({}, {}),
+        self, request: ScanRequest, journal: ScanJournal, notice: Message | None, inputs: ScanInputs
     ) -> None:
-        """``read``: ``known_states`` of the mosaic and of the sources, before they are read."""
-        self.request, self._read = request, read
+        """``inputs``: as they are before they are read."""
+        self.request, self._journal, self._inputs = request, journal, inputs
         self.notice = notice
         """What became of an earlier run: goes on, or starts anew and why."""
-        self._journal, self._reading = journal, MosaicReading(request.mosaic)
+        self._reading = MosaicReading(request.mosaic)
         if request.sources:
             self._steps = BlockRun(request, journal).steps
             self._result = Gathering(request, journal, self._reading).result
         else:
             alone = LoneScanning(request, journal, self._reading)
-            self._steps, self._result = alone.steps, lambda path, goes_on, *_crew: alone.result(path, goes_on)
+            self._steps, self._result = alone.steps, alone.result
 
-    def steps(
-        self, executor: Executor, ahead: int, cancelled: Callable[[], bool] = lambda: False
-    ) -> Iterator[ScanStep]:
-        """Scans all blocks, as many of them ``ahead`` as an executor should have under way."""
-        with rasters_kept(), measuring():  # memory is kept from one block to the next
-            for step in self._steps(Workers(executor, ahead, cancelled)):
+    def steps(self, workers: Workers) -> Iterator[ScanStep]:
+        """Scans all blocks."""
+        with rasters_kept(), measuring(), workers.at_work() as crew:  # memory is kept from one block to the next
+            for step in self._steps(crew):
                 self._reading.add(step.reading, step.notices)
                 yield step
 
-    def result(
-        self, loss_path: str = "", goes_on: GoesOn = lambda share: True, executor: Executor | None = None,
-        ahead: int = 0,
-    ) -> ScanResult | None:
-        """What all blocks together tell, the picture of losses as a file where a path is given; None when ``goes_on``,
-        which is asked with the share that is done, says no. ``executor``: a thread per core where None.
+    def result(self, loss_path: str = "", workers: Workers | None = None) -> ScanResult | None:
+        """What all blocks together tell, the picture of losses as a file where a path is given; None when it was
+        cancelled. ``workers``: a thread per core where None.
 
         Raises SettingsError where a raster has changed since the scan began, RasterError where nothing of the mosaic or
         no orthoimage could be read.
         """
-        of_mosaic, of_sources = self._read
-        now = local_states(chain(*_paths(self.request)))
-        for path, state in chain(of_mosaic.items(), of_sources.items()):
-            if now.get(path, state) != state:  # of one that is gone blocks have told
-                raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
+        self._inputs.check()
         self._reading.check()
-        with rasters_kept(), measuring(), own_threads(executor, ahead) as crew:
-            result = self._result(loss_path, goes_on, *crew)
-        dates = self.request.dates
-        notes = {**self.request.settings.told, SYSTEM: self.request.mosaic.wkt}
-        notes |= {MOSAIC_FILES: states_text(of_mosaic.items()), SOURCE_FILES: states_text(of_sources.items())}
-        return result and replace(
-            result, told={**notes, **result.told, METRES: repr(result.seam_metres)},
+        workers = workers or Workers()
+        if not self._journal.is_shared:
+            workers = replace(workers, executor=None, ahead=0)
+        try:
+            with rasters_kept(), measuring(), workers.at_work() as crew:
+                result = self._result(loss_path, crew)
+        except CancelledError:  # which leaves no picture
+            return None
+        dates, notes = self.request.dates, {**self.request.settings.told, SYSTEM: self.request.mosaic.wkt}
+        return replace(
+            result, told={**notes, **self._inputs.told, **result.told, METRES: repr(result.seam_metres)},
             pieces=tuple(dated(piece, dates) for piece in result.pieces),
             stretches=tuple(dated(stretch, dates) for stretch in result.stretches),
         )
+
+    def measured(self, loss_path: str, workers: Workers) -> tuple[ScanResult | None, list[Message]]:
+        """``result`` after all ``steps``, and what could not be read in them."""
+        notices: list[Message] = []
+        for step in self.steps(workers):
+            notices += step.notices
+            workers.progress(MEASURED * step.share)
+        return None if workers.cancelled() else self.result(loss_path, workers.part(MEASURED)), notices
 
     def finish(self) -> None:
         """All results are where they belong: nothing is left to go on from."""
@@ -111,47 +106,23 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
 
     Raises SettingsError where no file can be, or another scan is under way there.
     """
-    seams = [(seam.vertices, seam.left, seam.right) for seam in request.seams]
-    of_mosaic, of_sources = _paths(request)
-    asked = sum(map(is_remote, of_sources)) <= MOST_ASKED
-    read = known_states(of_mosaic), known_states(of_sources, asked)
-    items = [item for seam in seams for item in seam]
-    place = request.mosaic.geotransform, request.mosaic.wkt
-    fingerprint = fingerprint_of(request.mosaic.ref, request.sources, request.settings, items, place)
-    with journal_beside(output, JOURNAL_ENDING, fingerprint) as (journal, notice):
-        yield WholeScan(request, journal, notice, read)
-
-
-def _paths(request: ScanRequest) -> tuple[list[str], list[str]]:
-    """Paths of the mosaic and of the sources."""
-    return [*request.mosaic.ref.paths], [path for source in request.sources for path in source.ref.paths]
-
-
-@dataclass(frozen=True)
-class ScanRun:
-    """Who scans, and who is told how far it is."""
-
-    executor: Executor | None = None
-    """The executor that measures blocks; a thread per core where None."""
-    ahead: int = 0
-    """Blocks that the executor should have under way; twice this machine's cores where 0."""
-    progress: Callable[[float], object] = lambda share: None
-    """Is told the share that is done, 0 to 1, now and then; what it raises ends the scan."""
-    cancelled: Callable[[], bool] = lambda: False
-    """Is asked several times a second whether the scan is to end."""
+    inputs = ScanInputs(request.mosaic, request.sources)
+    seams = [item for seam in request.seams for item in (seam.vertices, seam.left, seam.right)]
+    with journal_beside(output, JOURNAL_ENDING, inputs.fingerprint(request.settings, seams)) as (journal, notice):
+        yield WholeScan(request, journal, notice, inputs)
 
 
 def scan(
     block: Block, settings: ScanSettings | None = None, *, seamlines: PathLike = "", loss: PathLike = "",
-    run: ScanRun | None = None,
+    workers: Workers | None = None,
 ) -> ScanResult:
     """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.
 
     ``seamlines``: a vector file, without which seams are found; ``loss``: a GeoTIFF for the picture of losses, over
-    nothing that is read; ``run``: in one thread per core where None. Raises SettingsError when the inputs make no scan,
+    nothing that is read; ``workers``: a thread per core where None. Raises SettingsError when the inputs make no scan,
     SeamlineError for seamlines that are none, RasterError when the picture can't be written, CancelledError.
     """
-    path, settings, run = os.fspath(seamlines), settings or ScanSettings(), run or ScanRun()
+    path, settings, workers = os.fspath(seamlines), settings or ScanSettings(), workers or Workers()
     ScanSettings.check(settings)
     given, notices = None, list[Message]()
     if path:
@@ -166,19 +137,11 @@ def scan(
         request, of_request = scan_request(block.mosaic, block.sources, settings, given)
     request = replace(request, counted=block.sheet_window)
     notices += of_request
-
-    def goes_on(share: float) -> bool:
-        run.progress(MEASURED + (1 - MEASURED) * share)
-        return not run.cancelled()
-
     with tempfile.TemporaryDirectory() as folder:
         output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
-        with whole_scan(request, output) as whole, own_threads(run.executor, run.ahead) as opened:
-            notices += [whole.notice] if whole.notice else []
-            for step in whole.steps(*opened, run.cancelled):
-                notices += step.notices
-                run.progress(MEASURED * step.share)
-            result = None if run.cancelled() else whole.result(os.fspath(loss), goes_on, *opened)
+        with whole_scan(request, output) as whole:
+            result, of_steps = whole.measured(os.fspath(loss), workers)
+            notices += [*filter(None, [whole.notice]), *of_steps]
             if result is None:
                 raise CancelledError(messages.SCAN_STOPPED() if loss else CANCELLED())
             whole.finish()

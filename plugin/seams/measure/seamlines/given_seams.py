@@ -17,7 +17,7 @@ from .. import messages
 from ..seam_cells import Cell, meant_sources
 from .seam_features import SeamFeature, gathered, owner_name, said, seam_fields
 from .seam_pieces import SidedSeam
-from .seam_tracing import parts_with_area
+from .seam_tracing import multipolygon, parts_with_area
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +48,8 @@ def given_seams(
     rows = [attributes for attributes, _ in held]
     fields = seam_fields(rows, source_field)
     names = {said(row.get(name)) for row in rows for name in fields.naming}
-    ambiguous = {name for name, places in meant_sources(names - {""}, paths).items() if len(places) > 1}
+    meant = meant_sources(names - {""}, [(path,) for path in paths])
+    ambiguous = {name for name, places in meant.items() if len(places) > 1}
     pieces = gathered(held, fields, grid, ambiguous)
     network = _Network(grid)
     if pieces.rings:
@@ -69,7 +70,6 @@ def given_seams(
         )
     notices = [
         *([messages.SEAM_FEATURES_BROKEN(count=pieces.broken)] if pieces.broken else []),
-        *([messages.SEAM_LINES_CROSS(count=pieces.crossing)] if pieces.crossing else []),
         *([messages.SEAM_POLYGONS_REPAIRED(count=pieces.repaired)] if pieces.repaired else []),
         *polygon_faults(pieces.polygons, grid),
         *([messages.SEAMS_NAMED_BY(fields=", ".join(fields.naming))] if fields.naming and not source_field else []),
@@ -196,12 +196,8 @@ def polygon_faults(polygons: Sequence[ogr.Geometry], grid: Grid) -> list[Message
 
 def _gaps(geometries: Sequence[ogr.Geometry], grid: Grid, narrow: float) -> Iterator[ogr.Geometry]:
     """Holes in what polygons cover together."""
-    together = ogr.Geometry(ogr.wkbMultiPolygon)
-    for geometry in geometries:
-        for part in parts_with_area(geometry):
-            together.AddGeometry(part)
     # Slits that are bridged are closed first: they are no gaps, and one that leads outside would hide a gap.
-    whole = together.UnionCascaded().Buffer(narrow / 2, 1)
+    whole = multipolygon(geometries).UnionCascaded().Buffer(narrow / 2, 1)
     xmin, ymin, xmax, ymax = grid.extent
     for part in parts_with_area(whole):
         for index in range(1, part.GetGeometryCount()):

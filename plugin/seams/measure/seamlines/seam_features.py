@@ -134,18 +134,18 @@ _MOST_NAMED = 3  # names that a notice tells
 
 
 def source_numbers(
-    names: Iterable[str], paths: Sequence[str], images: Sequence[int] | None = None
+    names: Iterable[str], images: Sequence[Sequence[str]]
 ) -> tuple[dict[str, int], Message | None]:
-    """For each name that a layer of seams holds the place of its orthoimage in ``paths``; and which ones have none.
+    """For each name that a layer of seams holds the place of its orthoimage in ``images``, the paths of each; and which
+    ones have none.
 
     Endings and capitals don't count. Folders do where files are of one name: a name with its folders means the file
     whose path ends so. A name that is a part of one file's name only, as image numbers are, means that file.
-    ``images``: what is found instead of places, where several files may be one image.
     """
-    meant = meant_sources(names, paths, images)
+    meant = meant_sources(names, images)
     numbers = {name: next(iter(places)) for name, places in meant.items() if len(places) == 1}
     missing = sorted(name for name, places in meant.items() if not places)
-    if not missing or not paths:
+    if not missing or not images:
         return numbers, None
     return numbers, messages.SEAM_SOURCES_MISSING(count=len(missing), names=", ".join(missing[:_MOST_NAMED]))
 
@@ -175,8 +175,6 @@ class GatheredLines:
     """All of them, repaired."""
     repaired: int = 0
     """Polygons that crossed themselves."""
-    crossing: int = 0
-    """Lines that cross themselves."""
     broken: int = 0
     """Features that can't be read."""
     elsewhere: int = 0
@@ -203,7 +201,10 @@ def gathered(
             if geometry.IsEmpty():
                 continue
             if extents_meet(_extent(geometry), widened):
-                _gather(lines, geometry, number, _words(attributes, fields, ambiguous), fields.names_by_date)
+                words = {key: said(attributes.get(name)) if name else "" for key, name in vars(fields).items()}
+                # What is ambiguous names nothing.
+                words = {key: "" if word in ambiguous and "date" not in key else word for key, word in words.items()}
+                _gather(lines, geometry, number, words, fields.names_by_date)
             else:
                 lines.elsewhere += 1
         except SeamlineError:
@@ -215,12 +216,6 @@ def gathered(
     if lines.broken:
         raise SeamlineError(messages.SEAM_FEATURES_ALL_BROKEN())
     raise SeamlineError(imagery_messages.SEAMLINES_NO_LINES())
-
-
-def _words(attributes: Attributes, fields: SeamFields, ambiguous: Collection[str]) -> dict[str, str]:
-    """What a feature says in each of ``SeamFields``; nothing where it names what is ambiguous."""
-    words = {key: said(attributes.get(name)) if name else "" for key, name in vars(fields).items()}
-    return {key: "" if word in ambiguous and "date" not in key else word for key, word in words.items()}
 
 
 def _gather(
@@ -249,8 +244,6 @@ def _gather(
         elif part.GetPointCount() > 1:
             lines.lines.append(_finite(seamlines.line_points(part)))
             lines.line_sides.append(sides)
-            with gdal_silenced():
-                lines.crossing += not part.IsSimple()
 
 
 def _finite(points: np.ndarray) -> np.ndarray:

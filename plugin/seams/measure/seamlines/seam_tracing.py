@@ -16,6 +16,7 @@ import struct
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 from osgeo import ogr
@@ -276,10 +277,15 @@ def _multipolygon(rings: Sequence[np.ndarray]) -> bytes:
     polygon = ogr.CreateGeometryFromWkb(struct.pack("<BII", 1, ogr.wkbPolygon, len(rings)) + b"".join(held))
     with gdal_silenced():
         valid = polygon if polygon.IsValid() else polygon.MakeValid()
+    return bytes(multipolygon([valid]).ExportToWkb(ogr.wkbNDR))
+
+
+def multipolygon(geometries: Iterable[ogr.Geometry]) -> ogr.Geometry:
+    """All polygons in some geometries."""
     whole = ogr.Geometry(ogr.wkbMultiPolygon)
-    for part in parts_with_area(valid):
+    for part in chain.from_iterable(map(parts_with_area, geometries)):
         whole.AddGeometry(part)
-    return bytes(whole.ExportToWkb(ogr.wkbNDR))
+    return whole
 
 
 def parts_with_area(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:

@@ -36,8 +36,7 @@ from ..profile.window_detail import LossPicture, loss_picture
 from ..seam_cells import UNKNOWN, cell_labels
 from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
-from .measured_window import MeasuredWindow, in_file_values, measure_window
-from .window_request import WindowRequest
+from .measured_window import MeasuredWindow, WindowRequest, in_file_values, measure_window
 from .window_result import PairResult, WindowClips, WindowResult
 
 
@@ -45,14 +44,14 @@ from .window_result import PairResult, WindowClips, WindowResult
 def explain_window(measured: MeasuredWindow) -> WindowResult:
     """All that is known of a window; why it can't be compared where nothing could be explained."""
     request, mosaic, band = measured.request, measured.mosaic, measured.band
-    notices, paper, clips = list(measured.notices), measured.paper, measured.clips.clips
+    notices, paper, judged = list(measured.notices), measured.paper, measured.judged
+    result = WindowResult(
+        request.window_id, request.window, paper, paper.verdict, measured.clips.clips, (), None, measured.notices,
+        request.mosaic.ground_sample_distance, request.settings.reference,
+    )
     if not measured.is_explicable:
-        pairs = [pair for source in measured.sources for pair in _pairs(mosaic, source, {})]
-        return WindowResult(
-            request.window_id, request.window, paper, paper.verdict, clips, tuple(pairs), None,
-            tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
-        )
-    judged = measured.judged
+        shown = (pair for source in measured.sources for pair in _pairs(mosaic, source, {}))
+        return replace(result, pairs=tuple(shown))
     settings, labels = request.settings, known_labels(request, judged)
     explanation = explain(mosaic, judged, settings.wavelet, settings.levels, labels)
     notices += [
@@ -71,9 +70,8 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
         judgement = replace(judgement, reason=_with_other_pixels(judgement.reason, measured))
     if all(source.clip.resampled for source in judged) and judgement.reason is None:
         judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
-    return WindowResult(
-        request.window_id, request.window, judgement, paper.verdict, clips, tuple(pairs), explanation,
-        tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
+    return replace(
+        result, judgement=judgement, pairs=tuple(pairs), explanation=explanation, notices=tuple(notices)
     )
 
 
@@ -130,9 +128,8 @@ def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.
     """The source of each pixel that is read by the seam cells, else ``UNKNOWN``; None where no cell says any."""
     if not request.cells or request.window is None:
         return None
-    paths = [(path, place) for place, source in enumerate(sources) for path in source.clip.raster.ref.paths]
-    files, places = [path for path, _ in paths], [place for _, place in paths]
-    known = cell_labels(request.cells, files, request.mosaic.grid, request.around, places)
+    images = [source.clip.raster.ref.paths for source in sources]
+    known = cell_labels(request.cells, images, request.mosaic.grid, request.around)
     return known if (known != UNKNOWN).any() else None
 
 

@@ -18,16 +18,21 @@ from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import known_wkt
 from .. import messages
 from ..inputs.mosaic_copies import leave_out_copies
-from ..inputs.whole_images import have_same_grid
 from ..seam_cells import Cell, cells_over, source_stem
 from ..seamlines.seam_features import read_cells
-from ..source_images import Source, gather_sources, sources_in
+from ..source_images import Source, gather_sources, have_same_grid
 from ..while_measuring import measuring
 from ..workers import Workers, in_order, unforeseen
 from .explained_window import explain_window
-from .measured_window import MeasuredWindow, MeasureWindow, measure_window
-from .window_request import InspectionSettings, WindowRequest
-from .window_result import WindowClips, WindowResult, not_comparable
+from .measured_window import (
+    InspectionSettings,
+    MeasuredWindow,
+    MeasureWindow,
+    WindowRequest,
+    measure_window,
+    not_comparable,
+)
+from .window_result import WindowClips, WindowResult
 
 NEIGHBOURS_PX = 2048
 """How far a sheet's neighbours are looked at: a block of a scan."""
@@ -60,7 +65,8 @@ class Block:
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Sources whose footprint meets the window, wholly or in part."""
-        return sources_in(self.sources, self.mosaic.grid.window_extent(window))
+        extent = self.mosaic.grid.window_extent(window)
+        return tuple(source for source in self.sources if extents_meet(source.extent, extent))
 
     def window(
         self, extent: Extent, settings: InspectionSettings | None = None, window_id: int = 1

@@ -1,29 +1,149 @@
-"""The first half of an inspection: the clips of a window, their curves, and the paper's verdict; also of windows
-that are measured before anybody asks for them, such as the one under the mouse."""
+"""The first half of an inspection: what is to be measured in a window, and the ground around it that is read with it
+where it is small, to compare its seam with and to tell labels and filters by; its clips, their curves, and the paper's
+verdict; also of windows that are measured before anybody asks for them, such as the one under the mouse."""
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import Future
+from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property, lru_cache, partial
 from threading import Lock
 from typing import Union
 
 import numpy as np
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.clips import Clip
+from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
+from ....imagery.grids import PixelWindow
 from ....imagery.limits import LUMINANCE, measured_bands
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_pool import ReadEach, one_by_one
-from ....imagery.wavelets import Curve, judged_plane, measure_bands, measure_directions
-from .. import messages
+from ....imagery.rasters import Raster
+from ....imagery.wavelets import Curve, check_decomposition, judged_plane, measure_bands, measure_directions
+from .. import limits, messages
 from ..compared_image import MeasuredClip
-from ..inputs.whole_images import images_in_parts, whole_images_of_clips
-from ..judgement.verdicts import Judgement, Verdict, judge
-from .window_request import WindowRequest, place_in, read_with_surroundings
-from .window_result import ClipResult, WindowClips
+from ..inputs.grey_values import read_grey_clip
+from ..judgement.verdicts import Judgement, Ratios, Verdict, judge
+from ..profile.cell_table import CELL_PX
+from ..seam_cells import Cell
+from ..source_images import Source, images_in_parts, whole_images_of_clips
+from ..window_records import REFERENCES
+from .window_result import ClipResult, WindowClips, WindowResult
+
+MARGIN_PX = 128
+"""On every side, or what there is of the mosaic."""
+ENOUGH_PX = 512
+"""A side: a window as long has ground enough of its own."""
+
+
+def surroundings(window: PixelWindow, mosaic: Raster, levels: int) -> PixelWindow:
+    """A window with its margin, in whole cells and multiples of 2^R, inside the mosaic."""
+    step = max(CELL_PX, 2 ** int(levels))
+
+    def margins(first: int, length: int, end: int) -> tuple[int, int]:
+        wanted = min(MARGIN_PX, max(ENOUGH_PX - length, 0) // 2)
+        before, after = (min(wanted, max(there, 0)) // step * step for there in (first, end - first - length))
+        return before, after
+
+    left, right = margins(window.column, window.width, mosaic.columns)
+    top, bottom = margins(window.row, window.height, mosaic.rows)
+    return PixelWindow(
+        window.column - left, window.row - top, window.width + left + right, window.height + top + bottom
+    )
+
+
+def place_in(window: PixelWindow, around: PixelWindow) -> tuple[slice, slice]:
+    """Rows and columns of a window in a larger one."""
+    row, column = window.row - around.row, window.column - around.column
+    return slice(row, row + window.height), slice(column, column + window.width)
+
+
+def read_with_surroundings(
+    raster: OpenRaster, mosaic: Raster, window: PixelWindow, around: PixelWindow, partly: bool
+) -> tuple[Clip, Clip, float]:
+    """The clip of a window, that of all that is read around it, and by what both were multiplied.
+
+    The window's own is as ``read_grey_clip`` has it. Raises RasterError.
+    """
+    wide: Clip | None = None
+    if around != window:
+        with suppress(RasterError if partly else NotCoveredError):  # the window itself may be covered, and readable
+            wide, factor = read_grey_clip(raster, mosaic, around, partly=True)
+    if wide is not None and wide.invalid_share == 0:
+        place = place_in(window, around)
+        return replace(wide, bands=np.ascontiguousarray(wide.bands[(slice(None), *place)])), wide, factor
+    clip, factor = read_grey_clip(raster, mosaic, window, partly)
+    if wide is None and around != window:  # which has no pixels there: mirrored, so that no edge is seen
+        valid = np.zeros((around.height, around.width), bool)
+        valid[place_in(window, around)] = True if clip.valid is None else clip.valid
+        bands = np.pad(clip.bands, [(0, 0), *around.margins_of(window)], "symmetric")
+        wide = replace(clip, bands=bands, valid=valid)
+    return clip, wide or clip, factor
+
+
+@dataclass(frozen=True)
+class InspectionSettings:
+    """How windows are measured and judged."""
+
+    wavelet: str = imagery_limits.DEFAULT_WAVELET
+    """Any orthogonal wavelet of PyWavelets."""
+    levels: int = imagery_limits.DEFAULT_LEVELS
+    """R, 1 to 8."""
+    max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
+    """Largest ratio_1 that is a significant loss."""
+    reference: str = REFERENCES[0]
+    """What the verdict is taken by: ``seam``, the sources' ``composite``, or whole ``sources`` as in the paper."""
+    min_kept: float = limits.MAX_SIGNIFICANT_KEPT
+    """Share of the finest detail along the seam, kept_1, at or below which a loss is significant."""
+    directions: bool = False
+    """Whether the detail of the mosaic and the sources is told by direction too."""
+
+    def check(self) -> None:
+        """Raise SettingsError when a value is out of its range."""
+        imagery_limits.check_settings(self, InspectionSettings)
+        check_decomposition(self.wavelet, self.levels)
+        for name, limit in (("max_ratio", self.max_ratio), ("min_kept", self.min_kept)):
+            if not 0 < limit < 1:
+                raise SettingsError(messages.LIMIT_OUT_OF_RANGE(name=name, limit=limit))
+        if self.reference not in REFERENCES:
+            raise SettingsError(messages.REFERENCE_UNKNOWN(reference=self.reference, known=", ".join(REFERENCES)))
+
+
+@dataclass(frozen=True)
+class WindowRequest:
+    """All that is needed to measure one window, in plain data that can cross threads and processes."""
+
+    window_id: int
+    """What its result is known by."""
+    mosaic: Raster
+    """Whose grid the window lies on."""
+    sources: tuple[Source, ...]
+    """Sources that may cover the window."""
+    window: PixelWindow | None
+    """On the mosaic's grid; None when the drawn rectangle can't be measured."""
+    settings: InspectionSettings
+    """How it is measured and judged."""
+    reason: Message | None = None
+    """Why there is no window."""
+    cells: tuple[Cell, ...] = ()
+    """Known seam cells that meet the window."""
+    is_alone: bool = False
+    """Whether the mosaic can't be read around it."""
+
+    @property
+    def around(self) -> PixelWindow:
+        """All that is read: a small window with the ground around it."""
+        assert self.window is not None
+        return self.window if self.is_alone else surroundings(self.window, self.mosaic, self.settings.levels)
+
+
+def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
+    """The result of a window that could not be measured."""
+    nothing = Ratios((None,) * request.settings.levels, None)
+    judgement = Judgement(Verdict.NOT_COMPARABLE, nothing, reason)
+    reference = request.settings.reference
+    return WindowResult(request.window_id, request.window, judgement, judgement.verdict, reference=reference)
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,30 +286,14 @@ class MeasuredAhead:
     """A ``MeasureWindow`` that keeps the last windows; who asks for one that is under way waits for it."""
 
     def __init__(self, read_each: ReadEach) -> None:
-        self._read_each = read_each
-        self._windows: OrderedDict[WindowRequest, Future[Measured]] = OrderedDict()
+        self._measure = lru_cache(KEPT)(lambda request: measure_window(request, read_each))
         self._lock = Lock()
 
     def __call__(self, request: WindowRequest) -> Measured:
-        key = replace(request, window_id=0)
         with self._lock:
-            future = self._windows.get(key)
-            if is_new := future is None:
-                future = self._windows[key] = Future()
-                while len(self._windows) > KEPT:
-                    self._windows.popitem(last=False)
-        assert future is not None
-        if is_new:
-            try:
-                future.set_result(measure_window(key, self._read_each))
-            except Exception as error:
-                with self._lock:
-                    self._windows.pop(key, None)
-                future.set_exception(error)
-        measured = future.result()
+            measured = self._measure(replace(request, window_id=0))
         return replace(measured, request=request) if isinstance(measured, MeasuredWindow) else measured
 
     def forget(self) -> None:
         """Let go of the pixels."""
-        with self._lock:
-            self._windows.clear()
+        self._measure.cache_clear()

@@ -15,7 +15,6 @@ from ..limits import SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture
 from ..window_records import COMPOSITE, REFERENCES, SEAM
-from .window_request import WindowRequest
 
 
 @dataclass(frozen=True)
@@ -129,21 +128,16 @@ class WindowResult:
             return None
         if self.judgement.verdict is Verdict.PRESERVED:
             return 0.0
-        area_m2 = self.window.width * self.window.height * self.ground_sample_distance**2
-        return area_m2 * max(self._lost_share, 0.0)
-
-    @property
-    def _lost_share(self) -> float:
-        """Lost share of the window's finest detail energy: along its seam, or in all of it where that is more."""
-        explanation = self.explanation
-        if self.reference != SEAM or explanation is None:
-            ratios = self.judgement.ratios
-            if explanation is not None and self.reference == COMPOSITE:
+        explanation, ratios = self.explanation, self.judgement.ratios
+        if self.reference == SEAM and explanation is not None:  # along its seam, or in all of it where that is more
+            along = explanation.evidence.lost if self.profile is not None and self.profile.high < 1 else 0.0
+            sharpness = 1.0 if explanation.sharpness is None else explanation.sharpness
+            share = max(along, 1 - sharpness**2 if sharpness < 1 - SHARPNESS_TOLERANCE else 0.0)
+        else:
+            if self.reference == COMPOSITE and explanation is not None:
                 ratios = next(iter(explanation.ratios.values()))
-            return 1 - (ratios.detail[0] or 0.0)
-        along = explanation.evidence.lost if self.profile is not None and self.profile.high < 1 else 0.0
-        sharpness = 1.0 if explanation.sharpness is None else explanation.sharpness
-        return max(along, 1 - sharpness**2 if sharpness < 1 - SHARPNESS_TOLERANCE else 0.0)
+            share = 1 - (ratios.detail[0] or 0.0)
+        return self.window.width * self.window.height * self.ground_sample_distance**2 * max(share, 0.0)
 
     @property
     def band_width_m(self) -> float | None:
@@ -211,11 +205,3 @@ class WindowResult:
 
 WindowCurves = Union["WindowClips", "WindowResult"]
 """What a chart draws of a window: the curves that are there first, or with all else."""
-
-
-def not_comparable(request: WindowRequest, reason: Message | None) -> WindowResult:
-    """The result of a window that could not be measured."""
-    nothing = Ratios((None,) * request.settings.levels, None)
-    judgement = Judgement(Verdict.NOT_COMPARABLE, nothing, reason)
-    reference = request.settings.reference
-    return WindowResult(request.window_id, request.window, judgement, judgement.verdict, reference=reference)

@@ -6,10 +6,11 @@ and plain rows are made of these entries.
 """
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
-from typing import Any, NamedTuple
+from operator import itemgetter
+from typing import Any
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import QT_TR_NOOP
@@ -17,22 +18,18 @@ from ....imagery.limits import DEFAULT_LEVELS, MIN_SHARE, check_type
 from ....imagery.records import (
     Column,
     NotUnderstoodError,
+    Row,
     TableRows,
     kinds_of,
-    record_of,
     rows_of,
     sentences_of,
     value_of,
 )
 from ....imagery.seam_totals import MOST_KEPT, possible
-from ....imagery.shifts import Shift
 from ....imagery.statistics import JUDGING_FIELDS
-from ....imagery.wavelets import DIRECTIONS, Curve
+from ....imagery.wavelets import DIRECTIONS
 from .. import messages
-from ..compared_image import Change
-from ..profile.seam_profile import ProfileBin
-from ..tone import Tone
-from .window_result import ClipResult, PairResult, WindowResult
+from .window_result import WindowResult
 
 MOST_RATIO = 1 / MIN_SHARE
 """Greatest ratio of detail in the mosaic to that in a source: with less in the source there is no ratio."""
@@ -40,79 +37,28 @@ MOST_VISIBLE = 1e4
 """Just noticeable differences: from black to white there are some hundred."""
 
 
-class CurveRow(NamedTuple):
-    """A component of a curve."""
-
-    window_id: int
-    clip: ClipResult
-    band: str
-    curve: Curve
-    component: str
-    level: int
-    share: float
+def _columns(kinds: Mapping[str, str], by_level: Collection[str] = ()) -> tuple[Column[Row], ...]:
+    """Columns of rows that have their values by name."""
+    return tuple(Column(name, kind, itemgetter(name), name in by_level) for name, kind in kinds.items())
 
 
-class ProfileRow(NamedTuple):
-    """What a window kept at one distance from its seam."""
-
-    window_id: int
-    bin: ProfileBin
-    pixel_m: float
-
-
-class PairRow(NamedTuple):
-    """The mosaic against a source in a window, and what became of the source's grey values where that is known."""
-
-    window_id: int
-    pair: PairResult
-    change: Change | None
-    tone: Tone | None
-    shift: Shift | None
-
-
-CURVE_COLUMNS: tuple[Column[CurveRow], ...] = (
-    Column("window_id", "integer", lambda row: row.window_id),
-    Column("raster", "text", lambda row: row.clip.raster),
-    Column("role", "text", lambda row: row.clip.role),
-    Column("band", "text", lambda row: row.band),
-    Column("component", "text", lambda row: row.component),
-    Column("level", "integer", lambda row: row.level),
-    Column("relative_variance", "real", lambda row: row.share if row.curve.variance > 0 else None),
-    Column("variance", "real", lambda row: row.share * row.curve.variance if row.curve.variance > 0 else 0.0),
-)
+CURVE_COLUMNS = _columns({
+    "window_id": "integer", "raster": "text", "role": "text", "band": "text", "component": "text", "level": "integer",
+    "relative_variance": "real", "variance": "real",
+})
 """CURVES: one row per window, raster, band and component; a constant clip has no relative variances."""
 
-PROFILE_COLUMNS: tuple[Column[ProfileRow], ...] = (
-    Column("window_id", "integer", lambda row: row.window_id),
-    Column("level", "integer", lambda row: row.bin.level),
-    Column("distance", "real", lambda row: row.pixel_m * row.bin.middle_px),
-    Column("kept", "real", lambda row: row.bin.kept),
-    Column("low", "real", lambda row: row.bin.low),
-    Column("high", "real", lambda row: row.bin.high),
-    Column("area", "real", lambda row: row.pixel_m**2 * row.bin.area_px),
-    Column("mixture", "real", lambda row: row.bin.mixture),
-)
+PROFILE_COLUMNS = _columns({
+    "window_id": "integer", "level": "integer", "distance": "real", "kept": "real", "low": "real", "high": "real",
+    "area": "real", "mixture": "real",
+})
 """PROFILES: one row per window, level and distance from the seam."""
 
-PAIR_COLUMNS: tuple[Column[PairRow], ...] = (
-    Column("window_id", "integer", lambda row: row.window_id),
-    Column("source", "text", lambda row: row.pair.source),
-    Column("band", "text", lambda row: row.pair.band),
-    Column("ratio", "real", lambda row: row.pair.ratios.detail, by_level=True),
-    Column("similarity", "real", lambda row: row.pair.similarity),
-    Column("offset_x", "real", lambda row: row.pair.offset_x),
-    Column("offset_y", "real", lambda row: row.pair.offset_y),
-    Column("resampled", "integer", lambda row: int(row.pair.resampled)),
-    Column("gain", "real", lambda row: row.tone and row.tone.gain),
-    Column("bias", "real", lambda row: row.tone and row.tone.bias),
-    Column("gamma", "real", lambda row: row.tone and row.tone.gamma),
-    Column("contrast", "real", lambda row: row.change and row.change.contrast, by_level=True),
-    Column("sharpness", "real", lambda row: row.change and row.change.sharpness, by_level=True),
-    Column("clipped", "real", lambda row: row.change and row.change.clipped),
-    Column("colour_shift", "real", lambda row: row.change and row.change.colour_shift),
-    Column("shift_x", "real", lambda row: row.shift and row.shift.x),
-    Column("shift_y", "real", lambda row: row.shift and row.shift.y),
-)
+PAIR_COLUMNS = _columns({
+    "window_id": "integer", "source": "text", "band": "text", "ratio": "real", "similarity": "real", "offset_x": "real",
+    "offset_y": "real", "resampled": "integer", "gain": "real", "bias": "real", "gamma": "real", "contrast": "real",
+    "sharpness": "real", "clipped": "real", "colour_shift": "real", "shift_x": "real", "shift_y": "real",
+}, by_level=("ratio", "contrast", "sharpness"))
 """PAIRS: one row per window, source and band."""
 
 
@@ -138,6 +84,11 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
         return self.attribute or self.name
 
 
+def _explained(name: str) -> Callable[[WindowResult], Any]:
+    """What an explanation has by that name, where there is one."""
+    return lambda result: result.explanation and getattr(result.explanation, name)
+
+
 MEASURED = (
     WindowField("window_id", "integer", lambda result: result.window_id),
     WindowField("verdict", "text", lambda result: result.judgement.verdict.value),
@@ -158,12 +109,11 @@ MEASURED = (
         attribute="composite_ratios", title=QT_TR_NOOP("ratio {level} against the composite"), most=MOST_RATIO,
     ),
     WindowField(
-        "expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True,
-        attribute="expected_ratios", title=QT_TR_NOOP("ratio {level} expected of a feather"),
+        "expected_ratio", "real", _explained("expected"), by_level=True, attribute="expected_ratios",
+        title=QT_TR_NOOP("ratio {level} expected of a feather"),
     ),
     WindowField(
-        "unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share,
-        title=QT_TR_NOOP("share where no source wins clearly"),
+        "unclear_share", "real", _explained("unclear_share"), title=QT_TR_NOOP("share where no source wins clearly")
     ),
     WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
     WindowField("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
@@ -176,22 +126,10 @@ MEASURED = (
     WindowField("feather_width", "real", lambda result: result.feather_width_m),
     WindowField("visibility", "real", lambda result: result.visibility, most=MOST_VISIBLE),
     WindowField("misfit", "real", lambda result: result.misfit, title=QT_TR_NOOP("images apart in the mosaic (px)")),
-    WindowField(
-        "contrast_1", "real", lambda result: result.explanation and result.explanation.contrast,
-        attribute="contrast", most=MOST_RATIO,
-    ),
-    WindowField(
-        "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,
-        attribute="sharpness",
-    ),
-    WindowField(
-        "added_1", "real", lambda result: result.explanation and result.explanation.added,
-        attribute="added",
-    ),
-    WindowField(
-        "explained", "real", lambda result: result.explained,
-        title=QT_TR_NOOP("share that the sources explain"),
-    ),
+    WindowField("contrast_1", "real", _explained("contrast"), attribute="contrast", most=MOST_RATIO),
+    WindowField("sharpness_1", "real", _explained("sharpness"), attribute="sharpness"),
+    WindowField("added_1", "real", _explained("added"), attribute="added"),
+    WindowField("explained", "real", _explained("explained"), title=QT_TR_NOOP("share that the sources explain")),
     WindowField("loss", "real", lambda result: result.lost_m2, title=QT_TR_NOOP("loss (m2)")),
     WindowField(
         "reason_code", "text", lambda result: result.judgement.reason_code or None,
@@ -267,20 +205,32 @@ def _table(columns: Sequence[Column[Any]], results: Iterable[object], levels: in
     return TableRows(rows_of(columns, results, levels), kinds=kinds_of(columns, levels))
 
 
-def bins_of(result: WindowResult) -> Iterator[ProfileRow]:
+def bins_of(result: WindowResult) -> Iterator[Row]:
     """The rows of PROFILES for a result; none without a seam."""
-    bins = result.profile.bins if result.profile else ()
-    return (ProfileRow(result.window_id, bin_, result.ground_sample_distance) for bin_ in bins)
+    pixel_m = result.ground_sample_distance
+    for bin_ in result.profile.bins if result.profile else ():
+        yield {
+            **vars(bin_), "window_id": result.window_id, "distance": pixel_m * bin_.middle_px,
+            "area": pixel_m**2 * bin_.area_px,
+        }
 
 
-def pairs_of(result: WindowResult) -> Iterator[PairRow]:
-    """The rows of PAIRS for a result: each source, then their composite."""
+def pairs_of(result: WindowResult) -> Iterator[Row]:
+    """The rows of PAIRS for a result: each source, then their composite. What became of a source's grey values is None
+    where that is not known."""
     for pair in (*result.pairs, *result.composite_pairs):
         change = pair.change
-        yield PairRow(result.window_id, pair, change, change.tone if change else None, change.shift if change else None)
+        tone, shift = (change.tone, change.shift) if change else (None, None)
+        yield {
+            **vars(pair), "window_id": result.window_id, "ratio": pair.ratios.detail, "resampled": int(pair.resampled),
+            "gain": tone and tone.gain, "bias": tone and tone.bias, "gamma": tone and tone.gamma,
+            "contrast": change and change.contrast, "sharpness": change and change.sharpness,
+            "clipped": change and change.clipped, "colour_shift": change and change.colour_shift,
+            "shift_x": shift and shift.x, "shift_y": shift and shift.y,
+        }
 
 
-def curves_of(result: WindowResult) -> Iterator[CurveRow]:
+def curves_of(result: WindowResult) -> Iterator[Row]:
     """The rows of CURVES for a result."""
     for clip in result.with_composite:
         for band, curve in clip.curves.items():
@@ -288,17 +238,17 @@ def curves_of(result: WindowResult) -> Iterator[CurveRow]:
                       ("background", len(curve.detail), curve.background)]
             for level, directions in enumerate(clip.directions.get(band, ()), 1):
                 shares += [(component, level, share) for component, share in zip(DIRECTIONS, directions)]
+            has_variance = curve.variance > 0
             for component, level, share in shares:
-                yield CurveRow(result.window_id, clip, band, curve, component, level, share)
+                yield {
+                    "window_id": result.window_id, "raster": clip.raster, "role": clip.role, "band": band,
+                    "component": component, "level": level, "relative_variance": share if has_variance else None,
+                    "variance": share * curve.variance if has_variance else 0.0,
+                }
 
 
 def _most_levels(results: Iterable[WindowResult]) -> int:
     return max((result.levels for result in results), default=DEFAULT_LEVELS)
-
-
-def result_record(result: WindowResult) -> bytes:
-    """All that was measured; the picture of the loss to a two-thousandth."""
-    return record_of(result)
 
 
 def result_of(record: bytes) -> WindowResult | None:

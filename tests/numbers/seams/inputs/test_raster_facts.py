@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from seam_inspector.plugin.seams.measure.inputs import messages
+from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.inputs.raster_facts import RasterFacts, likely_mosaic, suitable_by_header
 
 MOSAIC = RasterFacts("mosaic", "mosaic", (0, 0, 100, 100), 0.1, 3, "8 bit", True)

@@ -10,14 +10,13 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
-from seam_inspector.plugin.seams.measure.inputs import messages
-from seam_inspector.plugin.seams.measure.inputs.whole_images import whole_images
 from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
 from seam_inspector.plugin.seams.measure.scan.whole_scan import scan
-from seam_inspector.plugin.seams.measure.source_images import gather_sources
+from seam_inspector.plugin.seams.measure.source_images import gather_sources, whole_images
 from seam_inspector.plugin.seams.measure.window.inspection import inspect_window, make_block, window_request
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import ORIGIN, orthoimage

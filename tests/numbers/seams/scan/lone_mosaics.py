@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.seams.measure.compared_image import ComparedImage
 from seam_inspector.plugin.seams.measure.scan.lone_kept import LoneSeams
-from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, MosaicPixels, lone_cells, lone_stretches
-from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, cut_in_pieces
+from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, lone_cells, lone_stretches
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, SeamPiece, cut_in_pieces
 
 from tests.numbers.synthetic import luminance, texture
 
@@ -49,7 +50,14 @@ def table_of(
     """The cells of a mosaic in one window; without ``bands`` it has three that are alike."""
     window = PixelWindow(0, 0, grid.columns, grid.rows)
     bands = np.stack([plane] * 3) if bands is None else bands
-    return lone_cells(MosaicPixels(window, plane, bands, valid), window, PieceIndex(pieces, grid), WAVELET)
+    return lone_cells(image_of(plane, bands, valid), window, window, PieceIndex(pieces, grid), WAVELET)
+
+
+def image_of(plane: np.ndarray, bands: np.ndarray, valid: np.ndarray | None = None) -> ComparedImage:
+    """Pixels of a mosaic in the band that is judged, and its bands."""
+    rows, columns = plane.shape
+    raster = Raster(RasterRef("mosaic.tif"), columns, rows, None, "", ("band_1",), "float32")
+    return ComparedImage(bands, raster.band_names, {}, {}, raster, valid=valid, judged=plane)
 
 
 def seams_of(

@@ -17,6 +17,7 @@ from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 from tests.numbers.seams.scan.blocks.scenes import beside, blended, images, scene
 
@@ -47,7 +48,7 @@ FOREIGN: dict[str, Callable[[bytes], bytes]] = {
 def scanned(request: ScanRequest, output: Path, is_last: bool) -> tuple[ScanResult, int]:
     """And how many blocks were measured."""
     with whole_scan(request, output) as scan, ThreadPoolExecutor(1) as executor:
-        steps = list(scan.steps(executor, 2))
+        steps = list(scan.steps(Workers(executor, 2)))
         result = scan.result("")
         if is_last:
             scan.finish()

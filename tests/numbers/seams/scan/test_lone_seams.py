@@ -21,9 +21,8 @@ from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     runs_of,
     verdict_of,
 )
-from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, MosaicPixels, lone_cells, lone_stretches
-from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import cut_in_pieces
+from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneTable, lone_cells, lone_stretches
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, cut_in_pieces
 
 from benchmarks.aftermaths import jpeg, nothing, unsharp
 from tests.numbers.seams.scan.lone_mosaics import (
@@ -31,6 +30,7 @@ from tests.numbers.seams.scan.lone_mosaics import (
     WAVELET,
     LoneMosaic,
     brightness,
+    image_of,
     lone_mosaic,
     pieces_along,
     seams_of,
@@ -292,16 +292,18 @@ def test_cells_hold_what_pywavelets_says(made: LoneMosaic) -> None:
     finest = finest.reshape(SHAPE[0] // 16, 8, SHAPE[1] // 16, 8).sum(axis=(1, 3))
     inner = (table.row > 6) & (table.row < SHAPE[0] // 16 - 7)  # PyWavelets goes round, the table mirrors
     place = table.row[inner], table.column[inner]
-    np.testing.assert_allclose(np.bincount(table.cell, table.energy)[inner], finest[place], rtol=1e-3)
-    np.testing.assert_array_equal(np.bincount(table.cell, table.area), 256)
+    energy = np.zeros_like(finest)
+    np.add.at(energy, (table.row, table.column), table.energy)
+    np.testing.assert_allclose(energy[place], finest[place], rtol=1e-3)
+    np.testing.assert_array_equal(np.bincount(np.unique(table.keys, return_inverse=True)[1], table.area), 256)
     means = plane.reshape(SHAPE[0] // 16, 16, SHAPE[1] // 16, 16).mean(axis=(1, 3))
-    np.testing.assert_allclose(table.colour[:, 0], means[table.row, table.column], rtol=1e-5)
+    np.testing.assert_allclose(table.colour[0], means[table.row, table.column], rtol=1e-5)
 
 
 def test_zones_are_those_of_the_true_distance() -> None:
     pieces, grid = pieces_along(np.full(256, 160.0), (256, 320), 64)
     table = table_of(texture((256, 320)).astype(np.float32), pieces, grid)
-    area = np.bincount(table.zone, table.area)
+    area = np.bincount(table.bin, table.area)
     np.testing.assert_array_equal(area[:5], 256 * 2 * np.array([4, 4, 4, 4, 8]))
 
 
@@ -313,11 +315,11 @@ def test_windows_with_margins_make_the_whole(made: LoneMosaic) -> None:
         top, bottom = max(first - 64, 0), min(first + 576, SHAPE[0])
         around, window = PixelWindow(0, top, SHAPE[1], bottom - top), PixelWindow(0, first, SHAPE[1], 512)
         given = plane[top:bottom]
-        pixels = MosaicPixels(around, given, np.stack([given] * 3))
-        parts.append(lone_cells(pixels, window, index.near(around, 128), WAVELET))
+        image = image_of(given, np.stack([given] * 3))
+        parts.append(lone_cells(image, around, window, index.near(around, 128), WAVELET))
     again = pickle.loads(pickle.dumps(LoneTable.joined([LoneTable.empty(), *parts])))
     assert len(again) == len(once)
-    for name in ("row", "column", "cell", "zone", "area"):
+    for name in ("row", "column", "bin", "area"):
         np.testing.assert_array_equal(getattr(again, name), getattr(once, name))
     np.testing.assert_allclose(again.energy, once.energy, rtol=1e-3, atol=1e-2)
     np.testing.assert_allclose(again.colour, once.colour, rtol=1e-5)

@@ -6,15 +6,17 @@ import subprocess
 import sys
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.open_raster import describe
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan import scan_journal
-from seam_inspector.plugin.seams.measure.scan.scan_journal import fingerprint_of, what_changed
+from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanInputs, what_changed
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.conftest import MakeRaster
@@ -42,9 +44,13 @@ def files(make_raster: MakeRaster) -> dict[str, str]:
     return made
 
 
+def mosaic_of(files: dict[str, str]) -> Raster:
+    return describe(RasterRef(files["mosaic"]))
+
+
 def taken(files: dict[str, str], settings: ScanSettings = SETTINGS, seams: object = (LINE,)) -> str:
     sources = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "archive", "vrt", "bare")]
-    return fingerprint_of(RasterRef(files["mosaic"]), sources, settings, seams)  # type: ignore[arg-type]
+    return ScanInputs(mosaic_of(files), sources).fingerprint(settings, seams)  # type: ignore[arg-type]
 
 
 PLACES = "where the mosaic or one of the sources lies"
@@ -92,9 +98,11 @@ def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     for seams in ((moved,), (LINE, LINE), (LINE[:1], LINE[1:]), (LINE.astype(np.float32),), (), (b"", "", 0)):
         assert str(what_changed(before, taken(files, seams=seams))) == "the seam lines"
     refs = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "part")]
-    first, second = (fingerprint_of(RasterRef(files["mosaic"]), some, None) for some in (refs, refs[::-1]))
+    mosaic = mosaic_of(files)
+    first, second = (ScanInputs(mosaic, some).fingerprint(None) for some in (refs, refs[::-1]))
     assert str(what_changed(first, second)) == "the sources or one of their files"
-    first, second = (fingerprint_of(RasterRef(files["mosaic"]), refs, None, place=(x, 1.0)) for x in (0.0, 25.0))
+    moved_mosaic = replace(mosaic, geotransform=(25.0, *mosaic.placement[1:]))
+    first, second = (ScanInputs(placed, refs).fingerprint(None) for placed in (mosaic, moved_mosaic))
     assert str(what_changed(first, second)) == PLACES
     monkeypatch.setattr(scan_journal, "plugin_version", lambda: "0")
     assert str(what_changed(before, taken(files))) == "the plugin's version"
@@ -120,7 +128,7 @@ def test_a_thousand_sources_cost_some_calls_each_and_no_remote_one_is_opened(
         os.link(path, link)
     sources = [Source(RasterRef(str(link)), EXTENT) for link in links for _ in range(8)]
     sources += [Source(RasterRef(f"/vsicurl/http://192.0.2.1/{n}.tif"), EXTENT) for n in range(200)]
-    opened, opens = set[str](), gdal.OpenEx
+    mosaic, opened, opens = describe(RasterRef(path)), set[str](), gdal.OpenEx
     monkeypatch.setattr(gdal, "OpenEx", lambda name, *more: opened.add(name) or opens(name, *more))
-    assert calls_of(lambda: fingerprint_of(RasterRef(path), sources, SETTINGS)) < 400 * len(sources)
+    assert calls_of(lambda: ScanInputs(mosaic, sources).fingerprint(SETTINGS)) < 400 * len(sources)
     assert len(opened) == len(links) + 1

@@ -14,6 +14,7 @@ import pytest
 from seam_inspector.plugin.imagery.record_store import RecordFiles
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 from tests.numbers.seams.scan.whole_scan_lives import plain_values, request_of
 from tests.numbers.synthetic import orthoimage, write_raster
@@ -39,8 +40,8 @@ def request_(tmp_path_factory: pytest.TempPathFactory) -> ScanRequest:
 def scanned(request: ScanRequest, loss: Path, executor: Executor, ahead: int) -> list[object]:
     """All that it tells, and the picture's bytes."""
     with whole_scan(request, loss) as scan:
-        assert not any(step.notices for step in scan.steps(executor, ahead))
-        result = scan.result(str(loss), executor=executor, ahead=ahead)
+        assert not any(step.notices for step in scan.steps(Workers(executor, ahead)))
+        result = scan.result(str(loss), Workers(executor, ahead))
         scan.finish()
     assert result is not None
     return [*plain_values(result), loss.read_bytes()]
@@ -91,10 +92,10 @@ def test_a_process_killed_while_outputs_are_made_costs_its_blocks_only(
 ) -> None:
     loss, blocks = tmp_path / "loss.tif", request_.blocks.rows * request_.blocks.columns
     with GivesToOthers() as executor, whole_scan(request_, loss) as scan:
-        measured = sum(1 for _ in scan.steps(executor, 2))
+        measured = sum(1 for _ in scan.steps(Workers(executor, 2)))
         assert executor.tasks == measured
         executor.killed_at = {measured + 3, measured + blocks + 1}  # the outputs of a block, and pieces
-        result = scan.result(str(loss), executor=executor, ahead=2)
+        result = scan.result(str(loss), Workers(executor, 2))
         scan.finish()
     assert result is not None
     assert [*plain_values(result), loss.read_bytes()] == by_threads
@@ -124,8 +125,8 @@ def test_what_workers_measure_that_see_no_folder_is_kept_and_put_together_here(
 ) -> None:
     loss, executor = tmp_path / "loss.tif", Unseeing(monkeypatch)
     with whole_scan(request_, loss) as scan:
-        measured = sum(1 for _ in scan.steps(executor, 2))
-        result = scan.result(str(loss), executor=executor, ahead=2)
+        measured = sum(1 for _ in scan.steps(Workers(executor, 2)))
+        result = scan.result(str(loss), Workers(executor, 2))
         scan.finish()
     assert executor.tasks == measured
     assert result is not None

@@ -7,8 +7,9 @@ from pathlib import Path
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, replacing
+from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.scan_journal import fingerprint_of
+from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanInputs
 
 from tests.numbers.synthetic import orthoimage, write_raster
 
@@ -18,15 +19,19 @@ def mosaic(tmp_path: Path) -> Path:
     return Path(write_raster(tmp_path / "mosaic.tif", orthoimage((64, 64))))
 
 
+def fingerprint_of(mosaic: Path) -> str:
+    return ScanInputs(describe(RasterRef(str(mosaic))), []).fingerprint(None)
+
+
 def test_statistics_that_are_written_beside_a_mosaic_change_nothing(mosaic: Path) -> None:
     """QGIS writes them when it first shows a raster, in the middle of a scan perhaps."""
-    before = fingerprint_of(RasterRef(str(mosaic)), [], None)
+    before = fingerprint_of(mosaic)
     dataset = gdal.Open(str(mosaic))
     dataset.GetRasterBand(1).ComputeStatistics(False)
     dataset.GetRasterBand(2).GetDefaultHistogram(force=True)
     del dataset
     assert "STATISTICS_MEAN" in mosaic.with_name("mosaic.tif.aux.xml").read_text(encoding="utf-8")
-    assert fingerprint_of(RasterRef(str(mosaic)), [], None) == before
+    assert fingerprint_of(mosaic) == before
 
 
 @pytest.mark.parametrize(
@@ -40,9 +45,9 @@ def test_statistics_that_are_written_beside_a_mosaic_change_nothing(mosaic: Path
 )
 def test_a_nodata_value_that_is_written_beside_it_does(mosaic: Path, said: str) -> None:
     """And what can't be read, or better is not."""
-    before = fingerprint_of(RasterRef(str(mosaic)), [], None)
+    before = fingerprint_of(mosaic)
     mosaic.with_name("mosaic.tif.aux.xml").write_text(said, encoding="utf-8")
-    assert fingerprint_of(RasterRef(str(mosaic)), [], None) != before
+    assert fingerprint_of(mosaic) != before
 
 
 @pytest.mark.parametrize("written", [[], [""], ["", ".aux.xml"]], ids=len)

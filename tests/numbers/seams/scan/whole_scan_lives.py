@@ -22,6 +22,7 @@ from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, s
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 MOST_BLOCKS, LONGEST_S = 16, 0.4
 """A life ends after up to so many blocks, those of earlier lives included, and so many seconds: while a block is
@@ -43,7 +44,7 @@ def scanned(
         sys.stdout.write(began + "\n")
         sys.stdout.flush()
         end(0)
-        for done, _ in enumerate(scan.steps(executor, 4), 1):
+        for done, _ in enumerate(scan.steps(Workers(executor, 4)), 1):
             end(done)
         result = scan.result(str(loss))
         assert result is not None

@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.desk.map.hard_cut import looks_alike, write_composite
 from seam_inspector.plugin.seams.measure.window.explained_window import WindowComposite
-from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+from seam_inspector.plugin.seams.measure.window.measured_window import InspectionSettings, WindowRequest
 
 from tests.numbers.synthetic import orthoimage, write_raster
 

@@ -17,7 +17,7 @@ from seam_inspector.plugin.seams.desk.inputs import block_cache as block_files
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
 from seam_inspector.plugin.seams.desk.session import Session
-from seam_inspector.plugin.seams.measure.inputs import messages
+from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.toolkit.translation import sentence
 
 from tests.numbers.synthetic import write_raster

@@ -42,7 +42,7 @@ class Scene:
                 along_seams: np.ndarray | None = None, **settings: object) -> BlockRequest:
         """To scan one block."""
         return BlockRequest(
-            self.mosaic, self.sources, key, BlockGrid(self.mosaic.grid).window(key),
+            self.mosaic, tuple(source.ref for source in self.sources), key, BlockGrid(self.mosaic.grid).window(key),
             ScanSettings(**settings), wanted, along_seams,  # type: ignore[arg-type]
         )
 

@@ -54,16 +54,20 @@ def test_names_that_are_exchanged_are_set_right_and_others_stay() -> None:
     assert sides(seam(*line, left="x", right="y"), numbers) == ("x", "y")
 
 
+def images_of(paths: list[str]) -> list[tuple[str]]:
+    return [(path,) for path in paths]
+
+
 def test_names_are_found_among_files() -> None:
     files = ["/data/19FD5606Ax00020_16371.tif", "/data/19FD5606Ax00020_16372.TIF", "DJI_0025_ortho.tif"]
     names = ["19FD5606Ax00020_16371", "16372", r"C:\flight\dji_0025_ORTHO.jp2", "0025", "http://x.pl/id/16372", "ortho"]
-    numbers, missing = source_numbers(names, files)
+    numbers, missing = source_numbers(names, images_of(files))
     assert numbers == dict(zip(names, (0, 1, 2, 2, 1, 2)))
     assert missing is None
 
 
 def test_names_that_mean_no_file_or_several_are_told() -> None:
-    numbers, missing = source_numbers(["19FD", "A", "b", "a_2"], ["19FD_1.tif", "19FD_2.tif", "b.tif"])
+    numbers, missing = source_numbers(["19FD", "A", "b", "a_2"], images_of(["19FD_1.tif", "19FD_2.tif", "b.tif"]))
     assert numbers == {"b": 2}
     assert missing.values == {"count": 3, "names": "19FD, A, a_2"}
     assert source_numbers(["a"], [])[1] is None
@@ -71,9 +75,10 @@ def test_names_that_mean_no_file_or_several_are_told() -> None:
 
 def test_folders_tell_files_of_one_name_apart() -> None:
     paths = ["/flight/A/o.tif", "/flight/B/o.tif", "/flight/B/p.tif"]
-    numbers, missing = source_numbers(["A/o.tif", r"..\\b\\O", "/elsewhere/p.tif", "o.tif"], paths)
+    numbers, missing = source_numbers(["A/o.tif", r"..\\b\\O", "/elsewhere/p.tif", "o.tif"], images_of(paths))
     assert numbers == {"A/o.tif": 0, r"..\\b\\O": 1, "/elsewhere/p.tif": 2}
     assert missing is None
-    assert meant_sources(["o.tif", "x/o.tif", "q"], paths) == {"o.tif": {0, 1}, "x/o.tif": {0, 1}, "q": set()}
+    meant = meant_sources(["o.tif", "x/o.tif", "q"], images_of(paths))
+    assert meant == {"o.tif": {0, 1}, "x/o.tif": {0, 1}, "q": set()}
     assert names_apart(paths) == ["A/o.tif", "B/o.tif", "p.tif"]
     assert names_apart(["o.tif", "o.tif"]) == ["o.tif", "o.tif"]

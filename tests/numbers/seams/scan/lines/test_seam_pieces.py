@@ -9,8 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import ogr
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece, cut_in_pieces, cut_off
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, SeamPiece, cut_in_pieces, cut_off
 
 GRID = Grid(576000.0, 5188000.0, 0.25, 0.25, 8000, 6000)
 """2000 x 1500 m."""

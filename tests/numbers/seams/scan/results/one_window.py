@@ -10,8 +10,7 @@ from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 from seam_inspector.plugin.seams.measure.scan.piece_sums import PieceSums
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
-from seam_inspector.plugin.seams.measure.seamlines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import SeamPiece
+from seam_inspector.plugin.seams.measure.seamlines.seam_pieces import PieceIndex, SeamPiece
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, Blend
 

@@ -23,6 +23,7 @@ from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.seamlines.given_seams import GivenSeams, SidedSeam
+from seam_inspector.plugin.seams.measure.workers import Workers
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, SIDE, Scene, as_bytes, beside, blended, images, scene
 from tests.numbers.seams.scan.whole_scan_lives import scanned
@@ -173,7 +174,7 @@ def test_a_raster_that_is_rewritten_while_it_is_scanned_is_told_and_all_is_measu
     request = request_of(case)
     path = Path(case.mosaic.ref.path if which == "mosaic" else case.sources[1].ref.path)
     with whole_scan(request, tmp_path / "loss.tif") as scan, ThreadPoolExecutor(1) as executor:
-        for number, _ in enumerate(scan.steps(executor, 2)):
+        for number, _ in enumerate(scan.steps(Workers(executor, 2))):
             if number:
                 continue
             before, held = path.stat(), bytearray(path.read_bytes())
