@@ -13,7 +13,7 @@ from fuzz import desk
 from fuzz.running import run
 from tests.numbers.photos.photos import CAMERA
 from tests.numbers.sensors.sensor_scenes import made_rational, places
-from tests.numbers.sensors.test_frame_cameras import AUTOCAL, TABLE, YAML
+from tests.numbers.sensors.test_frame_cameras import TABLE, YAML
 from tests.numbers.synthetic import UTM33, wkt, write_plain, write_raster
 from tests.qgis.photos.photo_scenes import make_photo
 from tests.qgis.resolution.bar_scenes import make_bar_scene
@@ -165,7 +165,6 @@ def _sensors(folder: Path) -> None:
     terrain = (100 + 30 * random.random((80, 80))).astype(np.float32)
     write_raster(folder / "terrain.tif", terrain, geotransform=(498_000, 50, 0, 4_002_000, 0, -50))
     (folder / "camera.yaml").write_text(YAML)
-    (folder / "autocal.xml").write_text(AUTOCAL)
     (folder / "exterior.csv").write_text(TABLE)
     (folder / "exterior.geojson").write_text(json.dumps({
         "world_crs": "EPSG:32633",

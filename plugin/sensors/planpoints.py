@@ -105,11 +105,10 @@ class PlanPoints(SensorAlgorithm):
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
         from .measure.point_planning import nominal_scene, scene_of_rpc
-        from .measure.points import HIGHEST_M, LOWEST_M
+        from .measure.points import check_heights
 
         low, high = run.real(LOWEST), run.real(HIGHEST)
-        if not LOWEST_M <= low <= high <= HIGHEST_M:
-            raise SettingsError(messages.PLAN_TERRAIN_WRONG(low=low, high=high))
+        check_heights(low, high, f"{LOWEST}, {HIGHEST}")
         image, orbit_m = self._image(), run.real(ORBIT_HEIGHT) * 1000
         rpc = self._rpc(run, IMAGE_RPC, image)
         if rpc is None and image is not None:

@@ -169,14 +169,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             run.tell(*check_inside(points, (image.columns, image.rows), rpc))
         if rpc is not None:
             run.tell(*check_against_rpc(points, rpc))
-        if with_roles:
-            return points
-        points = choose_check_points(points, run.real(CHECK_SHARE))
-        total, count = len(points), int((~points.check).sum())
-        if request is not None and count < (fewest := request.variant.fewest) <= total:
-            few = messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)
-            raise SettingsError(few)
-        return points
+        return points if with_roles else choose_check_points(points, run.real(CHECK_SHARE))
 
     def _points_given(self, run: Run, image: OpenRaster | None) -> tuple[Points, bool, list[Message]]:
         """The points as given, whether they have roles, and what was left out."""
@@ -222,6 +215,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         return (run.real(ORBIT_HEIGHT) or next(known, limits.DEFAULT_ORBIT_HEIGHT_KM)) * 1000
 
 
+def optional_real(run: Run, name: str) -> float | None:
+    """A number that may be left out."""
+    return None if run.parameters.get(name) in (None, "") else run.real(name)
+
+
 def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
     """The numbers of a view; None for a plane model."""
     numbers = (None,) * 3 if view is None else (view.angle, view.azimuth, view.shift_m(run.real(TERRAIN_ERROR)))
@@ -235,10 +233,8 @@ def height_datums(run: Run, *names: str) -> list[Datum]:
     from .measure.heights import Geoid
 
     words, path = [run.text(name) for name in names], run.path(GEOID)
-    if BY_GRID in words and not path:
-        raise SettingsError(messages.GEOID_MISSING())
-    if path and BY_GRID not in words:
-        raise SettingsError(messages.GEOID_UNUSED(name=Path(path).name))
+    if (BY_GRID in words) != bool(path):
+        raise SettingsError(messages.GEOID_OR_NONE())
     return [Geoid(RasterRef(path)) if word == BY_GRID else word for word in words]
 
 

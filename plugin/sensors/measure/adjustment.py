@@ -144,11 +144,7 @@ def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
     metres = metres_per_unit(points.wkt, points.ground.mean(axis=0))
     heights = np.nan_to_num(points.ground[:, 2])
     given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
-    places = locate(seen, points.image, heights, given, metres, partly=True)
-    bent = ~np.isfinite(places).all(axis=1)
-    if bent.any():
-        places[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
-    return (places - given) * metres
+    return (locate(seen, points.image, heights, given, metres, partly=True) - given) * metres
 
 
 def _relative(points: Points) -> np.ndarray:

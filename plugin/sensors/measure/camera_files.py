@@ -16,7 +16,7 @@ from ...imagery.documents import json_document, looks_like_xml, xml_root
 from ...imagery.errors import SensorModelError
 from . import messages
 from .frames import BrownLens, FisheyeLens, FrameInterior, Lens
-from .sensor_model import file_content, yaml_document
+from .sensor_model import file_content
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
@@ -36,6 +36,8 @@ _OPENSFM = {
 }  # fmt: skip
 VERSION = "v2 "  # what OpenSfM has before cameras' names and OpenDroneMap leaves out in cameras.json
 _RECONSTRUCTION = "reconstruction.json"
+_STRAIGHT = np.diag([1.0, -1.0])  # the mount of all cameras but Inpho's, which says it
+_MOST_YAML = 300_000  # characters, of some hundred cameras: PyYAML reads a hundred thousand in a second
 PIX4D_LINES = 9  # of a photo: three of the camera's matrix, two of its lens, its position, three of its rotation
 
 
@@ -68,7 +70,7 @@ class Cameras:
             chosen = self.chosen(camera)
             made, sides = chosen.interior, chosen.size
             lens = map(np.atleast_1d, vars(made.lens).values())
-            pixels = np.concatenate([made.focal, made.principal, made.centre, sides])
+            pixels = np.concatenate([made.focal, made.principal, sides])
             sound = (
                 sides.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
                 and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *sides) >= 1
@@ -86,7 +88,7 @@ class Cameras:
         ratio = float(made.focal[1] / made.focal[0])
         if not 1 / MAX_PIXEL_RATIO <= ratio <= MAX_PIXEL_RATIO:
             raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=self.name, ratio=ratio))
-        return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
+        return replace(made, focal=made.focal * scale, principal=made.principal * scale)
 
 
 def read_cameras(content: Any, path: Path) -> Cameras:
@@ -128,7 +130,7 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
             return {str(number): partial(_block_camera, group, path) for number, group in groups}
         if content.tag == "document":
             return {sensor.get("id", ""): partial(_metashape_camera, sensor, path) for sensor in content.iter("sensor")}
-        return {"": partial(_metashape_camera if content.tag == "calibration" else _micmac_camera, content, path)}
+        return {"": partial(_metashape_camera, content, path)}
     if isinstance(content, (dict, list)):
         if isinstance(content, list):
             parts = {f"{number}/": part["cameras"] for number, part in enumerate(content)}  # of a reconstruction
@@ -162,18 +164,23 @@ def lens_of(kind: str, values: Mapping[str, Any]) -> Lens:
 
 
 def _camera(
-    size: Sequence[float], focal: Sequence[float], principal: Sequence[float], lens: Lens,
-    centre: Sequence[float] | None = None, mount: np.ndarray | None = None,
-) -> FileCamera:  # fmt: skip
-    """A camera in pixels; ``principal`` and ``centre`` from the upper left corner of the first one."""
-    point = np.array(principal, float)
-    middle = point if centre is None else np.array(centre, float)
-    interior = FrameInterior(np.broadcast_to(np.array(focal, float), 2).copy(), point, lens, middle)
-    return FileCamera(interior, np.array(size, float), np.diag([1.0, -1.0]) if mount is None else mount)
+    size: Sequence[float], focal: Sequence[float], principal: Sequence[float], lens: Lens, mount: np.ndarray = _STRAIGHT
+) -> FileCamera:
+    """A camera in pixels; ``principal`` from the upper left corner of the first one."""
+    sides = np.broadcast_to(np.array(focal, float), 2).copy()
+    return FileCamera(FrameInterior(sides, np.array(principal, float), lens), np.array(size, float), mount)
 
 
 def _orthority_cameras(content: str, path: Path) -> Mapping[str, Callable[[], FileCamera]]:
-    cameras = yaml_document(content, path.name)
+    """Raises SensorModelError without PyYAML."""
+    try:
+        import yaml
+    except ImportError:
+        raise SensorModelError(messages.YAML_MISSING(name=path.name)) from None
+    try:
+        cameras: Any = yaml.safe_load(content) if len(content) <= _MOST_YAML else None
+    except (yaml.YAMLError, RecursionError):
+        raise ValueError from None
     cameras = {"": cameras} if "im_size" in cameras else cameras
     if not all(isinstance(camera, dict) and "im_size" in camera for camera in cameras.values()):
         raise ValueError
@@ -239,27 +246,6 @@ def _block_camera(group: Element, path: Path) -> FileCamera:
     principal = [side / 2 for side in size] if point is None else numbers_of(point, "x", "y")
     terms = {name: group.findtext(f"Distortion/{term}") for name, term in zip(_BROWN, ("K1", "K2", "K3", "P2", "P1"))}
     return _camera(size, [focal, focal * ratio], principal, lens_of("brown", terms))
-
-
-def _micmac_camera(root: Element, path: Path) -> FileCamera:
-    """A conical camera without distortion, or with a radial one about a centre of its own (NoDist, ModRad)."""
-    inner = next(root.iter("CalibrationInternConique"))
-    focal, size = numbers_of(inner, "F"), numbers_of(inner, "SzIm")
-    principal, centre = numbers_of(inner, "PP"), None
-    radial: tuple[float, ...] = ()
-    for kind in (part for distortion in inner.iterfind("CalibDistortion") for part in distortion):
-        if kind.tag == "ModRad" and centre is None:
-            centre = numbers_of(kind, "CDist")
-            coefficients = [float(element.text or "") for element in kind.iterfind("CoeffDist")]
-            radial = tuple(term * focal[0] ** (2 * power) for power, term in enumerate(coefficients, 1))
-        elif kind.tag not in ("ModNoDist", "NoDist"):
-            raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=kind.tag))
-    convention = inner.findtext("KnownConv") or inner.findtext("ConvOri/KnownConv") or "eConvApero_DistM2C"
-    if any(radial) and convention != "eConvApero_DistM2C":  # which bends the way from the ground to the image
-        raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=convention))
-    if len(size) != 2 or len(principal) != 2:
-        raise ValueError
-    return _camera(size, focal[:1], principal, BrownLens(radial) if any(radial) else Lens(), centre)
 
 
 def numbers_of(element: Element, *names: str) -> list[float]:

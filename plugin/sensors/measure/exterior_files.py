@@ -5,6 +5,7 @@ import csv
 import math
 import re
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -66,14 +67,13 @@ class Exteriors:
 
     @property
     def names(self) -> list[str]:
-        """Names of the photos; one that is empty in a file of one photo."""
         return [name for name, _ in self.photos]
 
     def of(self, image: str) -> FrameExterior:
         """Orientation of an image by its file's name, with ending or without. Raises SensorModelError unless there is
         just one."""
         stem = Path(image).stem
-        alike = [make for name, make in self.photos if self.names == [""] or stem in (name, Path(name).stem)]
+        alike = [make for name, make in self.photos if stem in (name, Path(name).stem)]
         makers = [make for name, make in self.photos if name == image] or alike
         if len(makers) != 1:
             names = ", ".join(self.names[:_SHOWN])
@@ -90,19 +90,17 @@ class Exteriors:
 
 def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
     """Orientations of a ``document``; ``angles``: of ``limits.ANGLE_UNITS``. Raises SensorModelError without any."""
-    try:
-        return Exteriors(path.name, _photos(content, path, angles))
-    except (*BROKEN, csv.Error):
-        raise SensorModelError(messages.NO_EXTERIOR(name=path.name)) from None
+    with suppress(*BROKEN, csv.Error):
+        if photos := _photos(content, path, angles):
+            return Exteriors(path.name, photos)
+    raise SensorModelError(messages.NO_EXTERIOR(name=path.name))
 
 
 def _photos(content: Any, path: Path, angles: str) -> Named:
     if isinstance(content, Element):
         if content.tag == "BlocksExchange":
             return _block_photos(content)
-        if content.tag == "document":
-            return _metashape_photos(content)
-        return [("", partial(_micmac_exterior, content))]
+        return _metashape_photos(content)
     if isinstance(content, dict) and "features" in content:
         system = str(content.get("world_crs") or "")
         rows = [feature["properties"] for feature in content["features"]]
@@ -115,13 +113,6 @@ def _photos(content: Any, path: Path, angles: str) -> Named:
         offset = _pix4d_offset(path)
         return [(name, partial(_pix4d_exterior, name, numbers, offset)) for name, numbers in pix4d.items()]
     return _patb_photos(content) or _table_photos(content, path, angles)
-
-
-def _micmac_exterior(root: Element) -> FrameExterior:
-    """``Orientation-IMAGE.xml``: centre and axes (rows down, view forward) as a matrix; one file an image."""
-    outer = next(root.iter("Externe"))
-    rows = numbers_of(outer, *(f"ParamRotation/CodageMatr/L{number}" for number in (1, 2, 3)))
-    return FrameExterior(np.array(numbers_of(outer, "Centre")), np.reshape(rows, (3, 3)))
 
 
 def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:

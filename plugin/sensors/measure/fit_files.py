@@ -183,7 +183,5 @@ class FitFiles:
             write()
         except (SensorModelError, RasterError) as error:
             return messages.RPC_NOT_WRITTEN(why=error.message), False
-        if self._rpc.max_px == 0:
-            return messages.RPC_EXACT(), True
         low, high = rpc_heights(self.domain)
         return messages.RPC_FITTED(rms=self._rpc.rms_px, largest=self._rpc.max_px, low=low, high=high), True

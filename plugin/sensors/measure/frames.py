@@ -106,22 +106,19 @@ class FrameInterior:
 
     focal: np.ndarray  # (2,) focal length along columns and rows, px
     principal: np.ndarray  # (2,) column and row of the principal point
-    lens: Lens  # its distortion, about ``centre``
-    centre: np.ndarray  # (2,) column and row that distortion is symmetric about
+    lens: Lens  # its distortion, about the principal point
 
     def shown(self, across: np.ndarray, down: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row of views whose tangents along the camera's columns and rows are given."""
-        principal, centre, focal = self.principal.tolist(), self.centre.tolist(), self.focal.tolist()
-        x, y = self.lens.distorted(
-            across + (principal[0] - centre[0]) / focal[0], down + (principal[1] - centre[1]) / focal[1]
-        )
-        return centre[0] + focal[0] * x, centre[1] + focal[1] * y
+        principal, focal = self.principal.tolist(), self.focal.tolist()
+        x, y = self.lens.distorted(across, down)
+        return principal[0] + focal[0] * x, principal[1] + focal[1] * y
 
     def tangents(self, image: np.ndarray) -> np.ndarray:
         """(n, 2) column, row -> (n, 2) tangents of the views that are shown there; NaN where the lens shows none."""
-        offset = (image - self.centre) / self.focal
+        offset = (image - self.principal) / self.focal
         share = START_REACH * self.lens.reach / np.maximum(np.hypot(*offset.T), SMALLEST_OFFSET)
-        start = offset * np.minimum(share, 1.0)[:, None] + (self.centre - self.principal) / self.focal
+        start = offset * np.minimum(share, 1.0)[:, None]
         return newton(lambda tangents: np.column_stack(self.shown(*tangents.T)), image, start, TANGENT_STEP)
 
 

@@ -2,12 +2,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Union
 
 import numpy as np
 from osgeo import gdal, osr
+from scipy.ndimage import map_coordinates
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, RasterError
@@ -23,7 +23,7 @@ from ...imagery.reference_systems import (
     transform_points,
 )
 from . import limits, messages
-from .points import HIGHEST_M, LOWEST_M, Points
+from .points import Points, check_heights
 from .sensor_model import WGS84, Scaling, bounding_box, least_squares, reprojected
 
 AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
@@ -91,17 +91,8 @@ def grid_places(places: np.ndarray, origin: Sequence[float], step: Sequence[floa
 
 
 def bilinear(grid: np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """(n,) float64 at places in a grid, (0, 0) its first value; what has no share plays no part, NaN or not."""
-    left, top = columns.astype(int), rows.astype(int)
-    right, bottom = np.minimum(left + 1, grid.shape[1] - 1), np.minimum(top + 1, grid.shape[0] - 1)
-
-    def between(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
-        first = first.astype(np.float64)
-        return np.where(share > 0, first + (second - first) * share, first)
-
-    upper = between(grid[top, left], grid[top, right], columns - left)
-    lower = between(grid[bottom, left], grid[bottom, right], columns - left)
-    return between(upper, lower, rows - top)
+    """(n,) float64 at places in a grid, (0, 0) its first value; NaN beside one that is NaN."""
+    return map_coordinates(grid, [rows, columns], np.float64, order=1, mode="nearest")
 
 
 Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class when QGIS unloads it
@@ -116,17 +107,13 @@ def vertical_part(wkt: str) -> str:
     return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
 
 
-def vertical_code(wkt: str) -> str:
-    """The vertical part of a compound system, as ``heights_above_ellipsoid`` takes it."""
-    code = spatial_reference(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
-    return f"EPSG:{code}" if code else wkt
-
-
-def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
+def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
     """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
 
-    ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
+    ``vertical`` is ``EPSG:`` and a code, WKT of a compound system, or a grid. Raises RasterError where PROJ has none.
     """
+    if isinstance(vertical, Geoid):
+        return np.asarray(geographic[:, 2] + vertical.undulation(geographic))
     source = spatial_reference(f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical)
     options = osr.CoordinateTransformationOptions()
     options.SetBallparkAllowed(False)
@@ -146,26 +133,8 @@ def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Mes
     part = vertical_part(wkt)
     if not part:
         return "", (messages.HEIGHTS_ASSUMED(name=name),)
-    return ("" if part == "ellipsoid" else vertical_code(wkt)), ()
-
-
-def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
-    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude and height above ``vertical``. Raises RasterError
-    without a grid, and names another."""
-    if isinstance(vertical, Geoid):
-        return np.asarray(geographic[:, 2] + vertical.undulation(geographic))
-    try:
-        return heights_above_ellipsoid(geographic, vertical)
-    except RasterError as error:
-        there = []
-        for name in (name for name, code in VERTICAL.items() if code != vertical):
-            with suppress(RasterError):
-                heights_above_ellipsoid(geographic[:1], VERTICAL[name])
-                there.append(name)
-        if not there:
-            raise
-        named = error.message.values.get("vertical", vertical)
-        raise RasterError(messages.ANOTHER_GRID_IS_THERE(vertical=named, there=" or ".join(there))) from None
+    code = spatial_reference(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
+    return "" if part == "ellipsoid" else f"EPSG:{code}" if code else wkt, ()
 
 
 def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> Message:
@@ -227,9 +196,7 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     heights = first_band(source, window)
     if np.isnan(heights).all():
         raise RasterError(elsewhere)
-    low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
-    if low < LOWEST_M or high > HIGHEST_M:
-        raise RasterError(messages.DEM_HEIGHTS_IMPLAUSIBLE(name=ref.name, low=low, high=high))
+    check_heights(float(np.nanmin(heights)), float(np.nanmax(heights)), ref.name)
     origin = (transform[0] + window.column * transform[1], transform[3] + window.row * transform[5])
     vertical, notices = vertical_system(wkt, datum, ref.name)
     terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, notices)
@@ -275,7 +242,7 @@ def with_heights(
         heights[~given] = terrain.at(geographic[~given])
     without = ~np.isfinite(heights)
     if without.any() and (dem is not None or given.any()):  # where no point has one, only models in space are lost
-        why = messages.POINT_WITHOUT_HEIGHT() if dem is None else messages.POINT_OFF_DEM()
+        why = messages.POINT_WITHOUT_HEIGHT()
         notices += [messages.POINT_LEFT_OUT(name=point, why=why) for point, gone in zip(points.ids, without) if gone]
         points, heights = points.only(~without), heights[~without]
     return replace(points, ground=np.column_stack([points.ground[:, :2], heights])), notices

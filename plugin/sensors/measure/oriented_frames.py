@@ -29,7 +29,6 @@ from .sensor_model import WGS84, reprojected
 AS_TERRAIN = EXTERIOR_DATUMS[0]
 MIN_DIP = 0.02  # sine of the angle below the horizon of the flattest view
 HEIGHTS_PX = 512  # longer side of the overview of the terrain that the range of heights is taken from
-MOST_WITHOUT_OVERVIEWS = 2_000_000_000  # pixels that are read whole for that: some ten seconds
 PHOTO_ENDINGS = (".tif", ".tiff", ".jpg", ".jpeg", ".png", ".jp2")
 _TERRAINS = ("odm_dem/dtm.tif", "odm_dem/dsm.tif")  # of a project: the ground, else the surface
 
@@ -102,20 +101,15 @@ def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, heigh
 def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tuple[Message, ...]]:
     """Horizontal system of the exterior orientation, and what to say of it."""
     wkt = files.wkt or named or image.raster.own_wkt
-    if not wkt:
-        raise SensorModelError(messages.EXTERIOR_WITHOUT_SYSTEM(name=files.exterior.name))
     system = spatial_reference(wkt)
-    if system.IsGeographic() or system.GetLinearUnits() != 1:
-        raise SensorModelError(messages.EXTERIOR_NOT_METRIC())
+    if not wkt or system.IsGeographic() or system.GetLinearUnits() != 1:
+        raise SensorModelError(messages.EXTERIOR_NOT_METRIC(name=files.exterior.name))
     return horizontal_wkt(wkt), () if files.wkt or named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
 
 
 def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
-    """Lowest and highest terrain, m, by an overview. Raises SensorModelError where it is huge and has none."""
+    """Lowest and highest terrain, m, by an overview. Raises SensorModelError without any height."""
     source = OpenRaster(dem)
-    count, band = source.columns * source.rows, source.dataset.GetRasterBand(1)
-    if count > MOST_WITHOUT_OVERVIEWS and not band.GetOverviewCount():
-        raise SensorModelError(messages.DEM_WITHOUT_OVERVIEWS(name=dem.name, count=count // 10**6))
     share = max(source.columns, source.rows) / HEIGHTS_PX
     size = (max(round(source.columns / share), 1), max(round(source.rows / share), 1)) if share > 1 else None
     heights = first_band(source, source.raster.whole, size)
@@ -140,7 +134,7 @@ def project_terrain(exterior: Path) -> RasterRef:
     for terrain in (path.parent.parent / name for name in _TERRAINS):
         if terrain.is_file():
             return RasterRef(str(terrain))
-    raise SettingsError(messages.NO_DEM())
+    raise SettingsError(messages.TERRAIN_OR_HEIGHT())
 
 
 @dataclass(frozen=True)

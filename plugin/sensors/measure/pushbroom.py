@@ -157,7 +157,7 @@ def _adjusted(model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px:
         solution = least_squares(design, np.concatenate([-residuals * weights, -model.unknowns]))
         model = replace(model, unknowns=model.unknowns + solution.values)
         if not np.isfinite(model.unknowns).all():
-            raise SensorModelError(messages.PUSHBROOM_DIVERGED())
+            raise SensorModelError(messages.FIT_DIVERGED())
         change = jacobian @ solution.values
         converged = bool(np.abs(change).max() < MAX_PUSHBROOM_STEP_PX)
     return _Adjusted(model, residuals + change, jacobian, solution.condition, iteration, converged)

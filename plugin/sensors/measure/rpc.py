@@ -23,7 +23,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import metres_per_unit, same_system, transform_points
 from . import messages
 from .polynomials import EXPONENTS_3D, Rational, fit_rational
-from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, yaml_document
+from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares
 
 RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
 MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
@@ -34,7 +34,6 @@ _TRIALS: dict[str, tuple[tuple[tuple[int, ...], tuple[int, ...]], ...]] = {
 _OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 _COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
 RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
-ALOS_WIDTHS, ALOS_COEFFICIENT = (6, 5, 8, 9, 5), 12  # characters of offsets and scales, and of a coefficient
 PIXEL_CENTRE = 0.5  # an RPC counts from the centre of the first pixel, GDAL and we from its corner
 DIMAP_FIRST_PIXEL = 1  # all others number it 0
 _COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
@@ -215,39 +214,17 @@ def write_rpc(rpc: Rational, path: Path) -> None:
 
 
 def read_rpc(path: Path) -> Rational:
-    """An RPC from _RPC.TXT, DIMAP, .RPB, OSSIM's .geom, ALOS's text or orthority's YAML. Raises SensorModelError."""
+    """An RPC from _RPC.TXT, DIMAP, .RPB or OSSIM's .geom. Raises SensorModelError."""
     content = file_content(path)
     if looks_like_xml(content):
         return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
     text = content.decode(errors="replace")
-    if re.fullmatch(r"[-+\d.eE ]+", text.strip("\r\n")):
-        return from_metadata(_alos_items(text), path.name)
-    if re.search(r"\bline_num_coeff\s*:", text):
-        return from_metadata(_orthority_items(text, path.name), path.name)
     if "BEGIN_GROUP" in text:
         return from_metadata(_rpb_items(text), path.name)
     lines = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
     items = {name.upper(): value for name, value in lines}
     first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
     return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
-
-
-def _alos_items(text: str) -> dict[str, str]:
-    """The columns of a line of ALOS PRISM and AVNIR-2; the widths are those of GDAL's reader."""
-    names = [f"{name}_{kind}" for kind in ("OFF", "SCALE") for name in _OFFSETS]
-    ends = np.cumsum([*ALOS_WIDTHS, *ALOS_WIDTHS]).tolist()
-    items = {name: text[start:end].strip() for name, start, end in zip(names, [0, *ends], ends)}
-    parts = [text[ends[-1] + number * ALOS_COEFFICIENT :][:ALOS_COEFFICIENT] for number in range(80)]
-    return {**items, **{f"{name}_COEFF": " ".join(parts[20 * at :][:20]) for at, name in enumerate(_COEFFICIENTS)}}
-
-
-def _orthority_items(text: str, name: str) -> dict[str, str]:
-    """Items of a file for one image: GDAL's in small letters."""
-    try:
-        (rpc,) = (image["rpc"].items() for image in yaml_document(text, name).values())
-        return {key.upper(): " ".join(map(str, value if isinstance(value, list) else [value])) for key, value in rpc}
-    except (ValueError, TypeError, KeyError, AttributeError):
-        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
 
 
 def _coefficients(items: Mapping[str, str], pattern: str, first: int) -> dict[str, str]:

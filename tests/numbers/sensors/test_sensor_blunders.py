@@ -157,7 +157,7 @@ def test_layout_says_what_is_extrapolated() -> None:
     assert control_coverage(corner, box).extrapolated == pytest.approx(15 / 16)
     assert "94%" in str(coverage_warnings(control_coverage(corner, box))[0])
     line = np.column_stack([np.linspace(0, 100, 9), np.linspace(0, 50, 9) + np.tile([0.1, -0.1, 0], 3)])
-    assert "nearly on a line" in str(coverage_warnings(control_coverage(line, box))[0])
+    assert "of the image outside their outline" in str(coverage_warnings(control_coverage(line, box))[0])
 
 
 def test_the_split_is_even_and_repeats() -> None:

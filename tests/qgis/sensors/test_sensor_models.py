@@ -177,5 +177,5 @@ def test_a_point_without_height_shuts_out_no_model_in_space(missing: float) -> N
     assert fitted.results["CONTROL_COUNT"] == 24
     for outcome in (compared, fitted):
         assert [line for line in outcome.log.warnings if "left out" in line] == [
-            "Point 7 is left out: it has no height, and others have one."
+            "Point 7 is left out: it has no height, and no terrain model has one there."
         ]
