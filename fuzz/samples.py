@@ -145,7 +145,7 @@ def _sensors(folder: Path) -> None:
         "\n".join(["#CRS: EPSG:4326", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual", *lines]) + "\n"
     )
     members = [
-        {"type": "Feature", "properties": {"ji": list(place - 0.5), "filename": "image.tif", "id": str(number)},
+        {"type": "Feature", "properties": {"column": place[0], "row": place[1], "id": str(number)},
          "geometry": {"type": "Point", "coordinates": list(position)}}
         for number, (place, position) in enumerate(zip(image, ground))
     ]

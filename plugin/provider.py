@@ -22,8 +22,7 @@ from .seams.algorithms.placewindows import PlaceWindows
 from .seams.algorithms.predictloss import PredictLoss
 from .seams.algorithms.report import Report
 from .seams.algorithms.scanmosaic import ScanMosaic
-from .sensors.comparesensormodels import CompareSensorModels
-from .sensors.fitsensormodel import FitSensorModel
+from .sensors.fitsensormodel import CompareSensorModels, FitSensorModel
 from .sensors.orthorectify import Orthorectify, OrthorectifyPhotos
 from .sensors.planpoints import PlanPoints
 from .toolkit.algorithms.base import ReadyModel

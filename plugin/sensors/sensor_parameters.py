@@ -68,8 +68,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(common.features(GCPS, tr("Ground control points"), common.POINT, optional=True), tr(
             "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper "
             "left corner of the first pixel), and if there are any id, z, role (control or check) and sigma "
-            "(standard deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or "
-            "a TIFF that holds such points. Empty: those inside the image."
+            "(standard deviation in pixels); or a .points file of QGIS's georeferencer, or a TIFF that holds such "
+            "points. Empty: those inside the image."
         ))
 
     def addImage(self, optional: bool = True) -> None:
@@ -190,8 +190,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             if image is None:
                 raise SettingsError(messages.NO_POINTS())
             return image_points(image), False, []
-        name = image.ref.name if image is not None else ""
-        return point_tables.layer_points(run.source(GCPS), name, self._heights_wkt)
+        return point_tables.layer_points(run.source(GCPS), self._heights_wkt)
 
     def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""

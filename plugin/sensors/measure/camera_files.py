@@ -25,10 +25,7 @@ BROKEN = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, Attri
 """The exceptions of a document that is of none of the known formats, when it is taken apart."""
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")
-_LENSES = {
-    "pinhole": (), "brown": _BROWN, "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
-    "fisheye": ("k1", "k2", "k3", "k4"),
-}  # fmt: skip
+_LENSES = {"pinhole": (), "brown": _BROWN, "opencv": _BROWN, "fisheye": ("k1", "k2", "k3", "k4")}
 """Types of lenses and the coefficients of each, named as orthority and OpenCV do."""
 _OPENSFM = {
     "perspective": "brown", "simple_radial": "brown", "radial": "brown", "brown": "brown", "fisheye": "fisheye",
@@ -106,7 +103,7 @@ def orientation_file(path: Path) -> Path:
     for reconstruction in (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION):
         if reconstruction.is_file():
             return reconstruction
-    raise SensorModelError(messages.NO_PROJECT(folder=path))
+    raise SensorModelError(messages.NO_BLOCK())
 
 
 def document(path: Path) -> Any:
@@ -150,17 +147,10 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
 
 def lens_of(kind: str, values: Mapping[str, Any]) -> Lens:
     """A lens of ``_LENSES`` by its coefficients as OpenCV names them; those that are not given are 0."""
-    terms = {name: float(values.get(name) or 0.0) for name in _LENSES[kind]}
-
-    def of(*names: str) -> tuple[float, ...]:
-        return tuple(terms.get(name, 0.0) for name in names)
-
+    terms = tuple(float(values.get(name) or 0.0) for name in _LENSES[kind])
     if kind == "fisheye":
-        return FisheyeLens(of("k1", "k2", "k3", "k4"))
-    if not any(terms.values()):
-        return Lens()
-    first, second = of("p1", "p2")
-    return BrownLens(of("k1", "k2", "k3"), (first, second), of("k4", "k5", "k6"), of("s1", "s2", "s3", "s4"))
+        return FisheyeLens(terms)
+    return BrownLens(terms[:3], (terms[3], terms[4])) if any(terms) else Lens()
 
 
 def _camera(

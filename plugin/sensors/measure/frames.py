@@ -54,27 +54,19 @@ class Lens:
 
 @dataclass(frozen=True)
 class BrownLens(Lens):
-    """Brown's (1971) with OpenCV's later terms: a quotient of radial polynomials and a thin prism."""
+    """Brown's (1971), named as OpenCV does."""
 
-    radial: tuple[float, ...]  # k1, k2, k3 ...: coefficients of r^2, r^4
+    radial: tuple[float, ...]  # k1, k2, k3: coefficients of r^2, r^4, r^6
     tangential: tuple[float, float] = (0.0, 0.0)  # p1 (rows) and p2 (columns)
-    divisor: tuple[float, ...] = ()  # k4, k5, k6: coefficients of r^2, r^4, r^6 of what it is divided by
-    prism: tuple[float, ...] = ()  # s1 and s2 (columns), s3 and s4 (rows): coefficients of r^2 and r^4
 
     def scale(self, squared: np.ndarray) -> np.ndarray:
-        scale = _polynomial(self.radial, squared)
-        return scale / _polynomial(self.divisor, squared) if any(self.divisor) else scale
+        return _polynomial(self.radial, squared)
 
     def added(self, x: np.ndarray, y: np.ndarray, squared: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
-        if not any((*self.tangential, *self.prism)):
+        if not any(self.tangential):
             return None
         (first, second), product = self.tangential, 2 * x * y
-        across = first * product + second * (squared + 2 * x * x)
-        down = first * (squared + 2 * y * y) + second * product
-        if any(self.prism):
-            across = across + squared * (self.prism[0] + self.prism[1] * squared)
-            down = down + squared * (self.prism[2] + self.prism[3] * squared)
-        return across, down
+        return first * product + second * (squared + 2 * x * x), first * (squared + 2 * y * y) + second * product
 
 
 @dataclass(frozen=True)

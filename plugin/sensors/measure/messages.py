@@ -10,8 +10,6 @@ NO_POINTS_FILE = Message(
     "{name} is not a points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); "
     "choose one, or a point layer with the fields column and row.")
 NO_POINTS_IN_IMAGE = Message("{name} holds no sound ground control points; choose a layer or a file of points.")
-POINTS_OF_OTHER_IMAGES = Message(
-    "The points are of the images {names}; choose one of them, as only the points of one image are read.")
 POINTS_LINE_UNREADABLE = Message("Line {line} of {name} can't be read; correct or remove it.")
 POINTS_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system.")
@@ -88,15 +86,12 @@ NOT_CONVERGED = Message(
 ILL_CONDITIONED = Message(
     "The points hardly determine the model (condition {condition:.0e}): between them it may oscillate, so trust the "
     "check points only or choose a lower order.", WARNING)
-TERMS_KEPT = Message("Terms kept, numerator / denominator of scaled coordinates: {terms}.", INFO)
 FIT_DIVERGED = Message(
     "The model can't be fitted to these points; check for interchanged coordinates or wrong heights, look for blunders "
     "(ROBUST), or choose a model with fewer unknowns.")
-LINE_NOT_FOUND = Message(
-    "No scan line of the image sees one of the points; check the points' places, heights and reference system.")
 NOT_INVERTED = Message(
-    "The model can't be inverted over the image, so it is unsound away from its points; choose a lower order or add "
-    "points.")
+    "The model can't be inverted over the image, so it is unsound away from its points; check their places, heights "
+    "and reference system, choose a lower order, or add points.")
 # RPCs
 NO_RPC = Message("The image has no RPC of its own; give the file that came with it, or choose a model that needs none.")
 RPC_INCOMPLETE = Message("{name} holds no complete RPC; get the file again from the image's vendor.")
@@ -158,9 +153,7 @@ IMAGE_NOT_ORIENTED = Message(
 ORIENTATION_INCOMPLETE = Message("An interior orientation needs an exterior one; give it, too.")
 # blocks of photos
 NO_BLOCK = Message(
-    "Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos' orientations (EXTERIOR).")
-NO_PROJECT = Message(
-    "{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the "
+    "Choose the folder of an OpenDroneMap project, with opensfm/reconstruction.json in it (PHOTOS), or the file of the "
     "photos' orientations (EXTERIOR).")
 PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)

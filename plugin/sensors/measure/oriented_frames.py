@@ -68,7 +68,11 @@ class FrameBlock:
         """The camera of an image, by its file's name or another. Raises SensorModelError where it sees no ground."""
         exterior = self.exteriors.of(name or image.ref.name)
         interior = self.cameras.of(exterior.camera, (image.columns, image.rows))
-        wkt, notices = _system(image, self.files, exterior.wkt)
+        named = self.files.wkt or exterior.wkt
+        wkt, system = named or image.raster.own_wkt, spatial_reference(named or image.raster.own_wkt)
+        if not wkt or system.IsGeographic() or system.GetLinearUnits() != 1:
+            raise SensorModelError(messages.EXTERIOR_NOT_METRIC(name=self.files.exterior.name))
+        wkt, notices = horizontal_wkt(wkt), () if named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
         camera = FrameCamera(interior, exterior.position, exterior.axes, exterior.curvature)
         datum = self.files.datum
         vertical = datum if isinstance(datum, Geoid) else VERTICAL.get(datum)
@@ -96,15 +100,6 @@ def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, heigh
     cameras = read_cameras(document(files.interior), files.interior) if files.interior else read_cameras(content, path)
     heights = (height, height) if dem is None else _range_of_heights(dem)
     return FrameBlock(files, exteriors, cameras, heights, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum)
-
-
-def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tuple[Message, ...]]:
-    """Horizontal system of the exterior orientation, and what to say of it."""
-    wkt = files.wkt or named or image.raster.own_wkt
-    system = spatial_reference(wkt)
-    if not wkt or system.IsGeographic() or system.GetLinearUnits() != 1:
-        raise SensorModelError(messages.EXTERIOR_NOT_METRIC(name=files.exterior.name))
-    return horizontal_wkt(wkt), () if files.wkt or named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
 
 
 def _range_of_heights(dem: RasterRef) -> tuple[float, float]:

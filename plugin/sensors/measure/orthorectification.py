@@ -58,16 +58,6 @@ def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint
     return float(np.count_nonzero(missing & inside) / max(np.count_nonzero(inside), 1))
 
 
-def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
-    """Warnings of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
-    middle = np.add(terrain.origin, np.multiply(terrain.step, terrain.heights.shape[::-1]) / 2)
-    shorter, longer = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
-    unusual = longer if longer > COARSEST_MESH_M else shorter if shorter < FINEST_MESH_M and not of_photo else None
-    if unusual is None or not terrain.name:  # a constant height has no name
-        return []
-    return [messages.MESH_UNUSUAL(name=terrain.name, mesh=unusual)]
-
-
 @dataclass(frozen=True)
 class OrthoRequest:
     """An image to rectify, and how."""
@@ -119,7 +109,12 @@ def orthorectify(
     grid = _target(request, image, footprint)
     if grid.columns > 2**31 - 1 or grid.rows > 2**31 - 1 or grid.columns * grid.rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=grid.columns, height=grid.rows))
-    notices = [*terrain.notices, *mesh_warnings(terrain, rpc is None)]
+    notices = [*terrain.notices]
+    middle = np.add(terrain.origin, np.multiply(terrain.step, terrain.heights.shape[::-1]) / 2)
+    finest, coarsest = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
+    is_fine = finest < FINEST_MESH_M and rpc is not None  # aerial photos may need it
+    if terrain.name and (coarsest > COARSEST_MESH_M or is_fine):  # a constant height has no name
+        notices.append(messages.MESH_UNUSUAL(name=terrain.name, mesh=finest if is_fine else coarsest))
     if uncovered > 0:
         notices.append(messages.DEM_PARTLY_COVERING(name=terrain.name, share=uncovered))
     rms, most = (rpc.rms_px, rpc.max_px) if rpc is not None else (0.0, 0.0)
@@ -263,7 +258,7 @@ def _warp_photo(
 ) -> None:
     image = open_image(request.image)
     nodata = 0.0 if image.nodata is None else image.nodata
-    transform, wkt = grid.geotransform, horizontal_wkt(grid.wkt)
+    transform, wkt = (grid.left, grid.pixel_width, 0, grid.top, 0, -grid.pixel_height), horizontal_wkt(grid.wkt)
     made = replace(image.raster, columns=grid.columns, rows=grid.rows, geotransform=transform, own_wkt=wkt)
     names, kind = made.band_names, np.dtype(made.data_type)
     assert isinstance(request.model, FrameCamera)

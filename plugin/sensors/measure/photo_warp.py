@@ -17,8 +17,7 @@ from ...imagery.gdal_calls import gdal_pixels, gdal_silenced
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.open_raster import OpenRaster, damaged
 from ...imagery.raster_pool import reading_threads
-from ...imagery.rasters import GeoTransform
-from ...imagery.reference_systems import horizontal_wkt, same_system, transform_points
+from ...imagery.reference_systems import horizontal_wkt, transform_points
 from .frames import FrameCamera
 
 STRIP_ROWS = 256  # a tile of a GeoTIFF, so that none is written twice
@@ -132,10 +131,6 @@ class MapGrid(Grid):
 
     wkt: str = ""
 
-    @property
-    def geotransform(self) -> GeoTransform:
-        return self.left, self.pixel_width, 0.0, self.top, 0.0, -self.pixel_height
-
     def places(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """(n, 2) x and y of (n,) columns and rows, px."""
         return np.column_stack([self.left + columns * self.pixel_width, self.top - rows * self.pixel_height])
@@ -228,10 +223,6 @@ class PhotoWarp:
         """Columns and rows of the photo, (rows, columns) each, that show places at their ``height`` (m); NaN where none
         does."""
         columns, rows = part.column + np.arange(part.width) + 0.5, part.row + np.arange(part.height) + 0.5
-        if same_system(self.grid.wkt, self.wkt):
-            grid = self.grid
-            x, y = grid.left + columns * grid.pixel_width, grid.top - rows[:, None] * grid.pixel_height
-            return self.camera.seen(x, y, height, np.float32)
         knots = [np.append(np.arange(side[0], side[-1], _KNOT_PX), side[-1]) for side in (columns, rows)]
         places = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
         coarse = transform_points(places, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))

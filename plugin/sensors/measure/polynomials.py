@@ -151,17 +151,6 @@ def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
     return chosen[:kept]
 
 
-def term_names(model: Rational) -> str:
-    """The terms that a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
-    names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
-
-    def kept(part: np.ndarray) -> str:
-        return " ".join(name for name, value in zip(names, part) if value != 0)
-
-    sides = zip(("column", "row"), model.numerators.T, model.denominators.T)
-    return "; ".join(f"{side}: {kept(above)} / {kept(below)}" for side, above, below in sides)
-
-
 def off_poles(denominator: np.ndarray) -> np.ndarray:
     """Denominators kept away from zero while a fit is iterated."""
     return np.where(np.abs(denominator) < MIN_DENOMINATOR, MIN_DENOMINATOR, denominator)

@@ -215,46 +215,29 @@ def write_rpc(rpc: Rational, path: Path) -> None:
 
 def read_rpc(path: Path) -> Rational:
     """An RPC from _RPC.TXT, DIMAP, .RPB or OSSIM's .geom. Raises SensorModelError."""
-    content = file_content(path)
-    if looks_like_xml(content):
-        return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
+    content, first_pixel, first, pattern = file_content(path), 0, 1, "{}_COEFF_{}"
     text = content.decode(errors="replace")
-    if "BEGIN_GROUP" in text:
-        return from_metadata(_rpb_items(text), path.name)
-    lines = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
-    items = {name.upper(): value for name, value in lines}
-    first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
-    return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
-
-
-def _coefficients(items: Mapping[str, str], pattern: str, first: int) -> dict[str, str]:
-    """The lists of coefficients as GDAL has them, from items that hold one each."""
-    numbers = range(first, first + 20)
-    return {
-        f"{name}_COEFF": " ".join(items.get(pattern.format(name, number), "") for number in numbers)
-        for name in _COEFFICIENTS
-    }
-
-
-def _dimap_items(content: bytes, name: str) -> dict[str, str]:
-    """Items as GDAL has them, of the model from the ground to the image."""
-    try:
-        root = xml_root(content)
-    except ParseError:
-        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
-    parts = (root.iterfind(f".//{part}//*") for part in ("Inverse_Model", "RFM_Validity"))
-    model, validity = ({element.tag: (element.text or "").strip() for element in part} for part in parts)
-    return {**validity, **_coefficients(model, "{}_COEFF_{}", 1)}
-
-
-def _rpb_items(text: str) -> dict[str, str]:
-    """``lineOffset = 1.0;`` and ``lineNumCoef = (1.0, ...);`` as GDAL has them."""
-    items = {}
-    for name, kind, value in re.findall(r"\b([a-z]+)(Off|Scale)(?:set)?\s*=\s*([-+.\deE]+)\s*;", text):
-        items[f"{name}_{kind}".upper()] = value
-    for name, part, values in re.findall(r"\b([a-z]+)([A-Z]\w*)Coef\s*=\s*\(([^)]*)\)", text):
-        items[f"{name}_{part}_COEFF".upper()] = values.replace(",", " ")
-    return items
+    if looks_like_xml(content):  # DIMAP's has two models; that from the ground to the image is taken
+        try:
+            root = xml_root(content)
+        except ParseError:
+            raise SensorModelError(messages.RPC_INCOMPLETE(name=path.name)) from None
+        elements = (element for part in ("Inverse_Model", "RFM_Validity") for element in root.iterfind(f".//{part}//*"))
+        items, first_pixel = {element.tag: (element.text or "").strip() for element in elements}, DIMAP_FIRST_PIXEL
+    elif "BEGIN_GROUP" in text:  # of .RPB: lineOffset = 1.0; and lineNumCoef = (1.0, ...);
+        values = re.findall(r"\b([a-z]+)(Off|Scale)(?:set)?\s*=\s*([-+.\deE]+)\s*;", text)
+        lists = re.findall(r"\b([a-z]+)([A-Z]\w*)Coef\s*=\s*\(([^)]*)\)", text)
+        items = {f"{name}_{kind}".upper(): value for name, kind, value in values}
+        items.update({f"{name}_{part}_COEFF".upper(): terms.replace(",", " ") for name, part, terms in lists})
+    else:
+        lines = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
+        items = {name.upper(): value for name, value in lines}
+        if "LINE_NUM_COEFF_00" in items:
+            first, pattern = 0, "{}_COEFF_{:02d}"
+    for name in _COEFFICIENTS:
+        terms = (items.get(pattern.format(name, number), "") for number in range(first, first + len(EXPONENTS_3D)))
+        items.setdefault(f"{name}_COEFF", " ".join(terms))
+    return from_metadata(items, path.name, first_pixel)
 
 
 def own_rpc(image: OpenRaster) -> Rational | None:

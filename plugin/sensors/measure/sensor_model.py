@@ -77,7 +77,6 @@ class FittedModel:
 class Solution:
     values: np.ndarray  # the unknowns
     condition: float  # largest over smallest singular value of the design matrix with columns of length 1
-    rank: int
 
 
 def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
@@ -88,9 +87,9 @@ def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
     scaled = design / lengths
     if not (np.isfinite(scaled).all() and np.isfinite(target).all()):
         raise SensorModelError(messages.FIT_DIVERGED())
-    values, _, rank, singular = np.linalg.lstsq(scaled, target, rcond=np.finfo(float).eps * max(design.shape))
+    values, _, _, singular = np.linalg.lstsq(scaled, target, rcond=np.finfo(float).eps * max(design.shape))
     condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
-    return Solution((values.T / lengths).T, condition, int(rank))
+    return Solution((values.T / lengths).T, condition)
 
 
 @dataclass(frozen=True)

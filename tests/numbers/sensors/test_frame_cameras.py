@@ -155,14 +155,14 @@ def test_a_fisheye_is_opencv_s(angular: list[float], seed: int) -> None:
     assert np.column_stack(shown) == pytest.approx(expected, abs=1e-9)
 
 
-@given(st.lists(st.floats(-0.05, 0.05), min_size=12, max_size=12), st.integers(0, 10_000))
-def test_a_lens_with_all_terms_is_opencv_s(terms: list[float], seed: int) -> None:
+@given(st.lists(st.floats(-0.05, 0.05), min_size=5, max_size=5), st.integers(0, 10_000))
+def test_brown_s_lens_is_opencv_s(terms: list[float], seed: int) -> None:
     places = np.random.default_rng(seed).uniform(-0.6, 0.6, (20, 2))
-    k1, k2, p1, p2, k3, k4, k5, k6, *prism = terms
-    lens = BrownLens((k1, k2, k3), (p1, p2), (k4, k5, k6), tuple(prism))
+    k1, k2, p1, p2, k3 = terms
     ahead = np.column_stack([places, np.ones(20)])
     expected, _ = cv2.projectPoints(ahead, np.zeros(3), np.zeros(3), np.eye(3), np.array(terms))
-    assert np.column_stack(lens.distorted(*places.T)) == pytest.approx(expected[:, 0], abs=1e-9)
+    shown = BrownLens((k1, k2, k3), (p1, p2)).distorted(*places.T)
+    assert np.column_stack(shown) == pytest.approx(expected[:, 0], abs=1e-9)
 
 
 @given(st.floats(-0.28, 0.1), st.integers(0, 10_000))
@@ -258,7 +258,7 @@ def test_without_pyyaml_it_is_named(folder: Path, monkeypatch: pytest.MonkeyPatc
 
 @pytest.mark.parametrize("system", ["", "EPSG:4326", "EPSG:2263"])
 def test_a_system_without_metres_is_refused(folder: Path, system: str) -> None:
-    with pytest.raises(SeamInspectorError, match=r"places\.csv is in no projected coordinate reference system in metres"):
+    with pytest.raises(SeamInspectorError, match=r"places\.csv is in no projected coordinate reference system"):
         oriented(folder, system=system)
 
 
