@@ -99,14 +99,6 @@ Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class w
 """One of ``limits.HEIGHT_DATUMS`` but ``geoid``, or the grid of that."""
 
 
-def vertical_part(wkt: str) -> str:
-    """The name of a compound or three-dimensional system's heights; empty where the system names none."""
-    system = spatial_reference(wkt)
-    if system.IsCompound():
-        return str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
-    return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
-
-
 def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
     """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
 
@@ -124,23 +116,24 @@ def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
     return moved[:, 2]
 
 
-def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Message, ...]]:
-    """The datum that heights of the system ``wkt`` are converted from, empty for none, and what to say about it."""
-    if isinstance(datum, Geoid):
-        return datum, ()
-    if datum != AUTO:
-        return VERTICAL.get(datum, ""), ()
-    part = vertical_part(wkt)
-    if not part:
-        return "", (messages.HEIGHTS_ASSUMED(name=name),)
-    code = spatial_reference(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
-    return "" if part == "ellipsoid" else f"EPSG:{code}" if code else wkt, ()
-
-
-def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> Message:
-    """The notice of heights that were brought to the ellipsoid by adding so much."""
-    named = datum.ref.name if isinstance(datum, Geoid) else datum if datum in VERTICAL else vertical_part(wkt)
-    return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=float(added.min()), most=float(added.max()))
+def converted(geographic: np.ndarray, wkt: str, datum: Datum, name: str) -> tuple[np.ndarray, tuple[Message, ...]]:
+    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude and height in ``datum``, which may be what the
+    system ``wkt`` says, and what to say about it. Raises RasterError without a grid."""
+    heights, system, vertical = geographic[:, 2], spatial_reference(wkt), VERTICAL.get(str(datum), datum)
+    named = datum.ref.name if isinstance(datum, Geoid) else datum
+    if datum == AUTO:
+        code = system.GetAuthorityCode("COMPD_CS|VERT_CS")
+        vertical = f"EPSG:{code}" if code else wkt
+        named = str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
+        if not system.IsCompound():
+            named = ELLIPSOID if system.IsGeographic() and system.GetAxesCount() == 3 else ""
+    if not named:
+        return heights, (messages.HEIGHTS_ASSUMED(name=name),)
+    if named == ELLIPSOID:
+        return heights, ()
+    moved = above_ellipsoid(geographic, vertical)
+    least, most = float((moved - heights).min()), float((moved - heights).max())
+    return moved, (messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=least, most=most),)
 
 
 @dataclass(frozen=True)
@@ -198,25 +191,25 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
         raise RasterError(elsewhere)
     check_heights(float(np.nanmin(heights)), float(np.nanmax(heights)), ref.name)
     origin = (transform[0] + window.column * transform[1], transform[3] + window.row * transform[5])
-    vertical, notices = vertical_system(wkt, datum, ref.name)
-    terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, notices)
-    if not vertical:
-        return terrain
-    return replace(terrain, notices=(heights_converted(_add_undulation(terrain, vertical), wkt, datum, ref.name),))
+    terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, ())
+    return replace(terrain, notices=_brought_to_ellipsoid(terrain, datum))
 
 
-def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
-    """Bring heights to the ellipsoid in place, by a coarse grid, since the geoid is smooth; that grid, m."""
+def _brought_to_ellipsoid(terrain: Terrain, datum: Datum) -> tuple[Message, ...]:
+    """Bring heights to the ellipsoid in place, by a coarse grid, since the geoid is smooth; what to say about it."""
     step, sides = UNDULATION_STEP_PX, terrain.heights.shape
     knots = [np.unique(np.append(np.arange(0, side, step), side - 1)) for side in sides]
     row, column = np.meshgrid(*knots, indexing="ij")
     pixels = np.column_stack([column.ravel(), row.ravel()]) + 0.5
     places = transform_points(terrain.origin + pixels * terrain.step, terrain.wkt, WGS84)
-    coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
+    added, notices = converted(np.column_stack([places, np.zeros(len(places))]), terrain.wkt, datum, terrain.name)
+    if not added.any():
+        return notices
+    coarse = added.reshape(row.shape)
     down, across = (np.interp(np.arange(side), at, np.arange(len(at))) for side, at in zip(sides, knots))
     for heights, place in zip(terrain.heights, down):
         heights += bilinear(coarse, across, np.full(len(across), place))
-    return coarse
+    return notices
 
 
 def with_heights(
@@ -229,13 +222,8 @@ def with_heights(
     given = np.isfinite(heights)
     geographic = reprojected(np.nan_to_num(points.ground), points.wkt, WGS84)
     if given.any():
-        system = points.heights_wkt or points.wkt
-        vertical, assumed = vertical_system(system, datum, name)
-        notices += assumed
-        if vertical:
-            moved = above_ellipsoid(geographic[given], vertical)
-            notices.append(heights_converted(moved - heights[given], system, datum, name))
-            heights[given] = moved
+        heights[given], said = converted(geographic[given], points.heights_wkt or points.wkt, datum, name)
+        notices += said
     if dem is not None and not given.all():
         terrain = load_terrain(dem, bounding_box(geographic), dem_datum)
         notices += terrain.notices

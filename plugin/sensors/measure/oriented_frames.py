@@ -20,7 +20,7 @@ from . import messages
 from .camera_files import Cameras, document, orientation_file, read_cameras
 from .exterior_files import AUTO, Exteriors, read_exteriors
 from .frames import FrameCamera
-from .heights import ELLIPSOID, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
+from .heights import ELLIPSOID, Datum, converted, first_band
 from .limits import EXTERIOR_DATUMS
 from .points import HIGHEST_M, LOWEST_M
 from .rpc import Domain
@@ -74,11 +74,10 @@ class FrameBlock:
             raise SensorModelError(messages.EXTERIOR_NOT_METRIC(name=self.files.exterior.name))
         wkt, notices = horizontal_wkt(wkt), () if named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
         camera = FrameCamera(interior, exterior.position, exterior.axes, exterior.curvature)
-        datum = self.files.datum
-        vertical = datum if isinstance(datum, Geoid) else VERTICAL.get(datum)
-        if vertical is not None:
+        if self.files.datum != AS_TERRAIN:
             place = reprojected(camera.position[None], wkt, WGS84)
-            camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
+            raised, _ = converted(place, wkt, self.files.datum, exterior.camera)
+            camera = replace(camera, position=np.append(camera.position[:2], raised))
         (low, high), height = self.heights, float(camera.position[2])
         if height <= high:
             below = messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=height, low=low, high=high)

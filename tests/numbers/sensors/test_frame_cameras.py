@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import re
 import sys
 from pathlib import Path
@@ -18,7 +17,6 @@ from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import transform_points
 from seam_inspector.plugin.sensors.measure.camera_files import document, read_cameras
-from seam_inspector.plugin.sensors.measure.exterior_files import read_exteriors
 from seam_inspector.plugin.sensors.measure.frames import BrownLens, FisheyeLens, FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.oriented_frames import FrameFiles, OrientedFrame, read_block
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
@@ -184,23 +182,6 @@ def test_values_that_are_no_heights_are_not_in_their_range_though_no_nodata_says
     terrain.GetRasterBand(1).WriteArray(np.full((9, 9), 1e30, np.float32), 30, 0)
     terrain = None
     assert oriented(folder).domain.heights == pytest.approx(expected, abs=0.01)
-
-
-@pytest.mark.parametrize("image", ["photo.tif", "photo"])
-def test_all_files_of_an_exterior_orientation_say_the_same(folder: Path, image: str) -> None:
-    axes = camera_axes(1, -2, 30)
-    (folder / "blanks.txt").write_text("photo.tif  500000 4000000  1500 1 -2 30\n")
-    (folder / "semicolons.csv").write_text("kappa;phi;omega;z;y;x;filename\n30;-2;1;1500;4000000;500000;photo.jpg\n")
-    (folder / "places.json").write_text(json.dumps({
-        "world_crs": "EPSG:32633",
-        "features": [{"properties": {"filename": "photo", "camera": "cam", "xyz": CENTRE.tolist(),
-                                     "opk": np.radians([1, -2, 30]).tolist()}}],
-    }))
-    for name in ("places.csv", "blanks.txt", "semicolons.csv", "places.json"):
-        exterior = read_exteriors(document(folder / name), folder / name).of(image)
-        assert exterior.position == pytest.approx(CENTRE), name
-        assert exterior.axes == pytest.approx(axes), name
-    assert (exterior.camera, exterior.wkt) == ("cam", "EPSG:32633")
 
 
 def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) -> None:

@@ -65,14 +65,6 @@ def test_points_come_back_from_the_georeferencers_file(
     assert lines[2].split(",")[4:] == ["1", "3.0", "-4.0", "5.0"]
 
 
-@pytest.mark.parametrize("number", ["nan", "inf", "x"])
-def test_a_line_of_the_georeferencers_file_that_holds_no_number_is_told(tmp_path: Path, number: str) -> None:
-    path = tmp_path / "image.points"
-    path.write_text(f"#CRS: EPSG:4326\nmapX,mapY,sourceX,sourceY,enable\n7.1,43.6,1,-2,1\n7.2,43.7,{number},-3,1\n")
-    with pytest.raises(SensorModelError, match=r"Line 4 of image\.points can't be read"):
-        file_points(path, "", None)
-
-
 def test_points_inside_a_tiff(tmp_path: Path) -> None:
     path = tmp_path / "gcps.tif"
     dataset = gdal.GetDriverByName("GTiff").Create(str(path), 30, 20, 1)

@@ -198,7 +198,8 @@ def test_a_wrong_points_file_is_refused(tmp_path: Path) -> None:
     for content, words in (
         ("", "is not a points file"),
         ("a,b\n1,2\n", "is not a points file"),
-        (OLD.format(rows="7.1,43.6,120.5,-30.25,1\n7.2,x,3,4,1\n"), "Line 3 of image.points"),
+        *((OLD.format(rows=f"7.1,43.6,120.5,-30.25,1\n7.2,{number},3,4,1\n"), "Line 3 of image.points can't be read")
+          for number in ("nan", "inf", "x")),
         (OLD.format(rows="7.1,43.6\n"), "Line 2 of image.points"),
     ):
         path.write_text(content)
