@@ -15,7 +15,7 @@ from ...imagery.errors import CancelledError, Message, RasterError, SettingsErro
 from ...imagery.file_identity import refuse_overwriting
 from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
 from ...imagery.gdal_paths import RASTERS, open_dataset, vrt_parts
-from ...imagery.grids import Extent, extents_meet
+from ...imagery.grids import Extent, Grid, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import GEOTIFF, WrittenBands, raster_writer, whole_raster
@@ -24,7 +24,7 @@ from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_u
 from . import limits, messages
 from .frames import FrameCamera
 from .heights import Datum, Terrain, constant_terrain, load_terrain
-from .photo_warp import MapGrid, PhotoWarp
+from .photo_warp import PhotoWarp
 from .points import check_heights
 from .polynomials import Rational
 from .rpc import CREATION, Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
@@ -106,7 +106,7 @@ def orthorectify(
         check_heights(request.height, request.height, "HEIGHT")
     image = open_image(request.image)
     terrain, footprint, rpc, uncovered = _ground(request, image)
-    grid = _target(request, image, footprint)
+    request, grid = _target(request, image, footprint)
     if grid.columns > 2**31 - 1 or grid.rows > 2**31 - 1 or grid.columns * grid.rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=grid.columns, height=grid.rows))
     notices = [*terrain.notices]
@@ -129,7 +129,7 @@ def orthorectify(
             _warp(request, image_with_rpc(image, rpc.rpc), heights, grid, progress, cancelled)
     finally:
         drop_from_memory(heights)
-    made = grid.wkt, grid.extent, grid.pixel_width, grid.columns, grid.rows
+    made = request.target_wkt, grid.extent, grid.pixel_width, grid.columns, grid.rows
     return Ortho(request.output, *made, rms, most, uncovered, tuple(notices))
 
 
@@ -182,7 +182,8 @@ def _ground(request: OrthoRequest, image: OpenRaster) -> tuple[Terrain, np.ndarr
     return terrain, footprint, rpc, uncovered
 
 
-def _target(request: OrthoRequest, image: OpenRaster, footprint: np.ndarray) -> MapGrid:
+def _target(request: OrthoRequest, image: OpenRaster, footprint: np.ndarray) -> tuple[OrthoRequest, Grid]:
+    """The request with its system, and its pixels."""
     centre = footprint[len(footprint) // 2]
     wkt = request.target_wkt or utm_wkt(float(centre[0]), float(centre[1]))
     places = transform_points(footprint, WGS84, wkt)
@@ -199,7 +200,7 @@ def _target(request: OrthoRequest, image: OpenRaster, footprint: np.ndarray) -> 
     left, bottom = (float(np.floor(bounds[i] / size) * size) for i in (0, 1))
     right, top = (float(np.ceil(bounds[i] / size) * size) for i in (2, 3))
     columns, rows = max(round((right - left) / size), 1), max(round((top - bottom) / size), 1)
-    return MapGrid(left, top, size, size, columns, rows, wkt=wkt)
+    return replace(request, target_wkt=wkt), Grid(left, top, size, size, columns, rows)
 
 
 def _heights(terrain: Terrain) -> str:
@@ -218,7 +219,7 @@ def _heights(terrain: Terrain) -> str:
 
 
 def _warp(
-    request: OrthoRequest, source: gdal.Dataset, heights: str, grid: MapGrid, progress: Callable[[float], None],
+    request: OrthoRequest, source: gdal.Dataset, heights: str, grid: Grid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
     options = ["METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO"]
@@ -233,7 +234,7 @@ def _warp(
         gdal.ErrorReset()
         try:
             made = gdal.Warp(
-                unfinished, source, format=request.format, dstSRS=grid.wkt, outputBounds=grid.extent,
+                unfinished, source, format=request.format, dstSRS=request.target_wkt, outputBounds=grid.extent,
                 width=grid.columns, height=grid.rows, resampleAlg=request.resampling, rpc=True,
                 transformerOptions=options, errorThreshold=0, multithread=not is_virtual,
                 warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
@@ -253,17 +254,18 @@ def _warp(
 
 
 def _warp_photo(
-    request: OrthoRequest, heights: str, grid: MapGrid, progress: Callable[[float], None],
+    request: OrthoRequest, heights: str, grid: Grid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
     image = open_image(request.image)
     nodata = 0.0 if image.nodata is None else image.nodata
-    transform, wkt = (grid.left, grid.pixel_width, 0, grid.top, 0, -grid.pixel_height), horizontal_wkt(grid.wkt)
+    transform = (grid.left, grid.pixel_width, 0.0, grid.top, 0.0, -grid.pixel_height)
+    wkt = horizontal_wkt(request.target_wkt)
     made = replace(image.raster, columns=grid.columns, rows=grid.rows, geotransform=transform, own_wkt=wkt)
     names, kind = made.band_names, np.dtype(made.data_type)
     assert isinstance(request.model, FrameCamera)
     bands = WrittenBands(len(names), kind, names == COLOURS, nodata)
-    photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid)
+    photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid, request.target_wkt)
 
     def write(path: str) -> None:
         with raster_writer(path, made, bands) as file:
