@@ -56,16 +56,11 @@ def geocentric(places: np.ndarray, system: int = 32633) -> np.ndarray:
     """(n, 3) of a projected system and heights above the ellipsoid, by PROJ."""
     source, target = osr.SpatialReference(), osr.SpatialReference()
     source.ImportFromEPSG(system)
-    source = source if system == 4979 else _with_ellipsoidal_heights(source)
+    source.PromoteTo3D()  # heights above the ellipsoid
     target.ImportFromEPSG(4978)
     for system in (source, target):
         system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
     return np.array(osr.CoordinateTransformation(source, target).TransformPoints(places.tolist()))
-
-
-def _with_ellipsoidal_heights(system: osr.SpatialReference) -> osr.SpatialReference:
-    system.PromoteTo3D()
-    return system
 
 
 def local_axes(geographic: tuple[float, float, float]) -> np.ndarray:

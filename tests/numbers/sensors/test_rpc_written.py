@@ -10,7 +10,7 @@ from seam_inspector.plugin.imagery.errors import RasterError, SensorModelError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure.heights import Geoid, above_ellipsoid
 from seam_inspector.plugin.sensors.measure.points import control_points, file_points, image_points, write_point_file
-from seam_inspector.plugin.sensors.measure.rpc import open_image, read_rpc, to_metadata, write_image_with_rpc, write_rpc
+from seam_inspector.plugin.sensors.measure.rpc import open_image, read_rpc, to_metadata, write_rpc
 
 from tests.numbers.sensors.sensor_scenes import made_rational
 
@@ -35,18 +35,6 @@ def test_gdal_reads_an_rpc_beside_its_image(tmp_path: Path, name: str) -> None:
     write_rpc(rpc, tmp_path / name)
     assert_same_rpc(gdal.Open(image_file(tmp_path / "image.tif")).GetMetadata("RPC"), to_metadata(rpc))
     assert_same_rpc(to_metadata(read_rpc(tmp_path / name)), to_metadata(rpc))
-
-
-def test_gdal_reads_the_rpc_in_an_images_tags(tmp_path: Path) -> None:
-    rpc, path = made_rational(3, 4), tmp_path / "with_rpc.tif"
-    image = image_file(tmp_path / "image.tif")
-    write_image_with_rpc(open_image(RasterRef(image)), rpc, path)
-    moved = tmp_path / "elsewhere" / "alone.tif"  # without whatever was written beside it
-    moved.parent.mkdir()
-    moved.write_bytes(path.read_bytes())
-    opened = gdal.Open(str(moved))
-    assert_same_rpc(opened.GetMetadata("RPC"), to_metadata(rpc))
-    np.testing.assert_array_equal(opened.ReadAsArray(), gdal.Open(image).ReadAsArray())
 
 
 @pytest.mark.parametrize("transform", [None, (500.0, 2.0, 0.1, 900.0, 0.2, -3.0), (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)])

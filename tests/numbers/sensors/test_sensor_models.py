@@ -44,19 +44,13 @@ def largest_px(done: Adjustment) -> float:
 
 @pytest.mark.parametrize("order", [1, 2, 3])
 @given(seed=st.integers(0, 10_000))
-def test_rational_recovers_itself(order: int, seed: int) -> None:
-    ground = places(120, seed)
-    done = judged(registry.RATIONAL.request(str(order)), made_rational(order, seed).project(ground), ground, 80)
-    assert done.fitted.converged
-    assert largest_px(done) < EXACT_PX
-
-
-@pytest.mark.parametrize("order", [1, 2, 3])
-@given(seed=st.integers(0, 10_000))
-def test_polynomial_3d_recovers_itself(order: int, seed: int) -> None:
-    ground, coefficients = places(60, seed), made_rational(order, seed).numerators
-    model = Polynomial3D(order, Scaling(MIDDLE, REACH), IMAGE, coefficients)
-    assert largest_px(judged(registry.POLYNOMIAL_3D.request(str(order)), model.project(ground), ground, 40)) < EXACT_PX
+def test_quotients_and_polynomials_of_space_recover_themselves(order: int, seed: int) -> None:
+    ground, truth = places(120, seed), made_rational(order, seed)
+    plain = Polynomial3D(order, Scaling(MIDDLE, REACH), IMAGE, truth.numerators)
+    for kind, model in ((registry.RATIONAL, truth), (registry.POLYNOMIAL_3D, plain)):
+        done = judged(kind.request(str(order)), model.project(ground), ground, 80)
+        assert done.fitted.converged
+        assert largest_px(done) < EXACT_PX
 
 
 @pytest.mark.parametrize("to_ground", [False, True])

@@ -108,4 +108,4 @@ def test_what_can_t_be_done_is_said(project_folder: Path, tmp_path: Path) -> Non
     (project_folder / "odm_dem" / "dsm.tif").unlink()
     assert_sentence(run("orthorectifyphotos", **given).complaint, "Give either a terrain model or")
     (project_folder / "opensfm" / "reconstruction.json").unlink()
-    assert_sentence(run("orthorectifyphotos", **given).complaint, "block")
+    assert_sentence(run("orthorectifyphotos", **given).complaint, "OpenDroneMap project")

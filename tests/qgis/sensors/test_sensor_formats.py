@@ -28,7 +28,8 @@ def test_a_fit_is_written_for_gdal_and_the_georeferencer(tmp_path: Path) -> None
     small = np.array([30.0, 20.0])
     image = image / [COLUMNS, ROWS] * small
     source = tmp_path / "image.tif"
-    gdal.GetDriverByName("GTiff").Create(str(source), 30, 20, 1).FlushCache()
+    pixels = np.arange(600).reshape(20, 30) % 251
+    gdal.GetDriverByName("GTiff").Create(str(source), 30, 20, 1).WriteArray(pixels.astype(np.uint8))
     files = {"RPC": "image.RPB", "RPC_IMAGE": "copy.tif", "POINTS": "image.points", "MODEL_FILE": "rpc.json"}
     written = {name: str(tmp_path / file) for name, file in files.items()}
     outcome = run(
@@ -36,7 +37,10 @@ def test_a_fit_is_written_for_gdal_and_the_georeferencer(tmp_path: Path) -> None
         **written,
     )
     assert {name: outcome.results[name] for name in files} == written
-    beside, inside = (gdal.Open(str(tmp_path / name)).GetMetadata("RPC") for name in ("image.tif", "copy.tif"))
+    moved = tmp_path / "elsewhere.tif"  # without whatever was written beside it
+    moved.write_bytes((tmp_path / "copy.tif").read_bytes())
+    np.testing.assert_array_equal(gdal.Open(str(moved)).ReadAsArray(), pixels)
+    beside, inside = (gdal.Open(str(tmp_path / name)).GetMetadata("RPC") for name in ("image.tif", "elsewhere.tif"))
     for name in ("LINE_NUM_COEFF", "SAMP_DEN_COEFF", "LAT_OFF", "SAMP_SCALE"):
         pair = [np.array(items[name].split(), float) for items in (beside, inside)]
         np.testing.assert_allclose(*pair, rtol=1e-9, atol=1e-12)
