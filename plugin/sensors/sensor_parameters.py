@@ -207,9 +207,9 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
         """Height of the orbit as given, else by the satellite that the image's metadata name, else the default."""
-        from .measure.rpc import satellite_name
-
-        name = satellite_name(image).upper() if image is not None else ""
+        data = image.dataset if image is not None else None
+        about = {**(data.GetMetadata() or {}), **(data.GetMetadata("IMAGERY") or {})} if data is not None else {}
+        name = str(about.get("SATELLITEID") or about.get("NITF_ISORCE") or "").upper()
         known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
         return (run.real(ORBIT_HEIGHT) or next(known, limits.DEFAULT_ORBIT_HEIGHT_KM)) * 1000
 

@@ -52,7 +52,7 @@ def _check_spread(request: ModelRequest, points: Points) -> None:
 
     def is_open(axes: int) -> bool:
         linear = np.column_stack([np.ones(len(places)), Scaling.of(places).to(places)[:, :axes]])
-        return least_squares(linear, places[:, 0]).condition > limits.MAX_LINEAR_CONDITION
+        return least_squares(linear, places[:, 0])[1] > limits.MAX_LINEAR_CONDITION
 
     if is_open(2):
         raise SensorModelError(messages.POINTS_ON_A_LINE(model=request.name))

@@ -141,7 +141,12 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
         blocks = inpho_blocks(content, "CAMERA_DEFINITION")
         return {inpho_value(block, "ID"): partial(_inpho_camera, block, path) for block in blocks}
     if photos := pix4d_photos(content):
-        return {name: partial(_pix4d_camera, numbers) for name, numbers in photos.items()}
+
+        def pix4d(numbers: Sequence[float]) -> FileCamera:
+            matrix, lens = np.reshape(numbers[2:11], (3, 3)), lens_of("brown", dict(zip(_BROWN, numbers[11:16])))
+            return _camera(numbers[:2], [matrix[0, 0], matrix[1, 1]], matrix[:2, 2], lens)
+
+        return {name: partial(pix4d, numbers) for name, numbers in photos.items()}
     return _orthority_cameras(content, path)
 
 
@@ -255,12 +260,6 @@ def pix4d_photos(content: str) -> dict[str, list[float]]:
             words = " ".join([named[2], named[3], *lines[number : number + PIX4D_LINES]]).split()
             photos[named[1]] = [float(word) for word in words]
     return photos
-
-
-def _pix4d_camera(numbers: Sequence[float]) -> FileCamera:
-    matrix = np.reshape(numbers[2:11], (3, 3))
-    lens = lens_of("brown", dict(zip(_BROWN, numbers[11:16])))
-    return _camera(numbers[:2], [matrix[0, 0], matrix[1, 1]], matrix[:2, 2], lens)
 
 
 def inpho_blocks(content: str, name: str) -> list[str]:

@@ -155,13 +155,6 @@ class Terrain:
         return np.where(known, bilinear(self.heights, *inside.T), np.nan)
 
 
-def constant_terrain(height: float, extent: Extent) -> Terrain:
-    """A plane at a height above the ellipsoid, over longitudes and latitudes (west, south, east, north)."""
-    west, south, east, north = extent
-    step = (east - west) / 2, (south - north) / 2
-    return Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
-
-
 def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     """The heights of a raster over longitudes and latitudes (west, south, east, north), brought to the ellipsoid.
     Raises RasterError for a raster that can't be used there, or without a grid for its heights."""
@@ -242,5 +235,5 @@ def is_flat(points: Points) -> bool:
     if not np.isfinite(heights).all() or np.ptp(heights) == 0:
         return True  # where heights are not known, nothing but a plane model can be fitted
     scaled = Scaling.of(points.ground).to(points.ground)
-    affine = least_squares(np.column_stack([np.ones(len(scaled)), scaled]), points.image)
-    return bool(2 * np.linalg.norm(affine.values[3]) < FLAT_SHARE)
+    affine, _ = least_squares(np.column_stack([np.ones(len(scaled)), scaled]), points.image)
+    return bool(2 * np.linalg.norm(affine[3]) < FLAT_SHARE)

@@ -97,20 +97,17 @@ def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, heigh
     content = document(path)
     exteriors = read_exteriors(content, path, files.angles)
     cameras = read_cameras(document(files.interior), files.interior) if files.interior else read_cameras(content, path)
-    heights = (height, height) if dem is None else _range_of_heights(dem)
-    return FrameBlock(files, exteriors, cameras, heights, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum)
-
-
-def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
-    """Lowest and highest terrain, m, by an overview. Raises SensorModelError without any height."""
-    source = OpenRaster(dem)
-    share = max(source.columns, source.rows) / HEIGHTS_PX
-    size = (max(round(source.columns / share), 1), max(round(source.rows / share), 1)) if share > 1 else None
-    heights = first_band(source, source.raster.whole, size)
-    heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, and no nodata says so
-    if not heights.size:
-        raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
-    return float(heights.min()), float(heights.max())
+    heights = np.array([height])
+    if dem is not None:  # by an overview
+        source = OpenRaster(dem)
+        share = max(source.columns, source.rows) / HEIGHTS_PX
+        size = (max(round(source.columns / share), 1), max(round(source.rows / share), 1)) if share > 1 else None
+        heights = first_band(source, source.raster.whole, size)
+        heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, with nodata or not
+        if not heights.size:
+            raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
+    span = float(heights.min()), float(heights.max())
+    return FrameBlock(files, exteriors, cameras, span, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum)
 
 
 def project_photos(exterior: Path) -> Path:

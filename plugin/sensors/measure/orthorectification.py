@@ -23,7 +23,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
 from . import limits, messages
 from .frames import FrameCamera
-from .heights import Datum, Terrain, constant_terrain, load_terrain
+from .heights import Datum, Terrain, load_terrain
 from .photo_warp import PhotoWarp
 from .points import check_heights
 from .polynomials import Rational
@@ -162,7 +162,9 @@ def _ground(request: OrthoRequest, image: OpenRaster) -> tuple[Terrain, np.ndarr
     if request.dem is not None:
         terrain = load_terrain(request.dem, extent, request.datum)
     else:
-        terrain = constant_terrain(domain.heights[0], extent)
+        (west, south, east, north), height = extent, domain.heights[0]
+        step = (east - west) / 2, (south - north) / 2
+        terrain = Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
         ground = on_ground(heights)

@@ -84,17 +84,14 @@ def nominal_scene(
     image = np.column_stack([across, -local[:, 1]]) / pixel_m + count / 2
     orbit = nominal_orbit(geocentric(ground), image, orbit_height_m, (count, count))
     still = Pushbroom(orbit, np.zeros(len(SIGMAS)))
-    return PlannedScene(_pitching(still, ground, image), (count, count), _NOMINAL_PLACE, heights)
-
-
-def _pitching(still: Pushbroom, ground: np.ndarray, image: np.ndarray) -> Pushbroom:
-    """The camera follows the ground below: it pitches at the rate that gives lines their width."""
+    # The camera follows the ground below: it pitches at the rate that gives lines their width.
     trial = replace(still, unknowns=np.eye(len(SIGMAS))[_PITCH_RATE])
     ends = [int(np.argmin(image[:, 1])), int(np.argmax(image[:, 1]))]
-    rows = image[:, 1], still.project(ground)[:, 1], trial.project(ground)[:, 1]
-    wanted, before, after = (np.ptp(row[ends]) for row in rows)
+    seen = image[:, 1], still.project(ground)[:, 1], trial.project(ground)[:, 1]
+    wanted, before, after = (np.ptp(row[ends]) for row in seen)
     # The width of a line, not the number of lines, is linear in the rate.
-    return replace(still, unknowns=trial.unknowns * (1 / wanted - 1 / before) / (1 / after - 1 / before))
+    pitching = replace(still, unknowns=trial.unknowns * (1 / wanted - 1 / before) / (1 / after - 1 / before))
+    return PlannedScene(pitching, (count, count), _NOMINAL_PLACE, heights)
 
 
 def expected_accuracies(

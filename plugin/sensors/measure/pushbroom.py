@@ -130,21 +130,21 @@ def fit_pushbroom(
             iteration += 1
             residuals, jacobian = _linearised(model, places, image)
             design = np.vstack([jacobian * weights[:, None], np.eye(len(SIGMAS))])
-            solution = least_squares(design, np.concatenate([-residuals * weights, -model.unknowns]))
-            model = replace(model, unknowns=model.unknowns + solution.values)
+            change, condition = least_squares(design, np.concatenate([-residuals * weights, -model.unknowns]))
+            model = replace(model, unknowns=model.unknowns + change)
             if not np.isfinite(model.unknowns).all():
                 raise SensorModelError(messages.FIT_DIVERGED())
-            change = jacobian @ solution.values
-            converged = bool(np.abs(change).max() < MAX_PUSHBROOM_STEP_PX)
+            moved = jacobian @ change
+            converged = bool(np.abs(moved).max() < MAX_PUSHBROOM_STEP_PX)
         iterations += iteration
         singular = np.linalg.svd(jacobian / np.repeat(sigma_px * factor, 2)[:, None], compute_uv=False)
         unknowns = float(np.sum(singular**2 / (1 + singular**2)))  # by the points, not by the priors: each by its share
         redundancy = max(residuals.size - unknowns, MIN_REDUNDANCY)
-        misfit = float(np.sqrt(np.sum(((residuals + change) / np.repeat(sigma_px, 2)) ** 2) / redundancy))
+        misfit = float(np.sqrt(np.sum(((residuals + moved) / np.repeat(sigma_px, 2)) ** 2) / redundancy))
         before, factor = factor, max(misfit, limits.MIN_SIGMA_PX)
         if abs(factor / before - 1) < MAX_SIGMA_CHANGE:
             break
-    return FittedModel(model, solution.condition, iterations, converged, unknowns)
+    return FittedModel(model, condition, iterations, converged, unknowns)
 
 
 def nominal_orbit(
@@ -153,10 +153,10 @@ def nominal_orbit(
     """The orbit that the affine camera through the points implies: the common null direction of its gradients is the
     view. Raises SensorModelError where the points do not fix one."""
     middle = places.mean(axis=0)
-    affine = least_squares(np.column_stack([np.ones(len(places)), places - middle]), image)
-    if affine.condition > limits.MAX_LINEAR_CONDITION:
+    affine, condition = least_squares(np.column_stack([np.ones(len(places)), places - middle]), image)
+    if condition > limits.MAX_LINEAR_CONDITION:
         raise SensorModelError(messages.POINTS_ON_A_PLANE(model="pushbroom"))
-    gradients = affine.values[1:].T  # px per m, (2, 3)
+    gradients = affine[1:].T  # px per m, (2, 3)
     up = unit(middle)
     view = unit(np.cross(gradients[0], gradients[1]))
     view = -view if view @ up > 0 else view
@@ -164,7 +164,7 @@ def nominal_orbit(
     on_ground = per_px - np.outer(view, (up @ per_px) / (view @ up))
     low, high = (image.min(axis=0), image.max(axis=0)) if size is None else (np.zeros(2), np.array(size))
     centre = (low + high) / 2
-    middle = middle + on_ground @ (centre - affine.values[0])
+    middle = middle + on_ground @ (centre - affine[0])
     along = middle @ view
     radius = limits.WGS84_SEMI_MAJOR_M + orbit_height_m
     distance = along + np.sqrt(along**2 - middle @ middle + radius**2)

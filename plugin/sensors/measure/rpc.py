@@ -45,12 +45,6 @@ def open_image(ref: RasterRef) -> OpenRaster:
     return OpenRaster(ref, complex_values=True)
 
 
-def satellite_name(image: OpenRaster) -> str:
-    """The satellite's name in the metadata; may be empty."""
-    about = {**(image.dataset.GetMetadata() or {}), **(image.dataset.GetMetadata("IMAGERY") or {})}
-    return next((str(about[key]) for key in ("SATELLITEID", "NITF_ISORCE") if key in about), "")
-
-
 @dataclass(frozen=True)
 class Domain:
     """The part of image and ground that a model is used in."""
@@ -156,9 +150,9 @@ def fit_bias(
     for used in _TRIALS[form]:
         correction, condition = np.zeros((3, 2)), 1.0
         for axis in (0, 1):
-            solution = least_squares(linear[:, used[axis]] * weights[:, None], missing[:, axis] * weights)
-            correction[list(used[axis]), axis] = solution.values
-            condition = max(condition, solution.condition)
+            weighted = linear[:, used[axis]] * weights[:, None], missing[:, axis] * weights
+            correction[list(used[axis]), axis], last_condition = least_squares(*weighted)
+            condition = max(condition, last_condition)
         misfit = float(np.sum(((missing - linear @ correction) * weights[:, None]) ** 2))
         fits.append((misfit, FittedModel(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))))
     return min(fits, key=lambda fit: fit[0])[1]

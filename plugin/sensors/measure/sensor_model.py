@@ -73,15 +73,9 @@ class FittedModel:
     unknowns: float  # how many the points have determined: all of a free model, less where priors hold some
 
 
-@dataclass(frozen=True)
-class Solution:
-    values: np.ndarray  # the unknowns
-    condition: float  # largest over smallest singular value of the design matrix with columns of length 1
-
-
-def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
-    """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), columns of length 1, without what rounding makes.
-    Raises SensorModelError for numbers that are none."""
+def least_squares(design: np.ndarray, target: np.ndarray) -> tuple[np.ndarray, float]:
+    """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), columns of length 1, without what rounding makes;
+    x, and the largest over the smallest singular value. Raises SensorModelError for numbers that are none."""
     lengths = np.linalg.norm(design, axis=0)
     lengths[lengths == 0] = 1.0
     scaled = design / lengths
@@ -89,7 +83,7 @@ def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
         raise SensorModelError(messages.FIT_DIVERGED())
     values, _, _, singular = np.linalg.lstsq(scaled, target, rcond=np.finfo(float).eps * max(design.shape))
     condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
-    return Solution((values.T / lengths).T, condition)
+    return (values.T / lengths).T, condition
 
 
 @dataclass(frozen=True)
