@@ -12,7 +12,7 @@ from qgis.core import QgsFeature, QgsGeometry, QgsPoint, QgsPointXY, QgsProject,
 from seam_inspector.plugin.sensors.measure.rpc import write_rpc
 
 from tests.numbers.sensors.sensor_scenes import WGS84, made_rational, places, pleiades_grid, ten_spread
-from tests.qgis.runs import Log, assert_refused, run, run_unchecked
+from tests.qgis.runs import assert_refused, run
 
 pytestmark = pytest.mark.usefixtures("provider", "project")
 
@@ -156,11 +156,6 @@ def test_orthorectify_with_model_file_and_rpc(data_folder: Path, tmp_path: Path)
     assert outcome.results["UNCOVERED"] == 0
     again = run("orthorectify", OUTPUT=str(tmp_path / "b.tif"), CRS="EPSG:32631", PIXEL_SIZE=1, **given)  # its .geom
     assert np.array_equal(gdal.Open(again.results["OUTPUT"]).ReadAsArray(), dataset.ReadAsArray())
-    stopped = Log()
-    stopped.cancel()
-    cancelled = run_unchecked("orthorectify", stopped, RPC=vendor, OUTPUT=str(tmp_path / "c.tif"), **given)
-    assert "cancelled" in cancelled.log.warnings[-1]
-    assert not (tmp_path / "c.tif").exists()
 
 
 @pytest.mark.parametrize("missing", [np.nan, np.inf])
