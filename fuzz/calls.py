@@ -179,8 +179,8 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
     ("orthorectify", "frame", {
         "IMAGE": _file("photo.tif"), "INTERIOR": _file("camera.yaml"), "EXTERIOR": _file("exterior.csv"),
         "EXTERIOR_CRS": "EPSG:32633", "DEM": _file("terrain.tif"), "PIXEL_SIZE": 20.0}),
-    ("orthorectify", "micmac", {
-        "IMAGE": _file("photo.tif"), "INTERIOR": _file("autocal.xml"), "EXTERIOR": _file("exterior.geojson"),
+    ("orthorectify", "geojson", {
+        "IMAGE": _file("photo.tif"), "INTERIOR": _file("camera.yaml"), "EXTERIOR": _file("exterior.geojson"),
         "DEM": _file("terrain.tif"), "PIXEL_SIZE": 20.0}),
     ("orthorectifyphotos", "table", {
         "EXTERIOR": _file("exterior.csv"), "INTERIOR": _file("camera.yaml"), "EXTERIOR_CRS": "EPSG:32633",

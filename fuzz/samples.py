@@ -13,7 +13,7 @@ from fuzz import desk
 from fuzz.running import run
 from tests.numbers.photos.photos import CAMERA
 from tests.numbers.sensors.sensor_scenes import made_rational, places
-from tests.numbers.sensors.test_frame_cameras import AUTOCAL, TABLE, YAML
+from tests.numbers.sensors.test_frame_cameras import TABLE, YAML
 from tests.numbers.synthetic import UTM33, wkt, write_plain, write_raster
 from tests.qgis.photos.photo_scenes import make_photo
 from tests.qgis.resolution.bar_scenes import make_bar_scene
@@ -145,7 +145,7 @@ def _sensors(folder: Path) -> None:
         "\n".join(["#CRS: EPSG:4326", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual", *lines]) + "\n"
     )
     members = [
-        {"type": "Feature", "properties": {"ji": list(place - 0.5), "filename": "image.tif", "id": str(number)},
+        {"type": "Feature", "properties": {"column": place[0], "row": place[1], "id": str(number)},
          "geometry": {"type": "Point", "coordinates": list(position)}}
         for number, (place, position) in enumerate(zip(image, ground))
     ]
@@ -165,7 +165,6 @@ def _sensors(folder: Path) -> None:
     terrain = (100 + 30 * random.random((80, 80))).astype(np.float32)
     write_raster(folder / "terrain.tif", terrain, geotransform=(498_000, 50, 0, 4_002_000, 0, -50))
     (folder / "camera.yaml").write_text(YAML)
-    (folder / "autocal.xml").write_text(AUTOCAL)
     (folder / "exterior.csv").write_text(TABLE)
     (folder / "exterior.geojson").write_text(json.dumps({
         "world_crs": "EPSG:32633",

@@ -22,10 +22,8 @@ from .seams.algorithms.placewindows import PlaceWindows
 from .seams.algorithms.predictloss import PredictLoss
 from .seams.algorithms.report import Report
 from .seams.algorithms.scanmosaic import ScanMosaic
-from .sensors.comparesensormodels import CompareSensorModels
-from .sensors.fitsensormodel import FitSensorModel
-from .sensors.orthorectify import Orthorectify
-from .sensors.orthorectifyphotos import OrthorectifyPhotos
+from .sensors.fitsensormodel import CompareSensorModels, FitSensorModel
+from .sensors.orthorectify import Orthorectify, OrthorectifyPhotos
 from .sensors.planpoints import PlanPoints
 from .toolkit.algorithms.base import ReadyModel
 from .toolkit.algorithms.outputs import RASTER_ENDINGS

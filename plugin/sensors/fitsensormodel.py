@@ -1,26 +1,27 @@
-"""``seaminspector:fitsensormodel``: a sensor model from ground control points."""
+"""``seaminspector:fitsensormodel`` and ``seaminspector:comparesensormodels``: one sensor model, or all of them, from
+ground control points."""
 from __future__ import annotations
 
 import math
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsWkbTypes
+from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingOutputString, QgsWkbTypes
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
-from ..toolkit.translation import filled, tr
+from ..toolkit.table_fields import column_features, column_fields, table_fields
+from ..toolkit.translation import filled, sentence, tr
 from .measure import messages, registry
 from .sensor_parameters import IMAGE_RPC, ROBUST, TERRAIN_ERROR, SensorAlgorithm, image_box, view_numbers
 
 if TYPE_CHECKING:
     from ..imagery.errors import Message
     from ..imagery.open_raster import OpenRaster
-    from .measure.adjustment import Accuracy, Adjustment
+    from .measure.adjustment import Adjustment
     from .measure.polynomials import Rational
     from .measure.registry import ModelRequest
 
@@ -30,6 +31,7 @@ MODEL, ORDER, DLT_XY, BIAS = "MODEL", "ORDER", "DLT_XY", "BIAS"
 OUTPUT, MODEL_FILE, RPC, RPC_IMAGE, POINTS = "OUTPUT", "MODEL_FILE", "RPC", "RPC_IMAGE", "POINTS"
 CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITION"
 BIAS_COLUMN, BIAS_ROW = "BIAS_COLUMN", "BIAS_ROW"
+RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
 _BIASES = tuple(variant.name for variant in registry.RPC_BIAS.variants)
 _ERRORS = ("RMSE_X", "RMSE_Y", "MAX_X", "MAX_Y")
 MODEL_TITLES = {
@@ -113,7 +115,12 @@ class FitSensorModel(SensorAlgorithm):
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
         notices = self._notices(done) + coverage_warnings(coverage)
-        files = FitFiles(done, image, box, run.is_cancelled)
+
+        def tell(notice: Message) -> None:
+            notices.append(notice)
+            run.tell(notice)
+
+        files = FitFiles(done, image, box, run.is_cancelled, tell)
         column, row = None, None
         if files.rpc_bias is not None:
             (column, row), *_ = biases = files.rpc_bias.tolist()
@@ -126,14 +133,8 @@ class FitSensorModel(SensorAlgorithm):
         run.progress(0.6)
         system = reference_system(points.wkt)
         crs = system if system.isValid() else QgsCoordinateReferenceSystem(points.wkt)
-        sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)
+        sink, output = run.sink(OUTPUT, table_fields(*point_tables.RESIDUALS), QgsWkbTypes.Type.Point, crs)
         run.write(sink, point_tables.residual_features(done))
-
-        def write_rpc(write: Callable[[Path], tuple[Message, bool]], path: Path) -> bool:
-            notice, written = write(path)
-            notices.append(notice)
-            run.tell(notice)
-            return written
 
         def write_report(path: Path) -> None:
             from .report import save_fit_report
@@ -142,17 +143,23 @@ class FitSensorModel(SensorAlgorithm):
 
         results: dict[str, Any] = {OUTPUT: output}
         for name, write in (
-            (MODEL_FILE, files.save_model), (RPC, partial(write_rpc, files.save_rpc)),
-            (RPC_IMAGE, partial(write_rpc, files.save_rpc_image)), (POINTS, files.save_points),
-            (common.REPORT, write_report),
+            (MODEL_FILE, files.save_model), (RPC, files.save_rpc), (RPC_IMAGE, files.save_rpc_image),
+            (POINTS, files.save_points), (common.REPORT, write_report),
         ):  # fmt: skip
             results.update(run.save(name, write))
-        for group, errors in (("CHECK", done.check), ("CONTROL", done.control)):
+        for group, title, errors in (
+            ("CHECK", tr("Check points"), done.check), ("CONTROL", tr("Control points"), done.control)
+        ):  # fmt: skip
             results[f"{group}_COUNT"] = errors.count
             for name in _ERRORS:
                 results[f"{group}_{name}"] = getattr(errors, name.lower())
             if errors.count:
-                run.inform(_errors_described(group, errors))
+                words = tr(
+                    "{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y "
+                    "{max_y:.3f} m"
+                )
+                sides = {"x": errors.rmse_x, "y": errors.rmse_y, "max_x": errors.max_x, "max_y": errors.max_y}
+                run.inform(filled(words, name=title, count=errors.count, **sides))
         condition = done.fitted.condition if math.isfinite(done.fitted.condition) else None
         return {**results, CONDITION: condition, **view_numbers(run, view), BIAS_COLUMN: column, BIAS_ROW: row}
 
@@ -168,15 +175,12 @@ class FitSensorModel(SensorAlgorithm):
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
         from .measure.adjustment import suspects
-        from .measure.polynomials import Rational, term_names
 
         fitted, notices = done.fitted, []
         if not fitted.converged:
             notices.append(messages.NOT_CONVERGED(iterations=fitted.iterations))
         if fitted.condition > MAX_CONDITION:
             notices.append(messages.ILL_CONDITIONED(condition=fitted.condition))
-        if done.request.kind is registry.RATIONAL_TERMS and isinstance(fitted.model, Rational):
-            notices.append(messages.TERMS_KEPT(terms=term_names(fitted.model)))
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
         if names := done.points.named(done.blunder):
@@ -186,16 +190,66 @@ class FitSensorModel(SensorAlgorithm):
         return notices
 
 
+class CompareSensorModels(SensorAlgorithm):
+    """Every model that the points allow, in one table, with a recommendation."""
+
+    ID = "comparesensormodels"
+    NAME = QT_TR_NOOP("Compare sensor models")
+    HELP = QT_TR_NOOP(
+        "Fits every sensor model that the points allow and judges each on points that its fit has not seen: check "
+        "points, or, where they are fewer than five, every point predicted from the others. The table is that of "
+        "Kurczynski and Wolniewicz. Among the models whose errors, there and at control points left out in turn, "
+        "differ only by chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground "
+        "only."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        self.addPoints()
+        self.addFittingParameters()
+        self.addTable(OUTPUT, tr("Models"), tr(
+            "One row per model: mean (root mean square) and largest errors in metres, the points used, or why not."
+        ))
+        report = tr("The table with a chart and the recommendation.")
+        self.addDescribed(*common.report(report, tr("HTML files (*.html)")))
+        self.addOutput(QgsProcessingOutputString(RECOMMENDED, tr("Recommended model")))
+        self.addOutput(QgsProcessingOutputString(RECOMMENDATION, tr("Recommendation with its reason")))
+        self.addNumbers({MODEL_COUNT: tr("Models judged")})
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        from .measure import adjustment
+        from .measure.heights import is_flat
+        from .measure.points import control_coverage, coverage_warnings
+        from .point_tables import MODELS, ModelRow
+
+        image = self._image()
+        rpc = self._rpc(run, IMAGE_RPC, image)
+        points = self._points(run, image, rpc)
+        size = (float(image.columns), float(image.rows)) if image is not None else None
+        notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
+        run.tell(*notices)
+        result = adjustment.compare(
+            points, adjustment.all_requests(rpc, self._orbit_height_m(run, image), size), run.flag(ROBUST),
+            is_flat(points), run.progress, run.is_cancelled,
+        )
+        sink, output = run.sink(OUTPUT, column_fields(MODELS))
+        run.write(sink, column_features(MODELS, [ModelRow(result, model) for model in result.rows]))
+        run.tell(result.reason)
+
+        def write_report(path: Path) -> None:
+            from .report import save_comparison_report
+
+            save_comparison_report(path, result, notices)
+
+        name = result.recommended.request.name if result.recommended is not None else ""
+        return {
+            OUTPUT: output, RECOMMENDED: name, RECOMMENDATION: sentence(result.reason),
+            MODEL_COUNT: sum(row.errors is not None for row in result.rows), **run.save(common.REPORT, write_report),
+        }  # fmt: skip
+
+
 def _described(kind: registry.ModelKind) -> str:
     """A model in words, and how many points it needs."""
     counts = {variant.name: variant.fewest for variant in kind.variants}
     fewest = ", ".join(f"{count} ({name})" if name else str(count) for name, count in counts.items())
     words = tr("{model}: {title}; needs at least {fewest} control points.")
     return filled(words, model=kind.name, title=tr(MODEL_TITLES[kind.name]), fewest=fewest)
-
-
-def _errors_described(group: str, errors: Accuracy) -> str:
-    name = tr("Check points") if group == "CHECK" else tr("Control points")
-    return filled(tr(
-        "{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m"
-    ), name=name, count=errors.count, x=errors.rmse_x, y=errors.rmse_y, max_x=errors.max_x, max_y=errors.max_y)

@@ -1,18 +1,35 @@
-"""``seaminspector:orthorectify``: an image over a terrain model."""
+"""``seaminspector:orthorectify`` and ``seaminspector:orthorectifyphotos``: an image, or all photos of a block, over a
+terrain model."""
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingParameterExtent, QgsProcessingParameterRasterDestination
+from qgis.core import (
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterFolderDestination,
+    QgsProcessingParameterRasterDestination,
+)
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ..imagery.errors import SensorModelError, SettingsError
+from ..imagery.errors import CancelledError, SeamInspectorError, SensorModelError, SettingsError
+from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import limits, messages
-from .sensor_parameters import DEM, DEM_HEIGHTS, IMAGE, TERRAIN_ERROR, SensorAlgorithm, height_datums, view_numbers
+from .sensor_parameters import (
+    DEM,
+    DEM_HEIGHTS,
+    GEOID,
+    IMAGE,
+    TERRAIN_ERROR,
+    SensorAlgorithm,
+    height_datums,
+    optional_real,
+    view_numbers,
+)
 
 if TYPE_CHECKING:
     from ..imagery.open_raster import OpenRaster
@@ -28,6 +45,7 @@ RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
 INTERIOR, EXTERIOR, EXTERIOR_CRS, EXTERIOR_HEIGHTS = "INTERIOR", "EXTERIOR", "EXTERIOR_CRS", "EXTERIOR_HEIGHTS"
 EXTERIOR_ANGLES = "EXTERIOR_ANGLES"
 ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
+PHOTOS, PHOTO_COUNT, LEFT_OUT_COUNT = "PHOTOS", "PHOTO_COUNT", "LEFT_OUT_COUNT"
 
 
 class OrthoAlgorithm(SensorAlgorithm):
@@ -39,11 +57,11 @@ class OrthoAlgorithm(SensorAlgorithm):
         self.addFile(EXTERIOR, tr("Exterior orientation"), tr(
             "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and "
             "kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, Applanix, Inpho, "
-            "PATB, ContextCapture, orthority or MicMac."
+            "PATB, ContextCapture or orthority."
         ), filters=tr("All files (*)"))  # *.*, QGIS's own, leaves out folders
         self.addFile(INTERIOR, tr("Interior orientation"), tr(
-            "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac "
-            "write it. Empty: in the file of the exterior orientation."
+            "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho or ContextCapture write it. "
+            "Empty: in the file of the exterior orientation."
         ))
         self.addSystem(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), tr(
             "Projected, in metres. Empty: what its file says, else the image's own."
@@ -98,12 +116,9 @@ class OrthoAlgorithm(SensorAlgorithm):
         from .measure.orthorectification import OrthoRequest
 
         model, wkt, domain, datum = sight
-        height, size = (
-            run.real(name) if run.parameters.get(name) not in (None, "") else None for name in (HEIGHT, PIXEL_SIZE)
-        )
         return OrthoRequest(
-            image, model, wkt, domain, self._dem, datum, height, output, system_wkt(run.crs(CRS)), size,
-            resampling=run.text(RESAMPLING), format=run.text(FORMAT),
+            image, model, wkt, domain, self._dem, datum, optional_real(run, HEIGHT), output, system_wkt(run.crs(CRS)),
+            optional_real(run, PIXEL_SIZE), resampling=run.text(RESAMPLING), format=run.text(FORMAT),
         )  # fmt: skip
 
 
@@ -123,8 +138,7 @@ class Orthorectify(OrthoAlgorithm):
         self.addImage(optional=False)
         self.addFile(MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it."))
         self.addFile(RPC, tr("RPC file"), tr(
-            "_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS's text or a YAML file of orthority. Without it and without "
-            "a model file: the image's own RPC."
+            "_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC."
         ))
         self.addOrientations()
         self.addGround(tr("Terrain heights under the whole image, in any reference system."))
@@ -145,9 +159,8 @@ class Orthorectify(OrthoAlgorithm):
         from .measure.rpc import open_image
 
         open_image(run.required_raster(IMAGE))
-        given = run.parameters.get(HEIGHT) not in (None, "")
-        if given == bool(run.parameters.get(DEM)):
-            raise SettingsError(messages.DEM_AND_HEIGHT() if given else messages.NO_DEM())
+        if (optional_real(run, HEIGHT) is None) != bool(run.parameters.get(DEM)):
+            raise SettingsError(messages.TERRAIN_OR_HEIGHT())
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.layers import box_extent, system_wkt
@@ -167,7 +180,7 @@ class Orthorectify(OrthoAlgorithm):
             request = replace(request, target_wkt=system_wkt(target), extent=extent)
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
-        run.inform(described(made))
+        run.inform(_described(made))
         view = view_direction(*sight[:3])
         if view is not None:
             run.tell(view.notice(run.real(TERRAIN_ERROR)))
@@ -199,7 +212,84 @@ class Orthorectify(OrthoAlgorithm):
         return rpc, WGS84, rpc_domain(rpc, image.raster), datum
 
 
-def described(made: Ortho) -> str:
+class OrthorectifyPhotos(OrthoAlgorithm):
+    """An orthoimage of each photo that the files of a block name."""
+
+    ID = "orthorectifyphotos"
+    NAME = QT_TR_NOOP("Orthorectify a block of photos")
+    HELP = QT_TR_NOOP(
+        "Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file "
+        "of their orientations names. For an OpenDroneMap project the folder, or reconstruction.json, is enough. A "
+        "photo that can't be used is named, and the others are processed."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        photos = common.folder(PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"), optional=True)
+        self.addDescribed(photos, tr(
+            "For a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
+            "project, else in the folder of its file."
+        ))
+        self.addOrientations()
+        self.addGround(tr(
+            "Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an "
+            "OpenDroneMap project."
+        ))
+        self.addGrid(tr("System of the orthoimages. Empty: the UTM zone of the first photo."))
+        self.addDescribed(
+            QgsProcessingParameterFolderDestination(OUTPUT, tr("Orthoimages")),
+            tr("A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends."),
+        )
+        self.addNumbers({PHOTO_COUNT: tr("Orthoimages made"), LEFT_OUT_COUNT: tr("Photos without an orthoimage")})
+
+    def check(self, run: Run) -> None:
+        if not (run.path(EXTERIOR) or run.path(PHOTOS)):
+            raise SettingsError(messages.NO_BLOCK())
+        if optional_real(run, HEIGHT) is not None and run.parameters.get(DEM):
+            raise SettingsError(messages.TERRAIN_OR_HEIGHT())
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        from ..imagery.rasters import RasterRef
+        from .measure.oriented_frames import block_photos, project_photos, project_terrain
+        from .measure.orthorectification import orthorectify
+        from .measure.rpc import open_image
+
+        self.check(run)
+        exterior, output = Path(run.path(EXTERIOR) or run.path(PHOTOS)), Path(run.text(OUTPUT))
+        if self._dem is None and optional_real(run, HEIGHT) is None:
+            self._dem = project_terrain(exterior)
+            run.tell(messages.PROJECT_TERRAIN(name=self._dem.path))
+        block = self._block(run, str(exterior))
+        folder = Path(run.path(PHOTOS)) if run.path(PHOTOS) and run.path(EXTERIOR) else project_photos(exterior)
+        read = [run.path(name) for name in (EXTERIOR, INTERIOR, GEOID)] + [self._dem.path if self._dem else ""]
+        photos, left_out = block_photos(block.exteriors, folder, output, map(Path, filter(None, read)))
+        run.tell(*left_out)
+        wkt, size, count = "", None, 0
+        for number, photo in enumerate(photos):
+            run.doing(photo.name)
+            try:
+                image = open_image(RasterRef(str(photo.path)))
+                frame = block.frame(image, photo.name)
+                run.tell_once(frame.notices)
+                request = self._request(run, image.ref, frame[:4], photo.ortho)
+                request = replace(request, target_wkt=request.target_wkt or wkt, pixel_size=request.pixel_size or size)
+                tell = partial(lambda done, share: run.progress((done + share) / len(photos)), number)
+                made = orthorectify(request, tell, run.is_cancelled)
+            except CancelledError as stopped:
+                run.tell(stopped.message)
+                break
+            except SeamInspectorError as error:
+                left_out.append(messages.PHOTO_LEFT_OUT(name=photo.path.name, why=error.message))
+                run.tell(left_out[-1])
+                continue
+            wkt, size, count = made.wkt, made.pixel_size, count + 1
+            run.tell_once(made.notices)
+            run.inform(f"{photo.name}: {_described(made)}")
+        if left_out and not count and not run.is_cancelled():
+            raise SensorModelError(left_out[-1])
+        return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}
+
+
+def _described(made: Ortho) -> str:
     return filled(
         tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."),
         columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px,

@@ -89,11 +89,13 @@ class PlanPoints(SensorAlgorithm):
         from .measure.point_planning import PointPlan, expected_accuracies
         from .point_tables import PLANS
 
-        counts = _counts(run.text(COUNTS))
+        words = [word for word in re.split(r"[\s,;]+", run.text(COUNTS)) if word]
+        if not words or not all(re.fullmatch(r"[0-9]{1,4}", word) and 0 < int(word) <= _MOST_POINTS for word in words):
+            raise SettingsError(messages.PLAN_COUNTS_UNREADABLE(given=run.text(COUNTS), most=_MOST_POINTS))
         request, scene = self._planned(run)
         plan = PointPlan(run.word(SPREAD), run.real(CORNER_SHARE), run.real(SIGMA), run.real(SIGMA_PX))
         draws = partial(expected_accuracies, progress=run.progress, cancelled=run.is_cancelled)
-        rows = list(draws(request, scene, plan, counts, run.whole(SEED)))
+        rows = list(draws(request, scene, plan, tuple(sorted(set(map(int, words)))), run.whole(SEED)))
         for row in rows:
             if row.image_usual is not None and row.image_most is not None:
                 run.tell(messages.PLAN_TOLD(count=row.count, usual=row.image_usual, most=row.image_most))
@@ -105,11 +107,10 @@ class PlanPoints(SensorAlgorithm):
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
         from .measure.point_planning import nominal_scene, scene_of_rpc
-        from .measure.points import HIGHEST_M, LOWEST_M
+        from .measure.points import check_heights
 
         low, high = run.real(LOWEST), run.real(HIGHEST)
-        if not LOWEST_M <= low <= high <= HIGHEST_M:
-            raise SettingsError(messages.PLAN_TERRAIN_WRONG(low=low, high=high))
+        check_heights(low, high, f"{LOWEST}, {HIGHEST}")
         image, orbit_m = self._image(), run.real(ORBIT_HEIGHT) * 1000
         rpc = self._rpc(run, IMAGE_RPC, image)
         if rpc is None and image is not None:
@@ -122,11 +123,3 @@ class PlanPoints(SensorAlgorithm):
             scene = nominal_scene(orbit_m, run.real(VIEW_ANGLE), run.real(PIXEL_SIZE), side_m, (low, high))
         name, _, variant = run.word(MODEL).partition(" ")
         return registry.KINDS[name].request(variant, orbit_height_m=orbit_m, size=scene.size, rpc=rpc), scene
-
-
-def _counts(text: str) -> tuple[int, ...]:
-    """The numbers of points asked for, each once, from the fewest on."""
-    words = [word for word in re.split(r"[\s,;]+", text) if word]
-    if not words or not all(re.fullmatch(r"[0-9]{1,4}", word) and 0 < int(word) <= _MOST_POINTS for word in words):
-        raise SettingsError(messages.PLAN_COUNTS_UNREADABLE(given=text, most=_MOST_POINTS))
-    return tuple(sorted(set(map(int, words))))

@@ -2,18 +2,15 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 from osgeo import osr
 from qgis.core import (
     QgsFeature,
-    QgsFields,
     QgsGeometry,
     QgsPointXY,
     QgsProcessingFeatureSource,
@@ -32,7 +29,6 @@ from .measure import messages
 from .measure.adjustment import Adjustment, Comparison, JudgedModel
 from .measure.point_planning import ExpectedAccuracy
 from .measure.points import CHECK, CONTROL, Points, control_points
-from .measure.rpc import PIXEL_CENTRE
 
 
 def heights_wkt(layer: QgsVectorLayer) -> str:
@@ -57,40 +53,27 @@ def _has_heights(system: osr.SpatialReference) -> bool:
     return bool(system.IsCompound()) or system.GetAxesCount() == 3
 
 
-_SHOWN = 5
-
-
-def layer_points(
-    source: QgsProcessingFeatureSource, image_name: str = "", heights: str = ""
-) -> tuple[Points, bool, list[Message]]:
-    """The points of a layer, whether they have roles, and what was left out; of orthority's (``ji``, ``filename``)
-    those of the image. ``heights``: the system that says what heights refer to. Raises SensorModelError."""
+def layer_points(source: QgsProcessingFeatureSource, heights: str = "") -> tuple[Points, bool, list[Message]]:
+    """The points of a layer, whether they have roles, and what was left out. ``heights``: the system that says what
+    heights refer to. Raises SensorModelError."""
     names = [name.lower() for name in source.fields().names()]
-    missing = [name for name in ("column", "row") if name not in names]
-    of_orthority = bool(missing) and "ji" in names
-    if missing and not of_orthority:
-        raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=missing[0]))
+    for field in ("column", "row"):
+        if field not in names:
+            raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=field))
     if not source.sourceCrs().isValid():
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
     rows: list[tuple[str, list[float], str]] = []
     notices: list[Message] = []
-    images: set[str] = set()
     for row in attributes(features(source), names):
-        if of_orthority:
-            images.add(named := text(row["filename"]))
-            if named and image_name and Path(named).stem.lower() != Path(image_name).stem.lower():
-                continue  # folders and endings do not count, as with orthority
         name = text(row["id"]) or str(row.feature.id())
         role = text(row["role"]).lower()
-        point = _numbers(row, _orthority_place(row["ji"]) if of_orthority else None)
+        point = _numbers(row)
         if role not in ("", CONTROL, CHECK):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_ROLE_UNKNOWN(role=role)))
         elif not all(map(math.isfinite, point[:4])):
             notices.append(messages.POINT_LEFT_OUT(name=name, why=messages.POINT_WITHOUT_PLACE()))
         else:
             rows.append((name, point, role))
-    if (len(images) > 1 and not image_name) or (images and not rows and not notices):
-        raise SensorModelError(messages.POINTS_OF_OTHER_IMAGES(names=", ".join(sorted(images)[:_SHOWN])))
     if not rows:
         raise SensorModelError(messages.NO_POINTS_LEFT(why=notices[0]) if notices else messages.NO_POINTS())
     ids, numbers, roles = zip(*rows)
@@ -99,26 +82,15 @@ def layer_points(
     return replace(points, sigma_px=values[:, 5], check=check, heights_wkt=heights), any(roles), notices
 
 
-def _orthority_place(value: object) -> tuple[float, float]:
-    """Column and row of orthority's ji, which counts from the middle of the first pixel; NaN where it is none."""
-    words = value if isinstance(value, (list, tuple)) else re.findall(r"[-+.\deE]+", text(value))
-    place = [_or_nan(number(word)) + PIXEL_CENTRE for word in words]
-    return (place[0], place[1]) if len(place) == 2 else (math.nan, math.nan)
-
-
-def _or_nan(value: float | None) -> float:
-    return math.nan if value is None else value
-
-
-def _numbers(row: Attributes, place: tuple[float, float] | None = None) -> list[float]:
-    """Column, row, x, y, z, sigma; NaN for what is missing. ``place``: column and row, where no fields hold them."""
+def _numbers(row: Attributes) -> list[float]:
+    """Column, row, x, y, z, sigma; NaN for what is missing."""
     geometry = row.feature.geometry()
     x = y = height = math.nan
     if not geometry.isNull() and not geometry.isEmpty() and geometry.type() == QgsWkbTypes.GeometryType.PointGeometry:
         vertex = geometry.vertexAt(0)
         x, y, height = vertex.x(), vertex.y(), vertex.z() if vertex.is3D() else math.nan
-    column, line, z, sigma = (_or_nan(number(row[name])) for name in ("column", "row", "z", "sigma"))
-    column, line = place or (column, line)
+    values = (number(row[name]) for name in ("column", "row", "z", "sigma"))
+    column, line, z, sigma = (math.nan if value is None else value for value in values)
     return [column, line, x, y, height if math.isnan(z) else z, sigma]
 
 
@@ -127,10 +99,11 @@ class ModelRow(NamedTuple):
     model: JudgedModel
 
 
-_RESIDUAL_FIELDS = (
+RESIDUALS = (
     ("id", "text"), ("role", "text"), ("column", "real"), ("row", "real"), ("z", "real"), ("residual_column", "real"),
     ("residual_row", "real"), ("residual_x", "real"), ("residual_y", "real"), ("blunder", "integer"),
 )  # fmt: skip
+"""OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
 MODELS: tuple[Column[ModelRow], ...] = (
     Column("model", "text", lambda row: row.model.request.kind.name),
     Column("order", "integer", lambda row: _order(row.model)),
@@ -171,14 +144,9 @@ def _finite(value: float | None) -> float | None:
     return float(value) if value is not None and math.isfinite(value) else None
 
 
-def residual_fields() -> QgsFields:
-    """OUTPUT of ``fitsensormodel``: the points with what the model leaves."""
-    return table_fields(*_RESIDUAL_FIELDS)
-
-
 def residual_features(done: Adjustment) -> Iterator[QgsFeature]:
     """A feature of each point, in the order of the points."""
-    points, fields = done.points, residual_fields()
+    points, fields = done.points, table_fields(*RESIDUALS)
     numbers = np.column_stack([points.image, points.ground[:, 2], done.residuals_px, done.residuals_m])
     places = points.ground[:, :2].tolist()
     for name, check, row, blunder, place in zip(points.ids, points.check, numbers.tolist(), done.blunder, places):

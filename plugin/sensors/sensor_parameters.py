@@ -68,8 +68,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(common.features(GCPS, tr("Ground control points"), common.POINT, optional=True), tr(
             "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper "
             "left corner of the first pixel), and if there are any id, z, role (control or check) and sigma "
-            "(standard deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or "
-            "a TIFF that holds such points. Empty: those inside the image."
+            "(standard deviation in pixels); or a .points file of QGIS's georeferencer, or a TIFF that holds such "
+            "points. Empty: those inside the image."
         ))
 
     def addImage(self, optional: bool = True) -> None:
@@ -169,14 +169,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             run.tell(*check_inside(points, (image.columns, image.rows), rpc))
         if rpc is not None:
             run.tell(*check_against_rpc(points, rpc))
-        if with_roles:
-            return points
-        points = choose_check_points(points, run.real(CHECK_SHARE))
-        total, count = len(points), int((~points.check).sum())
-        if request is not None and count < (fewest := request.variant.fewest) <= total:
-            few = messages.TOO_FEW_AFTER_SPLIT(total=total, count=count, model=request.name, fewest=fewest)
-            raise SettingsError(few)
-        return points
+        return points if with_roles else choose_check_points(points, run.real(CHECK_SHARE))
 
     def _points_given(self, run: Run, image: OpenRaster | None) -> tuple[Points, bool, list[Message]]:
         """The points as given, whether they have roles, and what was left out."""
@@ -197,8 +190,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             if image is None:
                 raise SettingsError(messages.NO_POINTS())
             return image_points(image), False, []
-        name = image.ref.name if image is not None else ""
-        return point_tables.layer_points(run.source(GCPS), name, self._heights_wkt)
+        return point_tables.layer_points(run.source(GCPS), self._heights_wkt)
 
     def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
@@ -215,11 +207,16 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _orbit_height_m(self, run: Run, image: OpenRaster | None) -> float:
         """Height of the orbit as given, else by the satellite that the image's metadata name, else the default."""
-        from .measure.rpc import satellite_name
-
-        name = satellite_name(image).upper() if image is not None else ""
+        data = image.dataset if image is not None else None
+        about = {**(data.GetMetadata() or {}), **(data.GetMetadata("IMAGERY") or {})} if data is not None else {}
+        name = str(about.get("SATELLITEID") or about.get("NITF_ISORCE") or "").upper()
         known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
         return (run.real(ORBIT_HEIGHT) or next(known, limits.DEFAULT_ORBIT_HEIGHT_KM)) * 1000
+
+
+def optional_real(run: Run, name: str) -> float | None:
+    """A number that may be left out."""
+    return None if run.parameters.get(name) in (None, "") else run.real(name)
 
 
 def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None]:
@@ -235,10 +232,8 @@ def height_datums(run: Run, *names: str) -> list[Datum]:
     from .measure.heights import Geoid
 
     words, path = [run.text(name) for name in names], run.path(GEOID)
-    if BY_GRID in words and not path:
-        raise SettingsError(messages.GEOID_MISSING())
-    if path and BY_GRID not in words:
-        raise SettingsError(messages.GEOID_UNUSED(name=Path(path).name))
+    if (BY_GRID in words) != bool(path):
+        raise SettingsError(messages.GEOID_OR_NONE())
     return [Geoid(RasterRef(path)) if word == BY_GRID else word for word in words]
 
 

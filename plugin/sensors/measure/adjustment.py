@@ -52,8 +52,7 @@ def _check_spread(request: ModelRequest, points: Points) -> None:
 
     def is_open(axes: int) -> bool:
         linear = np.column_stack([np.ones(len(places)), Scaling.of(places).to(places)[:, :axes]])
-        fit = least_squares(linear, places[:, 0])
-        return fit.rank <= axes or fit.condition > limits.MAX_LINEAR_CONDITION
+        return least_squares(linear, places[:, 0])[1] > limits.MAX_LINEAR_CONDITION
 
     if is_open(2):
         raise SensorModelError(messages.POINTS_ON_A_LINE(model=request.name))
@@ -87,7 +86,7 @@ class Adjustment:
     points: Points  # control and check points
     fitted: FittedModel  # to the control points that are no blunders
     residuals_px: np.ndarray  # (n, 2) model minus measured: column, row
-    residuals_m: np.ndarray  # (n, 2) model minus given, at the point's height: x, y
+    residuals_m: np.ndarray  # (n, 2) model minus given, at the point's height: x, y; by its slope where it is bent
     blunder: np.ndarray  # (n,) bool
     sigma_px: float  # of a control point's coordinate, from residuals and redundancy; NaN without any
 
@@ -126,8 +125,14 @@ def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjus
     redundancy = weighted.size - fitted.unknowns
     sigma = float(np.sqrt(np.sum(weighted**2) / redundancy)) if redundancy > 0.5 else np.nan
     if robust and points.check.any():
-        blunder[points.check] = _check_blunders(residuals_px[points.check], sigma)
-    return Adjustment(request, points, fitted, residuals_px, _on_ground(fitted, points), blunder, sigma)
+        checks = residuals_px[points.check]
+        usual = max(robust_sigma(checks), np.nan_to_num(sigma), limits.MIN_SIGMA_PX)  # of the others, and as expected
+        blunder[points.check] = np.abs(checks).max(axis=1) > MAX_BLUNDER_SIGMAS * usual
+    metres, heights = metres_per_unit(points.wkt, points.ground.mean(axis=0)), np.nan_to_num(points.ground[:, 2])
+    seen = partial(_seen, fitted.model, points.wkt)
+    places = locate(seen, points.image, heights, points.ground[:, :2], metres, partly=True)
+    residuals_m = (places - points.ground[:, :2]) * metres
+    return Adjustment(request, points, fitted, residuals_px, residuals_m, blunder, sigma)
 
 
 def project(fitted: FittedModel, points: Points) -> np.ndarray:
@@ -137,18 +142,6 @@ def project(fitted: FittedModel, points: Points) -> np.ndarray:
 
 def _seen(model: SensorModel, wkt: str, ground: np.ndarray) -> np.ndarray:
     return model.project(reprojected(ground, wkt, model.ground_system(wkt)))
-
-
-def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
-    """(n, 2) m along x and y, model minus given at the point's height; by its slope where a model can't be inverted."""
-    metres = metres_per_unit(points.wkt, points.ground.mean(axis=0))
-    heights = np.nan_to_num(points.ground[:, 2])
-    given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
-    places = locate(seen, points.image, heights, given, metres, partly=True)
-    bent = ~np.isfinite(places).all(axis=1)
-    if bent.any():
-        places[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
-    return (places - given) * metres
 
 
 def _relative(points: Points) -> np.ndarray:
@@ -214,12 +207,6 @@ def suspects(done: Adjustment) -> np.ndarray:
     control, size = ~done.points.check & ~done.blunder, np.linalg.norm(done.residuals_px, axis=1)
     usual = float(np.median(size[control])) / RAYLEIGH_MEDIAN if control.any() else 0.0
     return np.asarray(control & (size > MAX_BLUNDER_SIGMAS * max(usual, limits.MIN_SIGMA_PX)))
-
-
-def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
-    """(n,) bool: check points that differ from the others as well as from what the control points let expect."""
-    usual = max(robust_sigma(residuals), np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
-    return np.abs(residuals).max(axis=1) > MAX_BLUNDER_SIGMAS * usual
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from ...imagery.documents import json_document, looks_like_xml, xml_root
 from ...imagery.errors import SensorModelError
 from . import messages
 from .frames import BrownLens, FisheyeLens, FrameInterior, Lens
-from .sensor_model import file_content, yaml_document
+from .sensor_model import file_content
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
@@ -25,10 +25,7 @@ BROKEN = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, Attri
 """The exceptions of a document that is of none of the known formats, when it is taken apart."""
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")
-_LENSES = {
-    "pinhole": (), "brown": _BROWN, "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
-    "fisheye": ("k1", "k2", "k3", "k4"),
-}  # fmt: skip
+_LENSES = {"pinhole": (), "brown": _BROWN, "opencv": _BROWN, "fisheye": ("k1", "k2", "k3", "k4")}
 """Types of lenses and the coefficients of each, named as orthority and OpenCV do."""
 _OPENSFM = {
     "perspective": "brown", "simple_radial": "brown", "radial": "brown", "brown": "brown", "fisheye": "fisheye",
@@ -36,6 +33,8 @@ _OPENSFM = {
 }  # fmt: skip
 VERSION = "v2 "  # what OpenSfM has before cameras' names and OpenDroneMap leaves out in cameras.json
 _RECONSTRUCTION = "reconstruction.json"
+_STRAIGHT = np.diag([1.0, -1.0])  # the mount of all cameras but Inpho's, which says it
+_MOST_YAML = 300_000  # characters, of some hundred cameras: PyYAML reads a hundred thousand in a second
 PIX4D_LINES = 9  # of a photo: three of the camera's matrix, two of its lens, its position, three of its rotation
 
 
@@ -68,7 +67,7 @@ class Cameras:
             chosen = self.chosen(camera)
             made, sides = chosen.interior, chosen.size
             lens = map(np.atleast_1d, vars(made.lens).values())
-            pixels = np.concatenate([made.focal, made.principal, made.centre, sides])
+            pixels = np.concatenate([made.focal, made.principal, sides])
             sound = (
                 sides.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
                 and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *sides) >= 1
@@ -86,7 +85,7 @@ class Cameras:
         ratio = float(made.focal[1] / made.focal[0])
         if not 1 / MAX_PIXEL_RATIO <= ratio <= MAX_PIXEL_RATIO:
             raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=self.name, ratio=ratio))
-        return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
+        return replace(made, focal=made.focal * scale, principal=made.principal * scale)
 
 
 def read_cameras(content: Any, path: Path) -> Cameras:
@@ -104,7 +103,7 @@ def orientation_file(path: Path) -> Path:
     for reconstruction in (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION):
         if reconstruction.is_file():
             return reconstruction
-    raise SensorModelError(messages.NO_PROJECT(folder=path))
+    raise SensorModelError(messages.NO_BLOCK())
 
 
 def document(path: Path) -> Any:
@@ -128,7 +127,7 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
             return {str(number): partial(_block_camera, group, path) for number, group in groups}
         if content.tag == "document":
             return {sensor.get("id", ""): partial(_metashape_camera, sensor, path) for sensor in content.iter("sensor")}
-        return {"": partial(_metashape_camera if content.tag == "calibration" else _micmac_camera, content, path)}
+        return {"": partial(_metashape_camera, content, path)}
     if isinstance(content, (dict, list)):
         if isinstance(content, list):
             parts = {f"{number}/": part["cameras"] for number, part in enumerate(content)}  # of a reconstruction
@@ -142,38 +141,41 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
         blocks = inpho_blocks(content, "CAMERA_DEFINITION")
         return {inpho_value(block, "ID"): partial(_inpho_camera, block, path) for block in blocks}
     if photos := pix4d_photos(content):
-        return {name: partial(_pix4d_camera, numbers) for name, numbers in photos.items()}
+
+        def pix4d(numbers: Sequence[float]) -> FileCamera:
+            matrix, lens = np.reshape(numbers[2:11], (3, 3)), lens_of("brown", dict(zip(_BROWN, numbers[11:16])))
+            return _camera(numbers[:2], [matrix[0, 0], matrix[1, 1]], matrix[:2, 2], lens)
+
+        return {name: partial(pix4d, numbers) for name, numbers in photos.items()}
     return _orthority_cameras(content, path)
 
 
 def lens_of(kind: str, values: Mapping[str, Any]) -> Lens:
     """A lens of ``_LENSES`` by its coefficients as OpenCV names them; those that are not given are 0."""
-    terms = {name: float(values.get(name) or 0.0) for name in _LENSES[kind]}
-
-    def of(*names: str) -> tuple[float, ...]:
-        return tuple(terms.get(name, 0.0) for name in names)
-
+    terms = tuple(float(values.get(name) or 0.0) for name in _LENSES[kind])
     if kind == "fisheye":
-        return FisheyeLens(of("k1", "k2", "k3", "k4"))
-    if not any(terms.values()):
-        return Lens()
-    first, second = of("p1", "p2")
-    return BrownLens(of("k1", "k2", "k3"), (first, second), of("k4", "k5", "k6"), of("s1", "s2", "s3", "s4"))
+        return FisheyeLens(terms)
+    return BrownLens(terms[:3], (terms[3], terms[4])) if any(terms) else Lens()
 
 
 def _camera(
-    size: Sequence[float], focal: Sequence[float], principal: Sequence[float], lens: Lens,
-    centre: Sequence[float] | None = None, mount: np.ndarray | None = None,
-) -> FileCamera:  # fmt: skip
-    """A camera in pixels; ``principal`` and ``centre`` from the upper left corner of the first one."""
-    point = np.array(principal, float)
-    middle = point if centre is None else np.array(centre, float)
-    interior = FrameInterior(np.broadcast_to(np.array(focal, float), 2).copy(), point, lens, middle)
-    return FileCamera(interior, np.array(size, float), np.diag([1.0, -1.0]) if mount is None else mount)
+    size: Sequence[float], focal: Sequence[float], principal: Sequence[float], lens: Lens, mount: np.ndarray = _STRAIGHT
+) -> FileCamera:
+    """A camera in pixels; ``principal`` from the upper left corner of the first one."""
+    sides = np.broadcast_to(np.array(focal, float), 2).copy()
+    return FileCamera(FrameInterior(sides, np.array(principal, float), lens), np.array(size, float), mount)
 
 
 def _orthority_cameras(content: str, path: Path) -> Mapping[str, Callable[[], FileCamera]]:
-    cameras = yaml_document(content, path.name)
+    """Raises SensorModelError without PyYAML."""
+    try:
+        import yaml
+    except ImportError:
+        raise SensorModelError(messages.YAML_MISSING(name=path.name)) from None
+    try:
+        cameras: Any = yaml.safe_load(content) if len(content) <= _MOST_YAML else None
+    except (yaml.YAMLError, RecursionError):
+        raise ValueError from None
     cameras = {"": cameras} if "im_size" in cameras else cameras
     if not all(isinstance(camera, dict) and "im_size" in camera for camera in cameras.values()):
         raise ValueError
@@ -241,27 +243,6 @@ def _block_camera(group: Element, path: Path) -> FileCamera:
     return _camera(size, [focal, focal * ratio], principal, lens_of("brown", terms))
 
 
-def _micmac_camera(root: Element, path: Path) -> FileCamera:
-    """A conical camera without distortion, or with a radial one about a centre of its own (NoDist, ModRad)."""
-    inner = next(root.iter("CalibrationInternConique"))
-    focal, size = numbers_of(inner, "F"), numbers_of(inner, "SzIm")
-    principal, centre = numbers_of(inner, "PP"), None
-    radial: tuple[float, ...] = ()
-    for kind in (part for distortion in inner.iterfind("CalibDistortion") for part in distortion):
-        if kind.tag == "ModRad" and centre is None:
-            centre = numbers_of(kind, "CDist")
-            coefficients = [float(element.text or "") for element in kind.iterfind("CoeffDist")]
-            radial = tuple(term * focal[0] ** (2 * power) for power, term in enumerate(coefficients, 1))
-        elif kind.tag not in ("ModNoDist", "NoDist"):
-            raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=kind.tag))
-    convention = inner.findtext("KnownConv") or inner.findtext("ConvOri/KnownConv") or "eConvApero_DistM2C"
-    if any(radial) and convention != "eConvApero_DistM2C":  # which bends the way from the ground to the image
-        raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=convention))
-    if len(size) != 2 or len(principal) != 2:
-        raise ValueError
-    return _camera(size, focal[:1], principal, BrownLens(radial) if any(radial) else Lens(), centre)
-
-
 def numbers_of(element: Element, *names: str) -> list[float]:
     """The numbers, one or several, of elements inside another one. Raises ValueError where one is missing."""
     return [float(word) for name in names for word in (element.findtext(name) or "missing").split()]
@@ -279,12 +260,6 @@ def pix4d_photos(content: str) -> dict[str, list[float]]:
             words = " ".join([named[2], named[3], *lines[number : number + PIX4D_LINES]]).split()
             photos[named[1]] = [float(word) for word in words]
     return photos
-
-
-def _pix4d_camera(numbers: Sequence[float]) -> FileCamera:
-    matrix = np.reshape(numbers[2:11], (3, 3))
-    lens = lens_of("brown", dict(zip(_BROWN, numbers[11:16])))
-    return _camera(numbers[:2], [matrix[0, 0], matrix[1, 1]], matrix[:2, 2], lens)
 
 
 def inpho_blocks(content: str, name: str) -> list[str]:

@@ -5,6 +5,7 @@ import csv
 import math
 import re
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -66,14 +67,13 @@ class Exteriors:
 
     @property
     def names(self) -> list[str]:
-        """Names of the photos; one that is empty in a file of one photo."""
         return [name for name, _ in self.photos]
 
     def of(self, image: str) -> FrameExterior:
         """Orientation of an image by its file's name, with ending or without. Raises SensorModelError unless there is
         just one."""
         stem = Path(image).stem
-        alike = [make for name, make in self.photos if self.names == [""] or stem in (name, Path(name).stem)]
+        alike = [make for name, make in self.photos if stem in (name, Path(name).stem)]
         makers = [make for name, make in self.photos if name == image] or alike
         if len(makers) != 1:
             names = ", ".join(self.names[:_SHOWN])
@@ -90,43 +90,42 @@ class Exteriors:
 
 def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
     """Orientations of a ``document``; ``angles``: of ``limits.ANGLE_UNITS``. Raises SensorModelError without any."""
-    try:
-        return Exteriors(path.name, _photos(content, path, angles))
-    except (*BROKEN, csv.Error):
-        raise SensorModelError(messages.NO_EXTERIOR(name=path.name)) from None
+    with suppress(*BROKEN, csv.Error):
+        if photos := _photos(content, path, angles):
+            return Exteriors(path.name, photos)
+    raise SensorModelError(messages.NO_EXTERIOR(name=path.name))
 
 
 def _photos(content: Any, path: Path, angles: str) -> Named:
     if isinstance(content, Element):
         if content.tag == "BlocksExchange":
             return _block_photos(content)
-        if content.tag == "document":
-            return _metashape_photos(content)
-        return [("", partial(_micmac_exterior, content))]
+        return _metashape_photos(content)
     if isinstance(content, dict) and "features" in content:
         system = str(content.get("world_crs") or "")
         rows = [feature["properties"] for feature in content["features"]]
-        return [(str(row["filename"]), partial(_orthority_exterior, row, system)) for row in rows]
+
+        def orthority(row: dict[str, Any]) -> FrameExterior:
+            axes = camera_axes(*(math.degrees(float(angle)) for angle in row["opk"]))
+            return FrameExterior(np.array(row["xyz"], float), axes, str(row.get("camera") or ""), system)
+
+        return [(str(row["filename"]), partial(orthority, row)) for row in rows]
     if isinstance(content, (dict, list)):
         return _opensfm_photos(content, path)
     if "$PHOTO" in content:
         return _inpho_photos(content, path)
     if pix4d := pix4d_photos(content):
-        offset = _pix4d_offset(path)
-        return [(name, partial(_pix4d_exterior, name, numbers, offset)) for name, numbers in pix4d.items()]
+        beside = path.with_name(path.name.replace("calibrated_camera_parameters.txt", "offset.xyz"))
+        is_there = beside != path and beside.is_file()
+        words = beside.read_text(encoding="utf-8", errors="replace").split()[:3] if is_there else (0, 0, 0)
+        offset = np.array(words, float)
+
+        def exterior(name: str) -> FrameExterior:
+            numbers = pix4d[name]
+            return FrameExterior(np.array(numbers[16:19]) + offset, np.reshape(numbers[19:28], (3, 3)).T, name)
+
+        return [(name, partial(exterior, name)) for name in pix4d]
     return _patb_photos(content) or _table_photos(content, path, angles)
-
-
-def _micmac_exterior(root: Element) -> FrameExterior:
-    """``Orientation-IMAGE.xml``: centre and axes (rows down, view forward) as a matrix; one file an image."""
-    outer = next(root.iter("Externe"))
-    rows = numbers_of(outer, *(f"ParamRotation/CodageMatr/L{number}" for number in (1, 2, 3)))
-    return FrameExterior(np.array(numbers_of(outer, "Centre")), np.reshape(rows, (3, 3)))
-
-
-def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
-    angles = [math.degrees(float(angle)) for angle in row["opk"]]
-    return FrameExterior(np.array(row["xyz"], float), camera_axes(*angles), str(row.get("camera") or ""), system)
 
 
 def _opensfm_photos(content: Any, path: Path) -> Named:
@@ -138,7 +137,10 @@ def _opensfm_photos(content: Any, path: Path) -> Named:
     if exact.is_file() and path.name != exact.name:
         content, notice = document(exact), messages.TOPOCENTRIC_TAKEN(name=path.name, exact=exact.name)
     elif coordinates.is_file() and path.name != exact.name:
-        system, offset = _odm_offset(coordinates)
+        lines = coordinates.read_text(encoding="utf-8", errors="replace").splitlines()
+        ((zone, side),) = re.findall(r"UTM (\d+)([NS])", lines[0])  # as in WGS84 UTM 32N
+        system = f"EPSG:{(32600 if side == 'N' else 32700) + int(zone)}"
+        offset = np.array([*map(float, lines[1].split()[:2]), 0.0])
         notice = messages.UTM_TAKEN(name=path.name, system=system, offsets=coordinates.name)
 
     def exterior(shot: dict[str, Any], part: int, origin: list[float]) -> FrameExterior:
@@ -153,14 +155,6 @@ def _opensfm_photos(content: Any, path: Path) -> Named:
         origin = [float(part["reference_lla"][name]) for name in ("longitude", "latitude", "altitude")]
         photos += [(name, partial(exterior, shot, number, origin)) for name, shot in part["shots"].items()]
     return photos
-
-
-def _odm_offset(path: Path) -> tuple[str, np.ndarray]:
-    """Reference system and offset (3,) of OpenDroneMap's ``coords.txt``: ``WGS84 UTM 32N``, then two numbers."""
-    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    ((zone, side),) = re.findall(r"UTM (\d+)([NS])", lines[0])
-    east, north = (float(word) for word in lines[1].split()[:2])
-    return f"EPSG:{(32600 if side == 'N' else 32700) + int(zone)}", np.array([east, north, 0.0])
 
 
 def _metashape_photos(root: Element) -> Named:
@@ -231,17 +225,6 @@ def _inpho_photos(content: str, path: Path) -> Named:
     return [(name(block), partial(exterior, block)) for block in inpho_blocks(content, "PHOTO")]
 
 
-def _pix4d_offset(path: Path) -> np.ndarray:
-    """(3,) the offset of positions, in ``..._offset.xyz`` beside the file."""
-    beside = path.with_name(path.name.replace("calibrated_camera_parameters.txt", "offset.xyz"))
-    is_there = beside != path and beside.is_file()
-    return np.array(beside.read_text(encoding="utf-8", errors="replace").split()[:3] if is_there else (0, 0, 0), float)
-
-
-def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> FrameExterior:
-    return FrameExterior(np.array(numbers[16:19]) + offset, np.reshape(numbers[19:28], (3, 3)).T, name)
-
-
 def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Exterior in the plane (east, north, up) that touches the ellipsoid at a longitude, latitude and height."""
     up = _local_axes(*origin[:2])
@@ -301,7 +284,9 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
         raise ValueError  # nor are columns guessed where a header names others
     rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields, count)
     turned = np.array([row[1] for row in rows])[:, 3:]
-    unit = angles if angles != AUTO else _angle_unit(lines[:start] + lines[start : start + 1])
+    around = " ".join(lines[: start + 1]).lower()
+    named = [unit for unit, words in _UNIT_WORDS if re.search(rf"(?<![a-z])(?:{words})(?![a-z])", around)]
+    unit = angles if angles != AUTO else named[0] if len(named) == 1 else ""
     largest = float(np.abs(turned).max())
     perhaps = RADIANS if _LEAST_RADIANS < largest <= math.pi else GON if largest > 180 else ""
     doubt = messages.ANGLES_PERHAPS_OTHERS(name=path.name, angle=largest, unit=perhaps)
@@ -329,27 +314,19 @@ def _header(line: str) -> tuple[dict[str, int], int]:
     return {}, 0
 
 
-def _angle_unit(lines: Iterable[str]) -> str:
-    """The unit that a header and what stands around it name; empty where they name none, or several."""
-    text = " ".join(lines).lower()
-    units = [unit for unit, words in _UNIT_WORDS if re.search(rf"(?<![a-z])(?:{words})(?![a-z])", text)]
-    return units[0] if len(units) == 1 else ""
+_Rows = list[tuple[list[str], list[float]]]
 
 
-def _rows(lines: Sequence[str], fields: dict[str, int], count: int) -> list[tuple[list[str], list[float]]]:
-    """The cells of each row with its six numbers, parted as its first row asks. Raises ValueError without rows."""
+def _rows(lines: Sequence[str], fields: dict[str, int], count: int) -> _Rows:
+    """The cells of each row with its six numbers, parted as most rows are."""
     places = [fields[name] for name in _FIELDS[1:]]
-    for line in lines[:3]:  # one of units may come first
-        for parted in (";", "\t", ",", " "):
-            if _row(line, parted, places, count) is not None:
-                return [row for row in (_row(other, parted, places, count) for other in lines) if row is not None]
-    raise ValueError
-
-
-def _row(line: str, parted: str, places: Sequence[int], count: int) -> tuple[list[str], list[float]] | None:
-    quote = "'" if line.lstrip().startswith("'") else '"'
-    cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
-    cells = [cell for cell in cells if cell] if parted == " " else cells
-    is_whole = len(cells) > max(places) and count in (0, len(cells))
-    values = _numbers(cells[place] for place in places) if is_whole else []
-    return (cells, values) if values else None
+    rows: dict[str, _Rows] = {parted: [] for parted in (";", "\t", ",", " ")}
+    for parted, known in rows.items():
+        for line in lines:
+            quote = "'" if line.lstrip().startswith("'") else '"'
+            cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
+            cells = [cell for cell in cells if cell] if parted == " " else cells
+            is_whole = len(cells) > max(places) and count in (0, len(cells))
+            if values := _numbers(cells[place] for place in places) if is_whole else []:
+                known.append((cells, values))
+    return max(rows.values(), key=len)

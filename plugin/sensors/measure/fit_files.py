@@ -132,6 +132,7 @@ class FitFiles:
     image: OpenRaster | None
     box: ImageBox  # the image's rectangle, or that of the points
     cancelled: Callable[[], bool]
+    tell: Callable[[Message], None]  # says how an RPC follows the model, or why there is none
 
     @cached_property
     def domain(self) -> Domain:
@@ -161,14 +162,15 @@ class FitFiles:
         }  # fmt: skip
         save_model(ModelFile(fitted.model, done.points.wkt, self.domain, facts), path)
 
-    def save_rpc(self, path: Path) -> tuple[Message, bool]:
-        """Write the RPC; what to say of it, or why there is none, and whether there is one."""
+    def save_rpc(self, path: Path) -> bool:
+        """Write the RPC; whether there is one."""
         return self._written(lambda: write_rpc(self._rpc.rpc, path))
 
-    def save_rpc_image(self, path: Path) -> tuple[Message, bool]:
-        """Write a copy of the image with the RPC in its tags; what to say as for ``save_rpc``."""
+    def save_rpc_image(self, path: Path) -> bool:
+        """Write a copy of the image with the RPC in its tags; whether there is one."""
         if (image := self.image) is None:
-            return messages.RPC_IMAGE_WITHOUT_IMAGE(), False
+            self.tell(messages.RPC_IMAGE_WITHOUT_IMAGE())
+            return False
         return self._written(lambda: write_image_with_rpc(image, self._rpc.rpc, path, self.cancelled))
 
     def save_points(self, path: Path) -> None:
@@ -177,13 +179,13 @@ class FitFiles:
         transform = self.image.raster.geotransform if self.image is not None else None
         write_point_file(path, self.done.points, used, self.done.residuals_px, transform)
 
-    def _written(self, write: Callable[[], None]) -> tuple[Message, bool]:
+    def _written(self, write: Callable[[], None]) -> bool:
         """Write an RPC, and say how closely it follows the model."""
         try:
             write()
         except (SensorModelError, RasterError) as error:
-            return messages.RPC_NOT_WRITTEN(why=error.message), False
-        if self._rpc.max_px == 0:
-            return messages.RPC_EXACT(), True
+            self.tell(messages.RPC_NOT_WRITTEN(why=error.message))
+            return False
         low, high = rpc_heights(self.domain)
-        return messages.RPC_FITTED(rms=self._rpc.rms_px, largest=self._rpc.max_px, low=low, high=high), True
+        self.tell(messages.RPC_FITTED(rms=self._rpc.rms_px, largest=self._rpc.max_px, low=low, high=high))
+        return True

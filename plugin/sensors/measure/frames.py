@@ -54,27 +54,19 @@ class Lens:
 
 @dataclass(frozen=True)
 class BrownLens(Lens):
-    """Brown's (1971) with OpenCV's later terms: a quotient of radial polynomials and a thin prism."""
+    """Brown's (1971), named as OpenCV does."""
 
-    radial: tuple[float, ...]  # k1, k2, k3 ...: coefficients of r^2, r^4
+    radial: tuple[float, ...]  # k1, k2, k3: coefficients of r^2, r^4, r^6
     tangential: tuple[float, float] = (0.0, 0.0)  # p1 (rows) and p2 (columns)
-    divisor: tuple[float, ...] = ()  # k4, k5, k6: coefficients of r^2, r^4, r^6 of what it is divided by
-    prism: tuple[float, ...] = ()  # s1 and s2 (columns), s3 and s4 (rows): coefficients of r^2 and r^4
 
     def scale(self, squared: np.ndarray) -> np.ndarray:
-        scale = _polynomial(self.radial, squared)
-        return scale / _polynomial(self.divisor, squared) if any(self.divisor) else scale
+        return _polynomial(self.radial, squared)
 
     def added(self, x: np.ndarray, y: np.ndarray, squared: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
-        if not any((*self.tangential, *self.prism)):
+        if not any(self.tangential):
             return None
         (first, second), product = self.tangential, 2 * x * y
-        across = first * product + second * (squared + 2 * x * x)
-        down = first * (squared + 2 * y * y) + second * product
-        if any(self.prism):
-            across = across + squared * (self.prism[0] + self.prism[1] * squared)
-            down = down + squared * (self.prism[2] + self.prism[3] * squared)
-        return across, down
+        return first * product + second * (squared + 2 * x * x), first * (squared + 2 * y * y) + second * product
 
 
 @dataclass(frozen=True)
@@ -106,22 +98,19 @@ class FrameInterior:
 
     focal: np.ndarray  # (2,) focal length along columns and rows, px
     principal: np.ndarray  # (2,) column and row of the principal point
-    lens: Lens  # its distortion, about ``centre``
-    centre: np.ndarray  # (2,) column and row that distortion is symmetric about
+    lens: Lens  # its distortion, about the principal point
 
     def shown(self, across: np.ndarray, down: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row of views whose tangents along the camera's columns and rows are given."""
-        principal, centre, focal = self.principal.tolist(), self.centre.tolist(), self.focal.tolist()
-        x, y = self.lens.distorted(
-            across + (principal[0] - centre[0]) / focal[0], down + (principal[1] - centre[1]) / focal[1]
-        )
-        return centre[0] + focal[0] * x, centre[1] + focal[1] * y
+        principal, focal = self.principal.tolist(), self.focal.tolist()
+        x, y = self.lens.distorted(across, down)
+        return principal[0] + focal[0] * x, principal[1] + focal[1] * y
 
     def tangents(self, image: np.ndarray) -> np.ndarray:
         """(n, 2) column, row -> (n, 2) tangents of the views that are shown there; NaN where the lens shows none."""
-        offset = (image - self.centre) / self.focal
+        offset = (image - self.principal) / self.focal
         share = START_REACH * self.lens.reach / np.maximum(np.hypot(*offset.T), SMALLEST_OFFSET)
-        start = offset * np.minimum(share, 1.0)[:, None] + (self.centre - self.principal) / self.focal
+        start = offset * np.minimum(share, 1.0)[:, None]
         return newton(lambda tangents: np.column_stack(self.shown(*tangents.T)), image, start, TANGENT_STEP)
 
 

@@ -2,12 +2,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Union
 
 import numpy as np
 from osgeo import gdal, osr
+from scipy.ndimage import map_coordinates
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, RasterError
@@ -23,7 +23,7 @@ from ...imagery.reference_systems import (
     transform_points,
 )
 from . import limits, messages
-from .points import HIGHEST_M, LOWEST_M, Points
+from .points import Points, check_heights
 from .sensor_model import WGS84, Scaling, bounding_box, least_squares, reprojected
 
 AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
@@ -91,42 +91,21 @@ def grid_places(places: np.ndarray, origin: Sequence[float], step: Sequence[floa
 
 
 def bilinear(grid: np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """(n,) float64 at places in a grid, (0, 0) its first value; what has no share plays no part, NaN or not."""
-    left, top = columns.astype(int), rows.astype(int)
-    right, bottom = np.minimum(left + 1, grid.shape[1] - 1), np.minimum(top + 1, grid.shape[0] - 1)
-
-    def between(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
-        first = first.astype(np.float64)
-        return np.where(share > 0, first + (second - first) * share, first)
-
-    upper = between(grid[top, left], grid[top, right], columns - left)
-    lower = between(grid[bottom, left], grid[bottom, right], columns - left)
-    return between(upper, lower, rows - top)
+    """(n,) float64 at places in a grid, (0, 0) its first value; NaN beside one that is NaN."""
+    return map_coordinates(grid, [rows, columns], np.float64, order=1, mode="nearest")
 
 
 Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class when QGIS unloads it
 """One of ``limits.HEIGHT_DATUMS`` but ``geoid``, or the grid of that."""
 
 
-def vertical_part(wkt: str) -> str:
-    """The name of a compound or three-dimensional system's heights; empty where the system names none."""
-    system = spatial_reference(wkt)
-    if system.IsCompound():
-        return str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
-    return "ellipsoid" if system.IsGeographic() and system.GetAxesCount() == 3 else ""
-
-
-def vertical_code(wkt: str) -> str:
-    """The vertical part of a compound system, as ``heights_above_ellipsoid`` takes it."""
-    code = spatial_reference(wkt).GetAuthorityCode("COMPD_CS|VERT_CS")
-    return f"EPSG:{code}" if code else wkt
-
-
-def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray:
+def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
     """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height in a vertical system.
 
-    ``vertical`` is ``EPSG:`` and a code, or WKT of a compound system. Raises RasterError where PROJ has no grid.
+    ``vertical`` is ``EPSG:`` and a code, WKT of a compound system, or a grid. Raises RasterError where PROJ has none.
     """
+    if isinstance(vertical, Geoid):
+        return np.asarray(geographic[:, 2] + vertical.undulation(geographic))
     source = spatial_reference(f"EPSG:4326+{vertical[5:]}" if vertical.startswith("EPSG:") else vertical)
     options = osr.CoordinateTransformationOptions()
     options.SetBallparkAllowed(False)
@@ -137,41 +116,24 @@ def heights_above_ellipsoid(geographic: np.ndarray, vertical: str) -> np.ndarray
     return moved[:, 2]
 
 
-def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Message, ...]]:
-    """The datum that heights of the system ``wkt`` are converted from, empty for none, and what to say about it."""
-    if isinstance(datum, Geoid):
-        return datum, ()
-    if datum != AUTO:
-        return VERTICAL.get(datum, ""), ()
-    part = vertical_part(wkt)
-    if not part:
-        return "", (messages.HEIGHTS_ASSUMED(name=name),)
-    return ("" if part == "ellipsoid" else vertical_code(wkt)), ()
-
-
-def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
-    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude and height above ``vertical``. Raises RasterError
-    without a grid, and names another."""
-    if isinstance(vertical, Geoid):
-        return np.asarray(geographic[:, 2] + vertical.undulation(geographic))
-    try:
-        return heights_above_ellipsoid(geographic, vertical)
-    except RasterError as error:
-        there = []
-        for name in (name for name, code in VERTICAL.items() if code != vertical):
-            with suppress(RasterError):
-                heights_above_ellipsoid(geographic[:1], VERTICAL[name])
-                there.append(name)
-        if not there:
-            raise
-        named = error.message.values.get("vertical", vertical)
-        raise RasterError(messages.ANOTHER_GRID_IS_THERE(vertical=named, there=" or ".join(there))) from None
-
-
-def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> Message:
-    """The notice of heights that were brought to the ellipsoid by adding so much."""
-    named = datum.ref.name if isinstance(datum, Geoid) else datum if datum in VERTICAL else vertical_part(wkt)
-    return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=float(added.min()), most=float(added.max()))
+def converted(geographic: np.ndarray, wkt: str, datum: Datum, name: str) -> tuple[np.ndarray, tuple[Message, ...]]:
+    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude and height in ``datum``, which may be what the
+    system ``wkt`` says, and what to say about it. Raises RasterError without a grid."""
+    heights, system, vertical = geographic[:, 2], spatial_reference(wkt), VERTICAL.get(str(datum), datum)
+    named = datum.ref.name if isinstance(datum, Geoid) else datum
+    if datum == AUTO:
+        code = system.GetAuthorityCode("COMPD_CS|VERT_CS")
+        vertical = f"EPSG:{code}" if code else wkt
+        named = str(system.GetAttrValue("VERT_CS") or system.GetAttrValue("VERTCRS") or "")
+        if not system.IsCompound():
+            named = ELLIPSOID if system.IsGeographic() and system.GetAxesCount() == 3 else ""
+    if not named:
+        return heights, (messages.HEIGHTS_ASSUMED(name=name),)
+    if named == ELLIPSOID:
+        return heights, ()
+    moved = above_ellipsoid(geographic, vertical)
+    least, most = float((moved - heights).min()), float((moved - heights).max())
+    return moved, (messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=least, most=most),)
 
 
 @dataclass(frozen=True)
@@ -191,13 +153,6 @@ class Terrain:
         inside = np.clip(places, 0, np.array(self.heights.shape[::-1]) - 1)
         known = (np.abs(inside - places) <= 0.5).all(axis=1)
         return np.where(known, bilinear(self.heights, *inside.T), np.nan)
-
-
-def constant_terrain(height: float, extent: Extent) -> Terrain:
-    """A plane at a height above the ellipsoid, over longitudes and latitudes (west, south, east, north)."""
-    west, south, east, north = extent
-    step = (east - west) / 2, (south - north) / 2
-    return Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
 
 
 def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
@@ -227,29 +182,27 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     heights = first_band(source, window)
     if np.isnan(heights).all():
         raise RasterError(elsewhere)
-    low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
-    if low < LOWEST_M or high > HIGHEST_M:
-        raise RasterError(messages.DEM_HEIGHTS_IMPLAUSIBLE(name=ref.name, low=low, high=high))
+    check_heights(float(np.nanmin(heights)), float(np.nanmax(heights)), ref.name)
     origin = (transform[0] + window.column * transform[1], transform[3] + window.row * transform[5])
-    vertical, notices = vertical_system(wkt, datum, ref.name)
-    terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, notices)
-    if not vertical:
-        return terrain
-    return replace(terrain, notices=(heights_converted(_add_undulation(terrain, vertical), wkt, datum, ref.name),))
+    terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, ())
+    return replace(terrain, notices=_brought_to_ellipsoid(terrain, datum))
 
 
-def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
-    """Bring heights to the ellipsoid in place, by a coarse grid, since the geoid is smooth; that grid, m."""
+def _brought_to_ellipsoid(terrain: Terrain, datum: Datum) -> tuple[Message, ...]:
+    """Bring heights to the ellipsoid in place, by a coarse grid, since the geoid is smooth; what to say about it."""
     step, sides = UNDULATION_STEP_PX, terrain.heights.shape
     knots = [np.unique(np.append(np.arange(0, side, step), side - 1)) for side in sides]
     row, column = np.meshgrid(*knots, indexing="ij")
     pixels = np.column_stack([column.ravel(), row.ravel()]) + 0.5
     places = transform_points(terrain.origin + pixels * terrain.step, terrain.wkt, WGS84)
-    coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
+    added, notices = converted(np.column_stack([places, np.zeros(len(places))]), terrain.wkt, datum, terrain.name)
+    if not added.any():
+        return notices
+    coarse = added.reshape(row.shape)
     down, across = (np.interp(np.arange(side), at, np.arange(len(at))) for side, at in zip(sides, knots))
     for heights, place in zip(terrain.heights, down):
         heights += bilinear(coarse, across, np.full(len(across), place))
-    return coarse
+    return notices
 
 
 def with_heights(
@@ -262,20 +215,15 @@ def with_heights(
     given = np.isfinite(heights)
     geographic = reprojected(np.nan_to_num(points.ground), points.wkt, WGS84)
     if given.any():
-        system = points.heights_wkt or points.wkt
-        vertical, assumed = vertical_system(system, datum, name)
-        notices += assumed
-        if vertical:
-            moved = above_ellipsoid(geographic[given], vertical)
-            notices.append(heights_converted(moved - heights[given], system, datum, name))
-            heights[given] = moved
+        heights[given], said = converted(geographic[given], points.heights_wkt or points.wkt, datum, name)
+        notices += said
     if dem is not None and not given.all():
         terrain = load_terrain(dem, bounding_box(geographic), dem_datum)
         notices += terrain.notices
         heights[~given] = terrain.at(geographic[~given])
     without = ~np.isfinite(heights)
     if without.any() and (dem is not None or given.any()):  # where no point has one, only models in space are lost
-        why = messages.POINT_WITHOUT_HEIGHT() if dem is None else messages.POINT_OFF_DEM()
+        why = messages.POINT_WITHOUT_HEIGHT()
         notices += [messages.POINT_LEFT_OUT(name=point, why=why) for point, gone in zip(points.ids, without) if gone]
         points, heights = points.only(~without), heights[~without]
     return replace(points, ground=np.column_stack([points.ground[:, :2], heights])), notices
@@ -287,5 +235,5 @@ def is_flat(points: Points) -> bool:
     if not np.isfinite(heights).all() or np.ptp(heights) == 0:
         return True  # where heights are not known, nothing but a plane model can be fitted
     scaled = Scaling.of(points.ground).to(points.ground)
-    affine = least_squares(np.column_stack([np.ones(len(scaled)), scaled]), points.image)
-    return bool(2 * np.linalg.norm(affine.values[3]) < FLAT_SHARE)
+    affine, _ = least_squares(np.column_stack([np.ones(len(scaled)), scaled]), points.image)
+    return bool(2 * np.linalg.norm(affine[3]) < FLAT_SHARE)

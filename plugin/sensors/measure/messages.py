@@ -9,11 +9,7 @@ NO_POINTS_LEFT = Message("No point is left to fit a model to: {why} Correct the 
 NO_POINTS_FILE = Message(
     "{name} is not a points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); "
     "choose one, or a point layer with the fields column and row.")
-NO_POINTS_IN_IMAGE = Message("{name} holds no ground control points itself; choose a layer or a file of points.")
-IMAGE_POINTS_BROKEN = Message(
-    "A ground control point inside {name} is not a number; choose a layer or a file of points.")
-POINTS_OF_OTHER_IMAGES = Message(
-    "The points are of the images {names}; choose one of them, as only the points of one image are read.")
+NO_POINTS_IN_IMAGE = Message("{name} holds no sound ground control points; choose a layer or a file of points.")
 POINTS_LINE_UNREADABLE = Message("Line {line} of {name} can't be read; correct or remove it.")
 POINTS_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points' reference system.")
@@ -24,14 +20,11 @@ POINT_LEFT_OUT = Message("Point {name} is left out: {why}", WARNING)
 # why a point is left out
 POINT_WITHOUT_PLACE = Message("its place in the image or on the ground is missing.", INFO)
 POINT_ROLE_UNKNOWN = Message("its role '{role}' is neither control nor check.", INFO)
-POINT_WITHOUT_HEIGHT = Message("it has no height, and others have one.", INFO)
-POINT_OFF_DEM = Message("it has no height and the terrain model has none there.", INFO)
+POINT_WITHOUT_HEIGHT = Message("it has no height, and no terrain model has one there.", INFO)
 # points that can't be what they are said to be
 POINTS_NO_DEGREES = Message(
     "By their reference system the points are in degrees, but one is at {x:.10g}, {y:.10g}; set the reference system "
     "that their coordinates are in.")
-POINT_HEIGHT_IMPLAUSIBLE = Message(
-    "Point {name} is {height:.6g} m high, which is impossible on Earth; give heights in metres.")
 PIXEL_IMPLAUSIBLE = Message(
     "According to the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one "
     "that their coordinates are in.")
@@ -63,11 +56,8 @@ NO_HEIGHTS = Message(
     "Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take "
     "polynomial_2d.")
 TOO_FEW_POINTS = Message(
-    "There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model "
-    "with fewer unknowns.")
-TOO_FEW_AFTER_SPLIT = Message(
-    "Only {count} of {total} points are left as control points, but the model {model} needs at least {fewest}; lower "
-    "the share of check points or measure more.")
+    "There are {count} control points and the model {model} needs at least {fewest}; measure more, lower the share of "
+    "check points, or choose a model with fewer unknowns.")
 POINTS_ON_A_LINE = Message(
     "The control points lie on one line, so the model {model} can't be fitted; add points to both sides of it.")
 POINTS_ON_A_PLANE = Message(
@@ -80,10 +70,7 @@ TOO_MANY_BLUNDERS = Message(
 BLUNDERS_FOUND = Message(
     "Blunders found and left out of fit and errors: {count} ({names}); check those points and measure them "
     "again.", WARNING)
-CONTROL_ON_A_LINE = Message(
-    "The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add "
-    "points to both sides.", WARNING)
-CONTROL_IN_A_CORNER = Message(
+CONTROL_LEAVES_OPEN = Message(
     "The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add "
     "points towards the image's corners.", WARNING)
 BLUNDERS_POSSIBLE = Message(
@@ -99,18 +86,12 @@ NOT_CONVERGED = Message(
 ILL_CONDITIONED = Message(
     "The points hardly determine the model (condition {condition:.0e}): between them it may oscillate, so trust the "
     "check points only or choose a lower order.", WARNING)
-TERMS_KEPT = Message("Terms kept, numerator / denominator of scaled coordinates: {terms}.", INFO)
 FIT_DIVERGED = Message(
-    "The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer "
-    "unknowns.")
-LINE_NOT_FOUND = Message(
-    "No scan line of the image sees one of the points; check the points' places, heights and reference system.")
-PUSHBROOM_DIVERGED = Message(
-    "The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or "
-    "look for blunders (ROBUST).")
+    "The model can't be fitted to these points; check for interchanged coordinates or wrong heights, look for blunders "
+    "(ROBUST), or choose a model with fewer unknowns.")
 NOT_INVERTED = Message(
-    "The model can't be inverted over the image, so it is unsound away from its points; choose a lower order or add "
-    "points.")
+    "The model can't be inverted over the image, so it is unsound away from its points; check their places, heights "
+    "and reference system, choose a lower order, or add points.")
 # RPCs
 NO_RPC = Message("The image has no RPC of its own; give the file that came with it, or choose a model that needs none.")
 RPC_INCOMPLETE = Message("{name} holds no complete RPC; get the file again from the image's vendor.")
@@ -124,7 +105,6 @@ RPC_NOT_WRITTEN = Message("No RPC is written: {why}", WARNING)
 RPC_FITTED = Message(
     "The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image "
     "and heights of {low:.0f} to {high:.0f} m.", INFO)
-RPC_EXACT = Message("The RPC is the model itself.", INFO)
 RPC_IMAGE_WITHOUT_IMAGE = Message(
     "No image with the RPC is written, as there is no image to copy; choose the image.", WARNING)
 RPC_OF_WHOLE_SCENE = Message(
@@ -138,8 +118,8 @@ SEVERAL_MODELS = Message(
     "Several of a model file, an RPC file and a photo's orientation are given; choose one of them.")
 # frame cameras
 NO_INTERIOR = Message(
-    "{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, "
-    "ContextCapture or MicMac that does.")
+    "{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho "
+    "or ContextCapture that does.")
 INTERIOR_OF_ANOTHER_SHAPE = Message(
     "The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; "
     "choose the camera's own image, uncropped and not turned.")
@@ -167,25 +147,21 @@ DISTORTION_UNKNOWN = Message(
     "lenses are.")
 NO_EXTERIOR = Message(
     "{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, "
-    "phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.")
+    "phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture or orthority.")
 IMAGE_NOT_ORIENTED = Message(
     "{name} does not name the image {image} exactly once; it names {names}. Choose the file of this image.")
 ORIENTATION_INCOMPLETE = Message("An interior orientation needs an exterior one; give it, too.")
 # blocks of photos
 NO_BLOCK = Message(
-    "Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos' orientations (EXTERIOR).")
-NO_PROJECT = Message(
-    "{folder} is not an OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the "
+    "Choose the folder of an OpenDroneMap project, with opensfm/reconstruction.json in it (PHOTOS), or the file of the "
     "photos' orientations (EXTERIOR).")
 PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
 PROJECT_TERRAIN = Message("The terrain is that of the project: {name}.", INFO)
-EXTERIOR_WITHOUT_SYSTEM = Message(
-    "{name} names no coordinate reference system and the image has none; set that of the exterior orientation.")
 EXTERIOR_NOT_METRIC = Message(
-    "The exterior orientation is not in metres, which the camera's perspective needs; give x, y and z in a projected "
-    "reference system in metres.")
+    "The exterior orientation {name} is in no projected coordinate reference system in metres, which the camera's "
+    "perspective needs; set one, with x, y and z in it.")
 CAMERA_BELOW_TERRAIN = Message(
     "The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, "
     "their units and the reference system.")
@@ -205,22 +181,15 @@ HEIGHTS_ASSUMED = Message(
     "differ by up to 100 m: choose egm96 or egm2008 for these.", WARNING)
 HEIGHTS_CONVERTED = Message(
     "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.", INFO)
-ANOTHER_GRID_IS_THERE = Message(
-    "PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few "
-    "metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).")
 NO_GEOID = Message(
     "{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, "
     "such as a .gtx or .tif of PROJ.")
 GEOID_NOT_COVERING = Message("The grid {name} has no values at some of the places; choose one that covers them.")
-GEOID_MISSING = Message("Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).")
-GEOID_UNUSED = Message("The grid file {name} is given and no heights refer to it; choose geoid for those that do.")
-NO_DEM = Message(
-    "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.")
-DEM_AND_HEIGHT = Message("Both a terrain model and a constant height are given; choose one of them.")
-HEIGHT_IMPLAUSIBLE = Message("The constant height is {height:.6g} m, which is impossible on Earth; give it in metres.")
-DEM_HEIGHTS_IMPLAUSIBLE = Message(
-    "The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which is impossible on Earth; set its nodata "
-    "value, or choose another one.")
+GEOID_OR_NONE = Message("Heights that refer to geoid need a grid file (GEOID), and no others do; give both or neither.")
+TERRAIN_OR_HEIGHT = Message("Give either a terrain model or, where the terrain is flat, a constant height.")
+HEIGHTS_IMPLAUSIBLE = Message(
+    "Heights from {low:.6g} to {high:.6g} m ({name}) are impossible on Earth; give metres, the lowest first, and set "
+    "the nodata value of a terrain model.")
 DEM_NOT_COVERING = Message(
     "The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, "
     "{south:.4f} to {north:.4f} degrees north; choose one that does.")
@@ -230,15 +199,9 @@ DEM_PARTLY_COVERING = Message(
 DEM_TOO_LARGE = Message(
     "The terrain model {name} has {count} million pixels under the image, but at most {most} million can be used; "
     "resample it, 10 to 30 m work best.")
-DEM_WITHOUT_OVERVIEWS = Message(
-    "The terrain model {name} has {count} million pixels and no overviews to find its lowest and highest place by; "
-    "build some (gdaladdo), or clip it to the photos.")
-MESH_COARSE = Message(
-    "The terrain model {name} has a grid spacing of {mesh:.0f} m: relief between its points is lost, and the "
-    "orthoimage is displaced there; 10 to 30 m work best.", WARNING)
-MESH_FINE = Message(
-    "The terrain model {name} has a grid spacing of {mesh:.1f} m: on a satellite image so fine a grid may bend "
-    "straight lines such as roads; 10 to 30 m work best.", WARNING)
+MESH_UNUSUAL = Message(
+    "The terrain model {name} has a grid spacing of {mesh:.1f} m; 10 to 30 m work best: a coarser grid loses relief, "
+    "and a finer one may bend straight lines such as roads in a satellite image.", WARNING)
 VIEW_TOLD = Message(
     "The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth "
     "{azimuth:.0f}; an error of {error:g} m in the terrain's heights moves its middle by {shift:.2f} m.", INFO)
@@ -251,8 +214,6 @@ WARP_FAILED = Message("The orthoimage could not be written ({error}); check the 
 # planning
 PLAN_COUNTS_UNREADABLE = Message(
     "The numbers of control points are '{given}'; give whole numbers from 1 to {most}, such as 6, 10, 20.")
-PLAN_TERRAIN_WRONG = Message(
-    "The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.")
 PLAN_IMAGE_WITHOUT_RPC = Message(
     "The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.")
 PLAN_TOLD = Message(

@@ -20,7 +20,7 @@ from . import messages
 from .camera_files import Cameras, document, orientation_file, read_cameras
 from .exterior_files import AUTO, Exteriors, read_exteriors
 from .frames import FrameCamera
-from .heights import ELLIPSOID, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
+from .heights import ELLIPSOID, Datum, converted, first_band
 from .limits import EXTERIOR_DATUMS
 from .points import HIGHEST_M, LOWEST_M
 from .rpc import Domain
@@ -29,7 +29,6 @@ from .sensor_model import WGS84, reprojected
 AS_TERRAIN = EXTERIOR_DATUMS[0]
 MIN_DIP = 0.02  # sine of the angle below the horizon of the flattest view
 HEIGHTS_PX = 512  # longer side of the overview of the terrain that the range of heights is taken from
-MOST_WITHOUT_OVERVIEWS = 2_000_000_000  # pixels that are read whole for that: some ten seconds
 PHOTO_ENDINGS = (".tif", ".tiff", ".jpg", ".jpeg", ".png", ".jp2")
 _TERRAINS = ("odm_dem/dtm.tif", "odm_dem/dsm.tif")  # of a project: the ground, else the surface
 
@@ -69,13 +68,16 @@ class FrameBlock:
         """The camera of an image, by its file's name or another. Raises SensorModelError where it sees no ground."""
         exterior = self.exteriors.of(name or image.ref.name)
         interior = self.cameras.of(exterior.camera, (image.columns, image.rows))
-        wkt, notices = _system(image, self.files, exterior.wkt)
+        named = self.files.wkt or exterior.wkt
+        wkt, system = named or image.raster.own_wkt, spatial_reference(named or image.raster.own_wkt)
+        if not wkt or system.IsGeographic() or system.GetLinearUnits() != 1:
+            raise SensorModelError(messages.EXTERIOR_NOT_METRIC(name=self.files.exterior.name))
+        wkt, notices = horizontal_wkt(wkt), () if named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
         camera = FrameCamera(interior, exterior.position, exterior.axes, exterior.curvature)
-        datum = self.files.datum
-        vertical = datum if isinstance(datum, Geoid) else VERTICAL.get(datum)
-        if vertical is not None:
+        if self.files.datum != AS_TERRAIN:
             place = reprojected(camera.position[None], wkt, WGS84)
-            camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
+            raised, _ = converted(place, wkt, self.files.datum, exterior.camera)
+            camera = replace(camera, position=np.append(camera.position[:2], raised))
         (low, high), height = self.heights, float(camera.position[2])
         if height <= high:
             below = messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=height, low=low, high=high)
@@ -95,34 +97,17 @@ def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, heigh
     content = document(path)
     exteriors = read_exteriors(content, path, files.angles)
     cameras = read_cameras(document(files.interior), files.interior) if files.interior else read_cameras(content, path)
-    heights = (height, height) if dem is None else _range_of_heights(dem)
-    return FrameBlock(files, exteriors, cameras, heights, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum)
-
-
-def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tuple[Message, ...]]:
-    """Horizontal system of the exterior orientation, and what to say of it."""
-    wkt = files.wkt or named or image.raster.own_wkt
-    if not wkt:
-        raise SensorModelError(messages.EXTERIOR_WITHOUT_SYSTEM(name=files.exterior.name))
-    system = spatial_reference(wkt)
-    if system.IsGeographic() or system.GetLinearUnits() != 1:
-        raise SensorModelError(messages.EXTERIOR_NOT_METRIC())
-    return horizontal_wkt(wkt), () if files.wkt or named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
-
-
-def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
-    """Lowest and highest terrain, m, by an overview. Raises SensorModelError where it is huge and has none."""
-    source = OpenRaster(dem)
-    count, band = source.columns * source.rows, source.dataset.GetRasterBand(1)
-    if count > MOST_WITHOUT_OVERVIEWS and not band.GetOverviewCount():
-        raise SensorModelError(messages.DEM_WITHOUT_OVERVIEWS(name=dem.name, count=count // 10**6))
-    share = max(source.columns, source.rows) / HEIGHTS_PX
-    size = (max(round(source.columns / share), 1), max(round(source.rows / share), 1)) if share > 1 else None
-    heights = first_band(source, source.raster.whole, size)
-    heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, and no nodata says so
-    if not heights.size:
-        raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
-    return float(heights.min()), float(heights.max())
+    heights = np.array([height])
+    if dem is not None:  # by an overview
+        source = OpenRaster(dem)
+        share = max(source.columns, source.rows) / HEIGHTS_PX
+        size = (max(round(source.columns / share), 1), max(round(source.rows / share), 1)) if share > 1 else None
+        heights = first_band(source, source.raster.whole, size)
+        heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, with nodata or not
+        if not heights.size:
+            raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
+    span = float(heights.min()), float(heights.max())
+    return FrameBlock(files, exteriors, cameras, span, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum)
 
 
 def project_photos(exterior: Path) -> Path:
@@ -140,7 +125,7 @@ def project_terrain(exterior: Path) -> RasterRef:
     for terrain in (path.parent.parent / name for name in _TERRAINS):
         if terrain.is_file():
             return RasterRef(str(terrain))
-    raise SettingsError(messages.NO_DEM())
+    raise SettingsError(messages.TERRAIN_OR_HEIGHT())
 
 
 @dataclass(frozen=True)

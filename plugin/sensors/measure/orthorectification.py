@@ -3,8 +3,6 @@ from __future__ import annotations
 
 import os
 import uuid
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Callable
@@ -17,7 +15,7 @@ from ...imagery.errors import CancelledError, Message, RasterError, SettingsErro
 from ...imagery.file_identity import refuse_overwriting
 from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
 from ...imagery.gdal_paths import RASTERS, open_dataset, vrt_parts
-from ...imagery.grids import Extent, extents_meet
+from ...imagery.grids import Extent, Grid, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import GEOTIFF, WrittenBands, raster_writer, whole_raster
@@ -25,9 +23,9 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
 from . import limits, messages
 from .frames import FrameCamera
-from .heights import Datum, Terrain, constant_terrain, load_terrain
-from .photo_warp import MapGrid, PhotoWarp
-from .points import HIGHEST_M, LOWEST_M
+from .heights import Datum, Terrain, load_terrain
+from .photo_warp import PhotoWarp
+from .points import check_heights
 from .polynomials import Rational
 from .rpc import CREATION, Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
 from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
@@ -35,7 +33,6 @@ from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
 ORTHO_GRID = 21  # places a side of the image that are looked for on the ground
 TOLERATED_PX = 0.5  # how far an RPC may be from the model that it stands for without a warning
 _NO_HEIGHT = -32768.0
-_STRIP_ROWS = 256
 COVER_GRID = 256  # places a side that terrain heights are looked for at
 FINEST_MESH_M, COARSEST_MESH_M = 9.0, 32.0  # 10 to 30 m (Kurczynski and Wolniewicz, conclusion 7); SRTM has 31
 
@@ -59,17 +56,6 @@ def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint
         down, across = (row / image.rows * size[1])[inside], (column / image.columns * size[0])[inside]
         inside[inside] = held[down.astype(int), across.astype(int)] != 0
     return float(np.count_nonzero(missing & inside) / max(np.count_nonzero(inside), 1))
-
-
-def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
-    """Warnings of meshes beyond those that the paper found to serve; aerial photos may need finer ones."""
-    middle = np.add(terrain.origin, np.multiply(terrain.step, terrain.heights.shape[::-1]) / 2)
-    shorter, longer = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
-    if terrain.name and longer > COARSEST_MESH_M:  # a constant height has no name
-        return [messages.MESH_COARSE(name=terrain.name, mesh=longer)]
-    if terrain.name and shorter < FINEST_MESH_M and not of_photo:
-        return [messages.MESH_FINE(name=terrain.name, mesh=shorter)]
-    return []
 
 
 @dataclass(frozen=True)
@@ -105,17 +91,6 @@ class Ortho:
     notices: tuple[Message, ...]  # warnings and remarks for the user
 
 
-@dataclass(frozen=True)
-class _Plan:
-    """The image, its model and the ground below it, ready to be warped."""
-
-    image: OpenRaster
-    rpc: RpcOfModel | None  # what GDAL sees it by; None for a photo, which is seen by its camera
-    terrain: Terrain
-    footprint: np.ndarray  # (n, 3) longitude, latitude, height of places all over the image
-    uncovered: float
-
-
 def orthorectify(
     request: OrthoRequest,
     progress: Callable[[float], None] = lambda share: None,
@@ -126,27 +101,35 @@ def orthorectify(
     refs = [request.image, *([] if request.dem is None else [request.dem])]
     refuse_overwriting({"output": str(request.output)}, (path for ref in refs for path in ref.paths))
     if (request.dem is None) == (request.height is None):
-        raise SettingsError(messages.NO_DEM() if request.dem is None else messages.DEM_AND_HEIGHT())
-    if request.height is not None and not LOWEST_M <= request.height <= HIGHEST_M:
-        raise SettingsError(messages.HEIGHT_IMPLAUSIBLE(height=request.height))
-    plan = _plan(request)
-    grid = _target(request, plan)
+        raise SettingsError(messages.TERRAIN_OR_HEIGHT())
+    if request.height is not None:
+        check_heights(request.height, request.height, "HEIGHT")
+    image = open_image(request.image)
+    terrain, footprint, rpc, uncovered = _ground(request, image)
+    request, grid = _target(request, image, footprint)
     if grid.columns > 2**31 - 1 or grid.rows > 2**31 - 1 or grid.columns * grid.rows > 1e12:
         raise SettingsError(messages.ORTHO_TOO_LARGE(width=grid.columns, height=grid.rows))
-    image, rpc, uncovered = plan.image, plan.rpc, plan.uncovered
-    notices = [*plan.terrain.notices, *mesh_warnings(plan.terrain, rpc is None)]
+    notices = [*terrain.notices]
+    middle = np.add(terrain.origin, np.multiply(terrain.step, terrain.heights.shape[::-1]) / 2)
+    finest, coarsest = sorted(np.abs(np.multiply(terrain.step, metres_per_unit(terrain.wkt, middle))).tolist())
+    is_fine = finest < FINEST_MESH_M and rpc is not None  # aerial photos may need it
+    if terrain.name and (coarsest > COARSEST_MESH_M or is_fine):  # a constant height has no name
+        notices.append(messages.MESH_UNUSUAL(name=terrain.name, mesh=finest if is_fine else coarsest))
     if uncovered > 0:
-        notices.append(messages.DEM_PARTLY_COVERING(name=plan.terrain.name, share=uncovered))
+        notices.append(messages.DEM_PARTLY_COVERING(name=terrain.name, share=uncovered))
     rms, most = (rpc.rms_px, rpc.max_px) if rpc is not None else (0.0, 0.0)
     if most > TOLERATED_PX:
         notices.append(messages.ORTHO_APPROXIMATE(most=most))
-    with _heights(plan.terrain) as heights:
-        del plan  # GDAL has the terrain now
+    heights = _heights(terrain)
+    del terrain  # GDAL has it now
+    try:
         if rpc is None:
             _warp_photo(request, heights, grid, progress, cancelled)
         else:
             _warp(request, image_with_rpc(image, rpc.rpc), heights, grid, progress, cancelled)
-    made = grid.wkt, grid.extent, grid.pixel_width, grid.columns, grid.rows
+    finally:
+        drop_from_memory(heights)
+    made = request.target_wkt, grid.extent, grid.pixel_width, grid.columns, grid.rows
     return Ortho(request.output, *made, rms, most, uncovered, tuple(notices))
 
 
@@ -156,21 +139,17 @@ def rpc_domain(rpc: Rational, image: Raster) -> Domain:
     return Domain((0, image.columns), (0, image.rows), (height - half, height + half), (x, y))
 
 
-def _seen_by(request: OrthoRequest, domain: Domain) -> tuple[SensorModel, str, Domain, RpcOfModel | None]:
-    """The model that sees the image, its system and domain, and the RPC that it is, which no photo has."""
-    if isinstance(request.model, FrameCamera):
-        return request.model, request.wkt, domain, None
-    rpc = rpc_of(request.model, request.wkt, domain)
-    ((longitude, latitude),) = transform_points(np.array([domain.middle]), request.wkt, WGS84).tolist()
-    return rpc.rpc, WGS84, replace(domain, middle=(longitude, latitude)), rpc
-
-
-def _plan(request: OrthoRequest) -> _Plan:
-    image, model = open_image(request.image), request.model
+def _ground(request: OrthoRequest, image: OpenRaster) -> tuple[Terrain, np.ndarray, RpcOfModel | None, float]:
+    """The terrain; (n, 3) longitude, latitude, height of places all over the image; the RPC that GDAL sees it by, which
+    no photo has; and the share of the image without heights."""
     domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
     side = np.linspace(0, 1, ORTHO_GRID)
     places = np.stack(np.meshgrid(side * image.columns, side * image.rows), axis=-1).reshape(-1, 2)
-    seen_by, wkt, used, rpc = _seen_by(request, domain)
+    seen_by, wkt, used, rpc = request.model, request.wkt, domain, None
+    if not isinstance(seen_by, FrameCamera):
+        rpc = rpc_of(seen_by, wkt, domain)
+        ((longitude, latitude),) = transform_points(np.array([domain.middle]), wkt, WGS84).tolist()
+        seen_by, wkt, used = rpc.rpc, WGS84, replace(domain, middle=(longitude, latitude))
 
     def on_ground(heights: np.ndarray) -> np.ndarray:
         return located(seen_by, wkt, np.column_stack([places, heights]), used)
@@ -183,7 +162,9 @@ def _plan(request: OrthoRequest) -> _Plan:
     if request.dem is not None:
         terrain = load_terrain(request.dem, extent, request.datum)
     else:
-        terrain = constant_terrain(domain.heights[0], extent)
+        (west, south, east, north), height = extent, domain.heights[0]
+        step = (east - west) / 2, (south - north) / 2
+        terrain = Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
         ground = on_ground(heights)
@@ -197,35 +178,35 @@ def _plan(request: OrthoRequest) -> _Plan:
         west, south, east, north = extent
         raise RasterError(messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north))
     if rpc is not None and rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
-        rpc = rpc_of(model, request.wkt, replace(domain, heights=(float(heights.min()), float(heights.max()))))
+        rpc = rpc_of(request.model, request.wkt, replace(domain, heights=(float(heights.min()), float(heights.max()))))
     footprint = np.column_stack([ground[:, :2], heights])
     uncovered = uncovered_share(image, lambda at: seen_by.project(reprojected(at, WGS84, wkt)), terrain, footprint)
-    return _Plan(image, rpc, terrain, footprint, uncovered)
+    return terrain, footprint, rpc, uncovered
 
 
-def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
-    centre = plan.footprint[len(plan.footprint) // 2]
+def _target(request: OrthoRequest, image: OpenRaster, footprint: np.ndarray) -> tuple[OrthoRequest, Grid]:
+    """The request with its system, and its pixels."""
+    centre = footprint[len(footprint) // 2]
     wkt = request.target_wkt or utm_wkt(float(centre[0]), float(centre[1]))
-    places = transform_points(plan.footprint, WGS84, wkt)
+    places = transform_points(footprint, WGS84, wkt)
     size = request.pixel_size
     if size is None:
         grid = places.reshape(ORTHO_GRID, ORTHO_GRID, 2)
         across, down = (np.median(np.linalg.norm(np.diff(grid, axis=axis), axis=2)) for axis in (1, 0))
-        size = float(f"{min(across / plan.image.columns, down / plan.image.rows) * (ORTHO_GRID - 1):.2g}")
+        size = float(f"{min(across / image.columns, down / image.rows) * (ORTHO_GRID - 1):.2g}")
     if not 0 < size < np.inf:
         raise SettingsError(messages.PIXEL_SIZE_NOT_POSITIVE(size=size))
     bounds = request.extent or bounding_box(places)
-    if request.extent and not extents_meet(bounds, extent_on(bounding_box(plan.footprint), WGS84, wkt)):
+    if request.extent and not extents_meet(bounds, extent_on(bounding_box(footprint), WGS84, wkt)):
         raise SettingsError(messages.EXTENT_OUTSIDE())  # nor meet those that are no numbers
     left, bottom = (float(np.floor(bounds[i] / size) * size) for i in (0, 1))
     right, top = (float(np.ceil(bounds[i] / size) * size) for i in (2, 3))
     columns, rows = max(round((right - left) / size), 1), max(round((top - bottom) / size), 1)
-    return MapGrid(left, top, size, size, columns, rows, wkt=wkt)
+    return replace(request, target_wkt=wkt), Grid(left, top, size, size, columns, rows)
 
 
-@contextmanager
-def _heights(terrain: Terrain) -> Iterator[str]:
-    """The terrain as a file in memory that GDAL's RPC transformer reads; gone afterwards."""
+def _heights(terrain: Terrain) -> str:
+    """The path of a file in memory with the terrain's heights, which GDAL's RPC transformer reads."""
     path = f"/vsimem/terrain-{uuid.uuid4().hex}.tif"
     rows, columns = terrain.heights.shape
     with gdal_silenced():
@@ -234,19 +215,13 @@ def _heights(terrain: Terrain) -> Iterator[str]:
         file.SetProjection(horizontal_wkt(terrain.wkt))
         if not np.isfinite(terrain.heights).all():  # GDAL interpolates in half the time without
             file.GetRasterBand(1).SetNoDataValue(_NO_HEIGHT)
-        for first in range(0, rows, _STRIP_ROWS):  # strips: a second copy of the whole costs as much as GDAL's own
-            strip = terrain.heights[first : first + _STRIP_ROWS]
-            file.WriteArray(np.where(np.isfinite(strip), strip, np.float32(_NO_HEIGHT)), 0, first)
-        file = None
-    del terrain
-    try:
-        yield path
-    finally:
-        drop_from_memory(path)
+        np.nan_to_num(terrain.heights, copy=False, nan=_NO_HEIGHT)  # a copy costs as much memory as GDAL's own
+        file.WriteArray(terrain.heights)
+    return path
 
 
 def _warp(
-    request: OrthoRequest, source: gdal.Dataset, heights: str, grid: MapGrid, progress: Callable[[float], None],
+    request: OrthoRequest, source: gdal.Dataset, heights: str, grid: Grid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
     options = ["METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO"]
@@ -261,7 +236,7 @@ def _warp(
         gdal.ErrorReset()
         try:
             made = gdal.Warp(
-                unfinished, source, format=request.format, dstSRS=grid.wkt, outputBounds=grid.extent,
+                unfinished, source, format=request.format, dstSRS=request.target_wkt, outputBounds=grid.extent,
                 width=grid.columns, height=grid.rows, resampleAlg=request.resampling, rpc=True,
                 transformerOptions=options, errorThreshold=0, multithread=not is_virtual,
                 warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
@@ -281,17 +256,18 @@ def _warp(
 
 
 def _warp_photo(
-    request: OrthoRequest, heights: str, grid: MapGrid, progress: Callable[[float], None],
+    request: OrthoRequest, heights: str, grid: Grid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
     image = open_image(request.image)
     nodata = 0.0 if image.nodata is None else image.nodata
-    transform, wkt = grid.geotransform, horizontal_wkt(grid.wkt)
+    transform = (grid.left, grid.pixel_width, 0.0, grid.top, 0.0, -grid.pixel_height)
+    wkt = horizontal_wkt(request.target_wkt)
     made = replace(image.raster, columns=grid.columns, rows=grid.rows, geotransform=transform, own_wkt=wkt)
     names, kind = made.band_names, np.dtype(made.data_type)
     assert isinstance(request.model, FrameCamera)
     bands = WrittenBands(len(names), kind, names == COLOURS, nodata)
-    photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid)
+    photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid, request.target_wkt)
 
     def write(path: str) -> None:
         with raster_writer(path, made, bands) as file:

@@ -17,8 +17,7 @@ from ...imagery.gdal_calls import gdal_pixels, gdal_silenced
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.open_raster import OpenRaster, damaged
 from ...imagery.raster_pool import reading_threads
-from ...imagery.rasters import GeoTransform
-from ...imagery.reference_systems import horizontal_wkt, same_system, transform_points
+from ...imagery.reference_systems import horizontal_wkt, transform_points
 from .frames import FrameCamera
 
 STRIP_ROWS = 256  # a tile of a GeoTIFF, so that none is written twice
@@ -127,21 +126,6 @@ def _add_convolved(
 
 
 @dataclass(frozen=True)
-class MapGrid(Grid):
-    """The pixels of an orthoimage, all of them square."""
-
-    wkt: str = ""
-
-    @property
-    def geotransform(self) -> GeoTransform:
-        return self.left, self.pixel_width, 0.0, self.top, 0.0, -self.pixel_height
-
-    def places(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """(n, 2) x and y of (n,) columns and rows, px."""
-        return np.column_stack([self.left + columns * self.pixel_width, self.top - rows * self.pixel_height])
-
-
-@dataclass(frozen=True)
 class PhotoWarp:
     """A photo, its camera and the ground that it shows."""
 
@@ -149,7 +133,8 @@ class PhotoWarp:
     camera: FrameCamera  # in its pixels
     wkt: str  # reference system of the camera's position
     terrain: gdal.Dataset  # heights in the camera's own kind, with nodata where there are none
-    grid: MapGrid  # what is made
+    grid: Grid  # what is made, all pixels square
+    grid_wkt: str  # its reference system
 
     def strips(
         self, resampling: str, nodata: float, cancelled: Callable[[], bool]
@@ -213,7 +198,7 @@ class PhotoWarp:
         grid = self.grid
         with gdal_silenced():
             return gdal.Warp(
-                "", self.terrain, format="VRT", dstSRS=horizontal_wkt(grid.wkt), outputBounds=grid.extent,
+                "", self.terrain, format="VRT", dstSRS=horizontal_wkt(self.grid_wkt), outputBounds=grid.extent,
                 width=grid.columns, height=grid.rows, resampleAlg="bilinear",
                 warpOptions=["INIT_DEST=nan"],  # as a nodata value it would double the time
             )  # fmt: skip
@@ -228,17 +213,18 @@ class PhotoWarp:
         """Columns and rows of the photo, (rows, columns) each, that show places at their ``height`` (m); NaN where none
         does."""
         columns, rows = part.column + np.arange(part.width) + 0.5, part.row + np.arange(part.height) + 0.5
-        if same_system(self.grid.wkt, self.wkt):
-            grid = self.grid
-            x, y = grid.left + columns * grid.pixel_width, grid.top - rows[:, None] * grid.pixel_height
-            return self.camera.seen(x, y, height, np.float32)
         knots = [np.append(np.arange(side[0], side[-1], _KNOT_PX), side[-1]) for side in (columns, rows)]
-        places = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
-        coarse = transform_points(places, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
+        coarse = self._places(*(side.ravel() for side in np.meshgrid(*knots))).T.reshape(2, *map(len, knots[::-1]))
         sides = zip((columns, rows), knots)  # between which it is linear
         across, down = (np.stack([np.interp(side, at, knot) for knot in np.eye(len(at))]) for side, at in sides)
         x, y = down.T @ coarse @ across
         return self.camera.seen(x, y, height, np.float32)
+
+    def _places(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """(n, 2) x and y, in the camera's system, of (n,) columns and rows of the orthoimage."""
+        grid = self.grid
+        places = np.column_stack([grid.left + columns * grid.pixel_width, grid.top - rows * grid.pixel_height])
+        return transform_points(places, self.grid_wkt, self.wkt)
 
     def _step_px(self) -> tuple[float, float]:
         """Distance in the photo between neighbouring pixels of the orthoimage, along its columns and rows, px."""
@@ -246,8 +232,7 @@ class PhotoWarp:
         columns, rows = (side.ravel() for side in np.meshgrid(steps * grid.columns, steps * grid.rows))
         height = [self._height_of(heights, PixelWindow(int(x), int(y), 1, 1))[0, 0] for x, y in zip(columns, rows)]
         for right, down in ((0, 0), (1, 0), (0, 1)):
-            places = transform_points(grid.places(columns + right, rows + down), grid.wkt, self.wkt)
-            ground.append(self.camera.project(np.column_stack([places, height])))
+            ground.append(self.camera.project(np.column_stack([self._places(columns + right, rows + down), height])))
         changes = np.stack([ground[1] - ground[0], ground[2] - ground[0]])
         known = np.isfinite(changes).all(axis=(0, 2))
         along = np.median(np.linalg.norm(changes[:, known], axis=0), axis=0) if known.any() else np.ones(2)

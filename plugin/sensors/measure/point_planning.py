@@ -35,14 +35,6 @@ class PlannedScene:
     middle: tuple[float, float]  # longitude and latitude of a place in it, degrees
     heights: tuple[float, float]  # lowest and highest terrain, m above the ellipsoid; points lie anywhere between
 
-    def drawn(self, random: np.random.Generator) -> SensorModel:
-        """The true model of one draw: the attitude of a nominal scene drifts as the priors say."""
-        if not isinstance(self.model, Pushbroom):
-            return self.model
-        unknowns = self.model.unknowns.copy()
-        unknowns[_DRIFTS] += random.normal(size=_DRIFTS.stop - _DRIFTS.start)
-        return replace(self.model, unknowns=unknowns)
-
 
 @dataclass(frozen=True)
 class PointPlan:
@@ -92,17 +84,14 @@ def nominal_scene(
     image = np.column_stack([across, -local[:, 1]]) / pixel_m + count / 2
     orbit = nominal_orbit(geocentric(ground), image, orbit_height_m, (count, count))
     still = Pushbroom(orbit, np.zeros(len(SIGMAS)))
-    return PlannedScene(_pitching(still, ground, image), (count, count), _NOMINAL_PLACE, heights)
-
-
-def _pitching(still: Pushbroom, ground: np.ndarray, image: np.ndarray) -> Pushbroom:
-    """The camera follows the ground below: it pitches at the rate that gives lines their width."""
+    # The camera follows the ground below: it pitches at the rate that gives lines their width.
     trial = replace(still, unknowns=np.eye(len(SIGMAS))[_PITCH_RATE])
     ends = [int(np.argmin(image[:, 1])), int(np.argmax(image[:, 1]))]
-    rows = image[:, 1], still.project(ground)[:, 1], trial.project(ground)[:, 1]
-    wanted, before, after = (np.ptp(row[ends]) for row in rows)
+    seen = image[:, 1], still.project(ground)[:, 1], trial.project(ground)[:, 1]
+    wanted, before, after = (np.ptp(row[ends]) for row in seen)
     # The width of a line, not the number of lines, is linear in the rate.
-    return replace(still, unknowns=trial.unknowns * (1 / wanted - 1 / before) / (1 / after - 1 / before))
+    pitching = replace(still, unknowns=trial.unknowns * (1 / wanted - 1 / before) / (1 / after - 1 / before))
+    return PlannedScene(pitching, (count, count), _NOMINAL_PLACE, heights)
 
 
 def expected_accuracies(
@@ -125,7 +114,8 @@ def expected_accuracies(
                 reason = reason or error.message
             progress((number + (draw + 1) / draws) / len(counts))
         failed = int(np.count_nonzero(~np.isfinite(errors).all(axis=1)))
-        usual, most, check_usual, check_most = (_at_most(part, share) for part in errors.T for share in (_USUAL, _MOST))
+        within = np.sort(errors, axis=0)[[int(np.ceil(share * draws)) - 1 for share in (_USUAL, _MOST)]].T.ravel()
+        usual, most, check_usual, check_most = (error if np.isfinite(error) else None for error in within.tolist())
         yield ExpectedAccuracy(request.name, count, failed, usual, most, check_usual, check_most, reason)
 
 
@@ -133,10 +123,16 @@ def _errors(
     request: ModelRequest, scene: PlannedScene, plan: PointPlan, count: int, random: np.random.Generator
 ) -> tuple[float, float]:
     """Errors of a draw, m: over the whole image and at check points as measured; infinite where that is no number."""
-    truth = scene.drawn(random)
+    truth = scene.model
+    if isinstance(truth, Pushbroom):  # its attitude drifts as the priors say
+        drift = np.zeros(len(SIGMAS))
+        drift[_DRIFTS] = random.normal(size=_DRIFTS.stop - _DRIFTS.start)
+        truth = replace(truth, unknowns=truth.unknowns + drift)
     size = np.array(scene.size)
     checks = _CHECK_CELLS**2
-    image = np.concatenate([_spread(plan, count, random), _in_cells(checks, random)]) * size
+    corner = np.sqrt(plan.corner_share) if plan.spread == CORNER else 1.0
+    control = _in_cells(count, random) if plan.spread == GRID else random.uniform(0, 1, (count, 2)) * corner
+    image = np.concatenate([control, _in_cells(checks, random)]) * size
     heights = random.uniform(*scene.heights, len(image))
     metres = metres_per_unit(WGS84, scene.middle)
     ground = np.column_stack([locate(truth.project, image, heights, np.array([scene.middle]), metres), heights])
@@ -155,22 +151,9 @@ def _errors(
     return over_image, at_checks
 
 
-def _spread(plan: PointPlan, count: int, random: np.random.Generator) -> np.ndarray:
-    """(n, 2) places of control points as shares of the image's columns and rows."""
-    if plan.spread == GRID:
-        return _in_cells(count, random)
-    return random.uniform(0, 1, (count, 2)) * (np.sqrt(plan.corner_share) if plan.spread == CORNER else 1.0)
-
-
 def _in_cells(count: int, random: np.random.Generator) -> np.ndarray:
     """(n, 2) places in the cells of a square grid; points beyond a square number share cells by chance."""
     side = max(int(np.sqrt(count)), 2)  # two or three points lie in different quarters
     rounds = -(-count // side**2)
     cells = np.concatenate([random.permutation(side**2) for _ in range(rounds)])[:count]
     return (np.column_stack([cells % side, cells // side]) + random.uniform(0, 1, (count, 2))) / side
-
-
-def _at_most(errors: np.ndarray, share: float) -> float | None:
-    """The error that this share of the draws does not exceed; None where too many failed."""
-    error = float(np.sort(errors)[int(np.ceil(share * len(errors))) - 1])
-    return error if np.isfinite(error) else None

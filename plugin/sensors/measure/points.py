@@ -27,7 +27,6 @@ FINEST_M, COARSEST_M = 1e-4, 1e5  # of a pixel on the ground: a scanned sample, 
 MARGIN = 0.05  # of the image's sides: as far beyond its border a point may be measured
 FEWEST_INSIDE = 0.5  # of the points, for a turned reading of them to be believed
 _SHOWN = 5
-MIN_SPREAD = 0.05  # of control points' shorter extent to the longer one: narrower ones lie on a line
 MAX_EXTRAPOLATED = 0.5  # share of the image outside the control points' outline
 RPC_HEIGHTS = 2.0  # of the range of heights that an RPC is made for: as far from its middle a point may be
 UNDULATION_M = 100.0  # what heights above sea level may miss the ellipsoid by, and so an RPC's range
@@ -108,7 +107,7 @@ def image_points(image: OpenRaster) -> Points:
         raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=image.ref.name))
     numbers = np.array([(gcp.GCPPixel, gcp.GCPLine, gcp.GCPX, gcp.GCPY, gcp.GCPZ) for gcp in gcps], float)
     if not np.isfinite(numbers).all():
-        raise SensorModelError(messages.IMAGE_POINTS_BROKEN(name=image.ref.name))
+        raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
     if not numbers[:, 4].any():
         numbers[:, 4] = np.nan
     names = [gcp.Id or str(number) for number, gcp in enumerate(gcps, 1)]
@@ -180,15 +179,20 @@ def check_plausible(points: Points) -> None:
     x, y, z = points.ground.T
     if is_geographic(points.wkt) and not (np.abs(x).max() <= 360 and np.abs(y).max() <= 90):
         raise SensorModelError(messages.POINTS_NO_DEGREES(x=float(x[0]), y=float(y[0])))
-    heights = z[np.isfinite(z)]
-    if len(heights) and (heights.min() < LOWEST_M or heights.max() > HIGHEST_M):
-        index = int(np.argmax(np.where(np.isfinite(z), np.abs(z), -1)))
-        raise SensorModelError(messages.POINT_HEIGHT_IMPLAUSIBLE(name=points.ids[index], height=float(z[index])))
+    if (heights := z[np.isfinite(z)]).size:
+        wrong = points.named((z < LOWEST_M) | (z > HIGHEST_M))
+        check_heights(float(heights.min()), float(heights.max()), ", ".join(wrong[:_SHOWN]))
     across, metres = np.ptp(points.image, axis=0).max(), metres_per_unit(points.wkt, (x.mean(), y.mean()))
     if across > 0 and len(points) > 1:
         pixel = float((np.ptp(points.ground[:, :2], axis=0) * metres).max() / across)
         if not FINEST_M <= pixel <= COARSEST_M:
             raise SensorModelError(messages.PIXEL_IMPLAUSIBLE(size=pixel))
+
+
+def check_heights(low: float, high: float, name: str) -> None:
+    """Raise SensorModelError for heights, m, that are impossible on Earth."""
+    if not LOWEST_M <= low <= high <= HIGHEST_M:
+        raise SensorModelError(messages.HEIGHTS_IMPLAUSIBLE(name=name, low=low, high=high))
 
 
 def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) -> list[Message]:
@@ -300,7 +304,6 @@ class ControlCoverage:
     """The part of an image that control points cover."""
 
     extrapolated: float  # share of the image outside the points' outline
-    spread: float  # their shorter extent over the longer one: near 0 on a line
     outline: np.ndarray  # (k, 2) corners of the points' convex hull, px; the last is the first
 
 
@@ -317,14 +320,9 @@ def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     box = ogr.CreateGeometryFromWkt("POLYGON (({0} {1}, {2} {1}, {2} {3}, {0} {3}, {0} {1}))".format(*image))
     inside = hull.Intersection(box)  # points may be measured a little beyond the image
     within, area = inside.GetArea() if inside.GetDimension() == 2 else 0.0, box.GetArea()
-    singular = np.linalg.svd(control - control.mean(axis=0), compute_uv=False)
-    spread = float(singular[1] / singular[0]) if len(singular) > 1 and singular[0] > 0 else 0.0
-    return ControlCoverage(float(np.clip(1 - within / area, 0, 1)) if area > 0 else 1.0, spread, outline)
+    return ControlCoverage(float(np.clip(1 - within / area, 0, 1)) if area > 0 else 1.0, outline)
 
 
 def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
-    if coverage.spread < MIN_SPREAD:
-        return [messages.CONTROL_ON_A_LINE(share=coverage.extrapolated)]
-    if coverage.extrapolated > MAX_EXTRAPOLATED:
-        return [messages.CONTROL_IN_A_CORNER(share=coverage.extrapolated)]
-    return []
+    share = coverage.extrapolated
+    return [messages.CONTROL_LEAVES_OPEN(share=share)] if share > MAX_EXTRAPOLATED else []

@@ -110,14 +110,14 @@ def fit_rational(
         while not settled and iteration < MAX_RATIONAL_ITERATIONS:
             iteration += 1
             row_weights = weights / denominator
-            solution = least_squares(design[:, chosen] * row_weights[:, None], wanted * row_weights)
-            values[chosen] = solution.values
+            weighted = design[:, chosen] * row_weights[:, None]
+            values[chosen], last_condition = least_squares(weighted, wanted * row_weights)
             denominator = off_poles(1 + terms[:, 1:] @ values[count:])
             seen = (terms @ values[:count]) / denominator
             settled = float(np.abs(seen - last).max()) * float(scale_i.scale[axis]) < limits.EXACT_STEP_PX
             last = seen
         numerators[:, axis], denominators[:, axis] = values[:count], [1.0, *values[count:]]
-        condition, iterations = max(condition, solution.condition), max(iterations, iteration)
+        condition, iterations = max(condition, last_condition), max(iterations, iteration)
         converged, unknowns = converged and settled, unknowns + len(chosen)
     model = Rational(order, scale_g, scale_i, numerators, denominators)
     return FittedModel(model, condition, iterations, converged, unknowns)
@@ -151,17 +151,6 @@ def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
     return chosen[:kept]
 
 
-def term_names(model: Rational) -> str:
-    """The terms that a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
-    names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
-
-    def kept(part: np.ndarray) -> str:
-        return " ".join(name for name, value in zip(names, part) if value != 0)
-
-    sides = zip(("column", "row"), model.numerators.T, model.denominators.T)
-    return "; ".join(f"{side}: {kept(above)} / {kept(below)}" for side, above, below in sides)
-
-
 def off_poles(denominator: np.ndarray) -> np.ndarray:
     """Denominators kept away from zero while a fit is iterated."""
     return np.where(np.abs(denominator) < MIN_DENOMINATOR, MIN_DENOMINATOR, denominator)
@@ -183,16 +172,16 @@ def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy:
         divided = np.tile(1 / denominator, 2)
         bent = both * np.concatenate([np.ones(len(x)), 1 / bend])
         design = np.hstack([whole * divided[:, None], product]) * bent[:, None]
-        solution = least_squares(design, wanted * divided * bent)
+        fitted, condition = least_squares(design, wanted * divided * bent)
         coefficients = np.zeros(12)
-        coefficients[: len(solution.values)] = solution.values
+        coefficients[: len(fitted)] = fitted
         model = Dlt(scale_g, scale_i, coefficients)
         denominator = off_poles(1 + terms[:, 1:] @ coefficients[8:11])
         bend = 1 - coefficients[11] * x[:, 0]
         seen = model.project(ground)
         change = float(np.abs(seen - last).max())
         last = seen
-    return FittedModel(model, solution.condition, iteration, change < limits.EXACT_STEP_PX, len(solution.values))
+    return FittedModel(model, condition, iteration, change < limits.EXACT_STEP_PX, len(fitted))
 
 
 @dataclass(frozen=True)
@@ -240,9 +229,8 @@ def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
     """Fit by linear least squares: ``ground`` (n, 3), ``image`` (n, 2) px, ``weights`` (n,) 1 / standard deviation."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
     design = polynomial_terms(scale_g.to(ground), order) * weights[:, None]
-    solution = least_squares(design, scale_i.to(image) * weights[:, None])
-    model = Polynomial3D(order, scale_g, scale_i, solution.values)
-    return FittedModel(model, solution.condition, 1, True, solution.values.size)
+    values, condition = least_squares(design, scale_i.to(image) * weights[:, None])
+    return FittedModel(Polynomial3D(order, scale_g, scale_i, values), condition, 1, True, values.size)
 
 
 def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
@@ -252,11 +240,11 @@ def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
     scaled_g, scaled_i = scale_g.to(ground[:, :2]), scale_i.to(image)
     fits = []
     for to_ground, known, target in ((True, scaled_i, scaled_g), (False, scaled_g, scaled_i)):
-        solution = least_squares(polynomial_terms(known, order, 2) * weights[:, None], target * weights[:, None])
-        model = Polynomial2D(order, scale_g, scale_i, solution.values, to_ground)
+        design = polynomial_terms(known, order, 2) * weights[:, None]
+        values, condition = least_squares(design, target * weights[:, None])
+        model = Polynomial2D(order, scale_g, scale_i, values, to_ground)
         misfit = (model.project(ground) - image) * weights[:, None]
-        fitted = FittedModel(model, solution.condition, 1, True, solution.values.size)
-        fits.append((float(np.sqrt(np.mean(misfit**2))), fitted))
+        fits.append((float(np.sqrt(np.mean(misfit**2))), FittedModel(model, condition, 1, True, values.size)))
     (backward, to_ground_fit), (forward, to_image_fit) = fits
     rounding = 1e-9 * float(np.max(scale_i.scale)) * float(weights.max())
     return to_ground_fit if backward + rounding < forward else to_image_fit

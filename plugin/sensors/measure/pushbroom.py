@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -91,7 +91,7 @@ class Pushbroom(SensorModel):
             columns, slip = self.in_line(places, rows)
             if np.abs(step).max(initial=0) < limits.EXACT_STEP_PX:
                 return np.column_stack([columns, rows])
-        raise SensorModelError(messages.LINE_NOT_FOUND())
+        raise SensorModelError(messages.NOT_INVERTED())
 
     def in_line(self, places: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column of geocentric points (n, 3) as seen from given lines (n,), and their distance from the line, px."""
@@ -124,43 +124,27 @@ def fit_pushbroom(
         sigma_px = sigma_px * DEFAULT_SIGMA_PX / np.median(sigma_px)
     iterations, factor = 0, 1.0
     for _ in range(MAX_SIGMA_ROUNDS if estimate_sigma else 1):
-        done = _adjusted(model, places, image, sigma_px * factor)
-        model, iterations = done.model, iterations + done.iterations
-        singular = np.linalg.svd(done.jacobian / np.repeat(sigma_px * factor, 2)[:, None], compute_uv=False)
+        weights = np.repeat(1 / (sigma_px * factor), 2)
+        converged, iteration = False, 0
+        while not converged and iteration < limits.MAX_NEWTON_ITERATIONS:
+            iteration += 1
+            residuals, jacobian = _linearised(model, places, image)
+            design = np.vstack([jacobian * weights[:, None], np.eye(len(SIGMAS))])
+            change, condition = least_squares(design, np.concatenate([-residuals * weights, -model.unknowns]))
+            model = replace(model, unknowns=model.unknowns + change)
+            if not np.isfinite(model.unknowns).all():
+                raise SensorModelError(messages.FIT_DIVERGED())
+            moved = jacobian @ change
+            converged = bool(np.abs(moved).max() < MAX_PUSHBROOM_STEP_PX)
+        iterations += iteration
+        singular = np.linalg.svd(jacobian / np.repeat(sigma_px * factor, 2)[:, None], compute_uv=False)
         unknowns = float(np.sum(singular**2 / (1 + singular**2)))  # by the points, not by the priors: each by its share
-        redundancy = max(done.residuals.size - unknowns, MIN_REDUNDANCY)
-        misfit = float(np.sqrt(np.sum((done.residuals / np.repeat(sigma_px, 2)) ** 2) / redundancy))
+        redundancy = max(residuals.size - unknowns, MIN_REDUNDANCY)
+        misfit = float(np.sqrt(np.sum(((residuals + moved) / np.repeat(sigma_px, 2)) ** 2) / redundancy))
         before, factor = factor, max(misfit, limits.MIN_SIGMA_PX)
         if abs(factor / before - 1) < MAX_SIGMA_CHANGE:
             break
-    return FittedModel(model, done.condition, iterations, done.converged, unknowns)
-
-
-class _Adjusted(NamedTuple):
-    """A model after Gauss and Newton's iteration with given standard deviations."""
-
-    model: Pushbroom
-    residuals: np.ndarray  # (2n,) px, of the last step but one, which differs by less than a millionth
-    jacobian: np.ndarray
-    condition: float
-    iterations: int
-    converged: bool
-
-
-def _adjusted(model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px: np.ndarray) -> _Adjusted:
-    weights = np.repeat(1 / sigma_px, 2)
-    converged, iteration = False, 0
-    while not converged and iteration < limits.MAX_NEWTON_ITERATIONS:
-        iteration += 1
-        residuals, jacobian = _linearised(model, places, image)
-        design = np.vstack([jacobian * weights[:, None], np.eye(len(SIGMAS))])
-        solution = least_squares(design, np.concatenate([-residuals * weights, -model.unknowns]))
-        model = replace(model, unknowns=model.unknowns + solution.values)
-        if not np.isfinite(model.unknowns).all():
-            raise SensorModelError(messages.PUSHBROOM_DIVERGED())
-        change = jacobian @ solution.values
-        converged = bool(np.abs(change).max() < MAX_PUSHBROOM_STEP_PX)
-    return _Adjusted(model, residuals + change, jacobian, solution.condition, iteration, converged)
+    return FittedModel(model, condition, iterations, converged, unknowns)
 
 
 def nominal_orbit(
@@ -169,10 +153,10 @@ def nominal_orbit(
     """The orbit that the affine camera through the points implies: the common null direction of its gradients is the
     view. Raises SensorModelError where the points do not fix one."""
     middle = places.mean(axis=0)
-    affine = least_squares(np.column_stack([np.ones(len(places)), places - middle]), image)
-    if affine.rank < 4 or affine.condition > limits.MAX_LINEAR_CONDITION:
+    affine, condition = least_squares(np.column_stack([np.ones(len(places)), places - middle]), image)
+    if condition > limits.MAX_LINEAR_CONDITION:
         raise SensorModelError(messages.POINTS_ON_A_PLANE(model="pushbroom"))
-    gradients = affine.values[1:].T  # px per m, (2, 3)
+    gradients = affine[1:].T  # px per m, (2, 3)
     up = unit(middle)
     view = unit(np.cross(gradients[0], gradients[1]))
     view = -view if view @ up > 0 else view
@@ -180,7 +164,7 @@ def nominal_orbit(
     on_ground = per_px - np.outer(view, (up @ per_px) / (view @ up))
     low, high = (image.min(axis=0), image.max(axis=0)) if size is None else (np.zeros(2), np.array(size))
     centre = (low + high) / 2
-    middle = middle + on_ground @ (centre - affine.values[0])
+    middle = middle + on_ground @ (centre - affine[0])
     along = middle @ view
     radius = limits.WGS84_SEMI_MAJOR_M + orbit_height_m
     distance = along + np.sqrt(along**2 - middle @ middle + radius**2)

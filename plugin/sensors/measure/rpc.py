@@ -23,7 +23,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import metres_per_unit, same_system, transform_points
 from . import messages
 from .polynomials import EXPONENTS_3D, Rational, fit_rational
-from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, yaml_document
+from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares
 
 RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
 MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
@@ -34,7 +34,6 @@ _TRIALS: dict[str, tuple[tuple[tuple[int, ...], tuple[int, ...]], ...]] = {
 _OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 _COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
 RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
-ALOS_WIDTHS, ALOS_COEFFICIENT = (6, 5, 8, 9, 5), 12  # characters of offsets and scales, and of a coefficient
 PIXEL_CENTRE = 0.5  # an RPC counts from the centre of the first pixel, GDAL and we from its corner
 DIMAP_FIRST_PIXEL = 1  # all others number it 0
 _COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
@@ -44,12 +43,6 @@ CREATION = {"GTiff": [*_COMPRESSED, "TILED=YES"], "COG": [*_COMPRESSED]}
 def open_image(ref: RasterRef) -> OpenRaster:
     """An image as a sensor took it, which may have no place on the map yet; radar's complex values are welcome."""
     return OpenRaster(ref, complex_values=True)
-
-
-def satellite_name(image: OpenRaster) -> str:
-    """The satellite's name in the metadata; may be empty."""
-    about = {**(image.dataset.GetMetadata() or {}), **(image.dataset.GetMetadata("IMAGERY") or {})}
-    return next((str(about[key]) for key in ("SATELLITEID", "NITF_ISORCE") if key in about), "")
 
 
 @dataclass(frozen=True)
@@ -157,9 +150,9 @@ def fit_bias(
     for used in _TRIALS[form]:
         correction, condition = np.zeros((3, 2)), 1.0
         for axis in (0, 1):
-            solution = least_squares(linear[:, used[axis]] * weights[:, None], missing[:, axis] * weights)
-            correction[list(used[axis]), axis] = solution.values
-            condition = max(condition, solution.condition)
+            weighted = linear[:, used[axis]] * weights[:, None], missing[:, axis] * weights
+            correction[list(used[axis]), axis], last_condition = least_squares(*weighted)
+            condition = max(condition, last_condition)
         misfit = float(np.sum(((missing - linear @ correction) * weights[:, None]) ** 2))
         fits.append((misfit, FittedModel(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))))
     return min(fits, key=lambda fit: fit[0])[1]
@@ -215,69 +208,30 @@ def write_rpc(rpc: Rational, path: Path) -> None:
 
 
 def read_rpc(path: Path) -> Rational:
-    """An RPC from _RPC.TXT, DIMAP, .RPB, OSSIM's .geom, ALOS's text or orthority's YAML. Raises SensorModelError."""
-    content = file_content(path)
-    if looks_like_xml(content):
-        return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
+    """An RPC from _RPC.TXT, DIMAP, .RPB or OSSIM's .geom. Raises SensorModelError."""
+    content, first_pixel, first, pattern = file_content(path), 0, 1, "{}_COEFF_{}"
     text = content.decode(errors="replace")
-    if re.fullmatch(r"[-+\d.eE ]+", text.strip("\r\n")):
-        return from_metadata(_alos_items(text), path.name)
-    if re.search(r"\bline_num_coeff\s*:", text):
-        return from_metadata(_orthority_items(text, path.name), path.name)
-    if "BEGIN_GROUP" in text:
-        return from_metadata(_rpb_items(text), path.name)
-    lines = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
-    items = {name.upper(): value for name, value in lines}
-    first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
-    return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
-
-
-def _alos_items(text: str) -> dict[str, str]:
-    """The columns of a line of ALOS PRISM and AVNIR-2; the widths are those of GDAL's reader."""
-    names = [f"{name}_{kind}" for kind in ("OFF", "SCALE") for name in _OFFSETS]
-    ends = np.cumsum([*ALOS_WIDTHS, *ALOS_WIDTHS]).tolist()
-    items = {name: text[start:end].strip() for name, start, end in zip(names, [0, *ends], ends)}
-    parts = [text[ends[-1] + number * ALOS_COEFFICIENT :][:ALOS_COEFFICIENT] for number in range(80)]
-    return {**items, **{f"{name}_COEFF": " ".join(parts[20 * at :][:20]) for at, name in enumerate(_COEFFICIENTS)}}
-
-
-def _orthority_items(text: str, name: str) -> dict[str, str]:
-    """Items of a file for one image: GDAL's in small letters."""
-    try:
-        (rpc,) = (image["rpc"].items() for image in yaml_document(text, name).values())
-        return {key.upper(): " ".join(map(str, value if isinstance(value, list) else [value])) for key, value in rpc}
-    except (ValueError, TypeError, KeyError, AttributeError):
-        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
-
-
-def _coefficients(items: Mapping[str, str], pattern: str, first: int) -> dict[str, str]:
-    """The lists of coefficients as GDAL has them, from items that hold one each."""
-    numbers = range(first, first + 20)
-    return {
-        f"{name}_COEFF": " ".join(items.get(pattern.format(name, number), "") for number in numbers)
-        for name in _COEFFICIENTS
-    }
-
-
-def _dimap_items(content: bytes, name: str) -> dict[str, str]:
-    """Items as GDAL has them, of the model from the ground to the image."""
-    try:
-        root = xml_root(content)
-    except ParseError:
-        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
-    parts = (root.iterfind(f".//{part}//*") for part in ("Inverse_Model", "RFM_Validity"))
-    model, validity = ({element.tag: (element.text or "").strip() for element in part} for part in parts)
-    return {**validity, **_coefficients(model, "{}_COEFF_{}", 1)}
-
-
-def _rpb_items(text: str) -> dict[str, str]:
-    """``lineOffset = 1.0;`` and ``lineNumCoef = (1.0, ...);`` as GDAL has them."""
-    items = {}
-    for name, kind, value in re.findall(r"\b([a-z]+)(Off|Scale)(?:set)?\s*=\s*([-+.\deE]+)\s*;", text):
-        items[f"{name}_{kind}".upper()] = value
-    for name, part, values in re.findall(r"\b([a-z]+)([A-Z]\w*)Coef\s*=\s*\(([^)]*)\)", text):
-        items[f"{name}_{part}_COEFF".upper()] = values.replace(",", " ")
-    return items
+    if looks_like_xml(content):  # DIMAP's has two models; that from the ground to the image is taken
+        try:
+            root = xml_root(content)
+        except ParseError:
+            raise SensorModelError(messages.RPC_INCOMPLETE(name=path.name)) from None
+        elements = (element for part in ("Inverse_Model", "RFM_Validity") for element in root.iterfind(f".//{part}//*"))
+        items, first_pixel = {element.tag: (element.text or "").strip() for element in elements}, DIMAP_FIRST_PIXEL
+    elif "BEGIN_GROUP" in text:  # of .RPB: lineOffset = 1.0; and lineNumCoef = (1.0, ...);
+        values = re.findall(r"\b([a-z]+)(Off|Scale)(?:set)?\s*=\s*([-+.\deE]+)\s*;", text)
+        lists = re.findall(r"\b([a-z]+)([A-Z]\w*)Coef\s*=\s*\(([^)]*)\)", text)
+        items = {f"{name}_{kind}".upper(): value for name, kind, value in values}
+        items.update({f"{name}_{part}_COEFF".upper(): terms.replace(",", " ") for name, part, terms in lists})
+    else:
+        lines = re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE)
+        items = {name.upper(): value for name, value in lines}
+        if "LINE_NUM_COEFF_00" in items:
+            first, pattern = 0, "{}_COEFF_{:02d}"
+    for name in _COEFFICIENTS:
+        terms = (items.get(pattern.format(name, number), "") for number in range(first, first + len(EXPONENTS_3D)))
+        items.setdefault(f"{name}_COEFF", " ".join(terms))
+    return from_metadata(items, path.name, first_pixel)
 
 
 def own_rpc(image: OpenRaster) -> Rational | None:

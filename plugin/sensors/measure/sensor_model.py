@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, ClassVar
+from typing import Callable, ClassVar
 
 import numpy as np
 
@@ -15,7 +15,6 @@ from ...imagery.reference_systems import transform_points
 from . import limits, messages
 
 WGS84 = "EPSG:4326"
-_MOST_YAML = 300_000  # characters, of some hundred cameras: PyYAML reads a hundred thousand in a second
 
 
 def file_content(path: Path) -> bytes:
@@ -24,18 +23,6 @@ def file_content(path: Path) -> bytes:
         return document_bytes(path)
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
-
-
-def yaml_document(text: str, name: str) -> Any:
-    """The content of a YAML text; None where it is none, or too long. Raises SensorModelError without PyYAML."""
-    try:
-        import yaml
-
-        return yaml.safe_load(text) if len(text) <= _MOST_YAML else None
-    except ImportError:
-        raise SensorModelError(messages.YAML_MISSING(name=name)) from None
-    except (yaml.YAMLError, RecursionError, ValueError):
-        return None
 
 
 def reprojected(ground: np.ndarray, wkt: str, target: str) -> np.ndarray:
@@ -86,24 +73,17 @@ class FittedModel:
     unknowns: float  # how many the points have determined: all of a free model, less where priors hold some
 
 
-@dataclass(frozen=True)
-class Solution:
-    values: np.ndarray  # the unknowns
-    condition: float  # largest over smallest singular value of the design matrix with columns of length 1
-    rank: int
-
-
-def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
-    """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), columns of length 1, without what rounding makes.
-    Raises SensorModelError for numbers that are none."""
+def least_squares(design: np.ndarray, target: np.ndarray) -> tuple[np.ndarray, float]:
+    """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), columns of length 1, without what rounding makes;
+    x, and the largest over the smallest singular value. Raises SensorModelError for numbers that are none."""
     lengths = np.linalg.norm(design, axis=0)
     lengths[lengths == 0] = 1.0
     scaled = design / lengths
     if not (np.isfinite(scaled).all() and np.isfinite(target).all()):
         raise SensorModelError(messages.FIT_DIVERGED())
-    values, _, rank, singular = np.linalg.lstsq(scaled, target, rcond=np.finfo(float).eps * max(design.shape))
+    values, _, _, singular = np.linalg.lstsq(scaled, target, rcond=np.finfo(float).eps * max(design.shape))
     condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
-    return Solution((values.T / lengths).T, condition, int(rank))
+    return (values.T / lengths).T, condition
 
 
 @dataclass(frozen=True)
@@ -130,38 +110,39 @@ class Scaling:
 Map = Callable[[np.ndarray], np.ndarray]
 
 
-def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1e-4, steps: int = 0) -> np.ndarray:
-    """Solve ``function(x) = wanted`` for (n, 2) x near ``start``; NaN where it does not converge. ``step``: of
-    derivatives, in x. With ``steps`` only so many are taken, and what they reach is the answer."""
-    roots = np.array(start, float)
+def newton(
+    function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1e-4, partly: bool = False
+) -> np.ndarray:
+    """Solve ``function(x) = wanted`` for (n, 2) x near ``start``; where it does not converge NaN, or with ``partly``
+    what the first step reaches. ``step``: of derivatives, in x."""
+    roots, first = np.array(start, float), None
     last = np.full(len(roots), np.inf)
-    for _ in range(steps or limits.MAX_NEWTON_ITERATIONS):
+    for _ in range(limits.MAX_NEWTON_ITERATIONS):
         misfit = wanted - function(roots)
         (a, c), (b, d) = ((function(roots + axis) - function(roots - axis)).T / (2 * step) for axis in np.eye(2) * step)
         x, y = misfit.T
         with np.errstate(all="ignore"):  # of a plane of two equations, [[a, b], [c, d]]
             change = np.column_stack([d * x - b * y, a * y - c * x]) / (a * d - b * c)[:, None]
         roots = roots + change
+        first = roots if first is None else first
         last = np.abs(change).max(axis=1)
         if not np.any(last > step * 1e-6):
             break
-    if not steps:
-        roots[~(last <= step)] = np.nan
-    return roots
+    return np.where((last <= step)[:, None], roots, first if partly else np.nan)
 
 
 def locate(
     project: Map, image: np.ndarray, heights: np.ndarray, start: np.ndarray, metres: tuple[float, float],
-    partly: bool = False, steps: int = 0,
+    partly: bool = False,
 ) -> np.ndarray:
     """(n, 2) x, y of image points (n, 2) at heights (n,), by Newton's method from ``start``; ``metres`` in a unit of x
-    and y. Raises SensorModelError where there is none; with ``partly`` those are NaN. ``steps`` as in ``newton``."""
+    and y. Raises SensorModelError where there is none, but with ``partly``, which is that of ``newton``."""
     scale = 1 / np.asarray(metres)
 
     def seen(units: np.ndarray) -> np.ndarray:
         return project(np.column_stack([start + units * scale, heights]))
 
-    units = newton(seen, image, np.zeros((len(image), 2)), 1.0, steps)
+    units = newton(seen, image, np.zeros((len(image), 2)), 1.0, partly)
     if not partly and not np.isfinite(units).all():
         raise SensorModelError(messages.NOT_INVERTED())
     return start + units * scale

@@ -14,10 +14,6 @@ WGS84 = "EPSG:4326"
 COLUMNS, ROWS = 40000.0, 23000.0
 MIDDLE = np.array([7.18, 43.67, 600.0])
 REACH = np.array([0.14, 0.075, 600.0])
-RPC_TERMS = (
-    "1 x y z xy xz yz x*x y*y z*z xyz x*x*x xyy xzz xxy y*y*y yzz xxz yyz z*z*z".replace("*", "").split()
-)
-"""The terms of RPC00B with longitude x, latitude y, height z, written out once more."""
 
 
 def points(image: np.ndarray, ground: np.ndarray, check: np.ndarray | None = None, wkt: str = WGS84) -> Points:
@@ -31,13 +27,6 @@ def points(image: np.ndarray, ground: np.ndarray, check: np.ndarray | None = Non
 def places(count: int, seed: int) -> np.ndarray:
     """(n, 3) longitude, latitude, height all over a scene."""
     return MIDDLE + REACH * np.random.default_rng(seed).uniform(-1, 1, (count, 3))
-
-
-def terms(scaled: np.ndarray, count: int) -> np.ndarray:
-    """The first terms of RPC00B from their names."""
-    axes = dict(zip("xyz", scaled.T))
-    columns = [np.prod([axes[letter] for letter in name if letter != "1"], axis=0) for name in RPC_TERMS[:count]]
-    return np.column_stack([np.broadcast_to(column, len(scaled)) for column in columns])
 
 
 def made_rational(order: int, seed: int, denominator: float = 0.02) -> Rational:

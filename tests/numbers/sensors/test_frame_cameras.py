@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import re
 import sys
 from pathlib import Path
@@ -18,7 +17,6 @@ from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import transform_points
 from seam_inspector.plugin.sensors.measure.camera_files import document, read_cameras
-from seam_inspector.plugin.sensors.measure.exterior_files import read_exteriors
 from seam_inspector.plugin.sensors.measure.frames import BrownLens, FisheyeLens, FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.oriented_frames import FrameFiles, OrientedFrame, read_block
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
@@ -30,12 +28,6 @@ COLUMNS, ROWS, FOCAL = 80, 60, 100.0
 CENTRE = np.array([500_000.0, 4_000_000.0, 1500.0])
 YAML = "cam:\n  type: pinhole\n  im_size: [80, 60]\n  focal_len: 60\n  sensor_size: [80, 60]\n"
 TABLE = "filename,x,y,z,omega,phi,kappa\nphoto,500000,4000000,1500,1,-2,30\n"
-ORIENTATION = """<?xml version="1.0"?><ExportAPERO><OrientationConique><Externe><Centre>500000 4000000 1500</Centre>
-<ParamRotation><CodageMatr><L1>{0}</L1><L2>{1}</L2><L3>{2}</L3></CodageMatr></ParamRotation></Externe>
-</OrientationConique></ExportAPERO>"""
-AUTOCAL = """<?xml version="1.0"?><ExportAPERO><CalibrationInternConique><KnownConv>eConvApero_DistM2C</KnownConv>
-<PP>41 29</PP><F>100</F><SzIm>80 60</SzIm><CalibDistortion><ModRad><CDist>39 31</CDist><CoeffDist>1e-5</CoeffDist>
-<CoeffDist>-2e-9</CoeffDist></ModRad></CalibDistortion></CalibrationInternConique></ExportAPERO>"""
 
 
 @pytest.fixture
@@ -161,21 +153,21 @@ def test_a_fisheye_is_opencv_s(angular: list[float], seed: int) -> None:
     assert np.column_stack(shown) == pytest.approx(expected, abs=1e-9)
 
 
-@given(st.lists(st.floats(-0.05, 0.05), min_size=12, max_size=12), st.integers(0, 10_000))
-def test_a_lens_with_all_terms_is_opencv_s(terms: list[float], seed: int) -> None:
+@given(st.lists(st.floats(-0.05, 0.05), min_size=5, max_size=5), st.integers(0, 10_000))
+def test_brown_s_lens_is_opencv_s(terms: list[float], seed: int) -> None:
     places = np.random.default_rng(seed).uniform(-0.6, 0.6, (20, 2))
-    k1, k2, p1, p2, k3, k4, k5, k6, *prism = terms
-    lens = BrownLens((k1, k2, k3), (p1, p2), (k4, k5, k6), tuple(prism))
+    k1, k2, p1, p2, k3 = terms
     ahead = np.column_stack([places, np.ones(20)])
     expected, _ = cv2.projectPoints(ahead, np.zeros(3), np.zeros(3), np.eye(3), np.array(terms))
-    assert np.column_stack(lens.distorted(*places.T)) == pytest.approx(expected[:, 0], abs=1e-9)
+    shown = BrownLens((k1, k2, k3), (p1, p2)).distorted(*places.T)
+    assert np.column_stack(shown) == pytest.approx(expected[:, 0], abs=1e-9)
 
 
 @given(st.floats(-0.28, 0.1), st.integers(0, 10_000))
 def test_views_are_the_way_back(k1: float, seed: int) -> None:
     camera = FrameCamera(
-        FrameInterior(np.full(2, FOCAL), np.array([41.0, 28.0]), BrownLens((k1, 0.05), (0.001, -0.002)),
-                      np.array([40.0, 30.0])), CENTRE, camera_axes(10, -20, 70),
+        FrameInterior(np.full(2, FOCAL), np.array([41.0, 28.0]), BrownLens((k1, 0.05), (0.001, -0.002))), CENTRE,
+        camera_axes(10, -20, 70),
     )  # fmt: skip
     image = np.random.default_rng(seed).uniform(0, 60, (30, 2))
     heights = np.random.default_rng(seed + 1).uniform(0, 300, 30)
@@ -192,35 +184,6 @@ def test_values_that_are_no_heights_are_not_in_their_range_though_no_nodata_says
     assert oriented(folder).domain.heights == pytest.approx(expected, abs=0.01)
 
 
-@pytest.mark.parametrize("image", ["photo.tif", "photo"])
-def test_all_files_of_an_exterior_orientation_say_the_same(folder: Path, image: str) -> None:
-    axes = camera_axes(1, -2, 30)
-    rows = [" ".join(map(repr, row)) for row in axes.tolist()]
-    (folder / "Orientation-photo.tif.xml").write_text(ORIENTATION.format(*rows))
-    (folder / "blanks.txt").write_text("photo.tif  500000 4000000  1500 1 -2 30\n")
-    (folder / "semicolons.csv").write_text("kappa;phi;omega;z;y;x;filename\n30;-2;1;1500;4000000;500000;photo.jpg\n")
-    (folder / "places.json").write_text(json.dumps({
-        "world_crs": "EPSG:32633",
-        "features": [{"properties": {"filename": "photo", "camera": "cam", "xyz": CENTRE.tolist(),
-                                     "opk": np.radians([1, -2, 30]).tolist()}}],
-    }))
-    for name in ("places.csv", "Orientation-photo.tif.xml", "blanks.txt", "semicolons.csv", "places.json"):
-        exterior = read_exteriors(document(folder / name), folder / name).of(image)
-        assert exterior.position == pytest.approx(CENTRE), name
-        assert exterior.axes == pytest.approx(axes), name
-    assert (exterior.camera, exterior.wkt) == ("cam", "EPSG:32633")
-
-
-def test_micmac_s_radial_distortion_is_that_of_its_formula(folder: Path) -> None:
-    (folder / "AutoCal.xml").write_text(AUTOCAL)
-    camera = FrameCamera(interior(folder / "AutoCal.xml", (COLUMNS, ROWS)), np.zeros(3), np.eye(3))
-    seen = np.array([[0.3, -0.2, 1.0], [0.0, 0.0, 1.0], [-0.4, 0.25, 1.0]])
-    ideal = np.array([41.0, 29.0]) + 100 * seen[:, :2]
-    off = ideal - [39.0, 31.0]
-    squared = (off**2).sum(axis=1, keepdims=True)
-    assert camera.project(seen) == pytest.approx(ideal + off * (1e-5 * squared - 2e-9 * squared**2))
-
-
 def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) -> None:
     whole = interior(folder / "camera.yaml", (COLUMNS, ROWS))
     half = interior(folder / "camera.yaml", (COLUMNS // 2, ROWS // 2))
@@ -234,7 +197,6 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[1.0e-320, 1.0e-320]\n  focal")}, "no camera that can be read"),
     ({"camera.yaml": YAML.replace("60\n  sensor", "1.0e+300\n  sensor")}, "no camera that can be read"),
     ({"camera.yaml": YAML + "  cx: 1.0e+300\n"}, "no camera that can be read"),
-    ({"camera.yaml": "[1, 2]"}, "no camera that can be read"),
     ({"camera.yaml": "!!python/object/apply:os.system ['true']"}, "no camera that can be read"),
     ({"camera.yaml": re.sub("sensor_size: .*", "sensor_size: [0, 0]", YAML)}, "no camera that can be read"),
     ({"camera.yaml": YAML.replace("60\n  sensor", "-1\n  sensor")}, "no camera that can be read"),
@@ -248,9 +210,6 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": YAML.replace("sensor_size: [80, 60]", "sensor_size: [60, 80]")}, "times as wide as it is high"),
     ({"camera.yaml": YAML.replace("  focal_len: 60\n", "")}, "no camera that can be read"),
     ({"camera.yaml": '{"type": "FeatureCollection", "features": []}'}, "no camera that can be read"),
-    ({"camera.yaml": "<ExportAPERO/>"}, "no camera that can be read"),
-    ({"camera.yaml": re.sub("<F>.*</F>", "<F>1e300</F>", AUTOCAL)}, "no camera that can be read"),
-    ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not supported"),
     ({"places.csv": ""}, "no exterior orientation"),
     ({"places.csv": "filename,x,y\nphoto,1,2\n"}, "no exterior orientation"),
     ({"places.csv": TABLE.replace("1500", "high")}, "no exterior orientation"),
@@ -259,7 +218,6 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"places.csv": TABLE + "photo,1,2,3,4,5,6\n"}, "exactly once"),
     ({"places.csv": "{}"}, "no exterior orientation"),
     ({"places.csv": "<Externe><Centre>1 2 3</Centre></Externe>"}, "no exterior orientation"),
-    ({"places.csv": ORIENTATION.format("1 0 0", "0 2 0", "0 0 1")}, "no exterior orientation"),
     ({"places.csv": TABLE.replace("1500", "150")}, "not above the terrain"),
     ({"places.csv": TABLE.replace("1,-2,30", "85,-2,30")}, "horizon"),
 ])  # fmt: skip
@@ -277,11 +235,9 @@ def test_without_pyyaml_it_is_named(folder: Path, monkeypatch: pytest.MonkeyPatc
         oriented(folder)
 
 
-@pytest.mark.parametrize(("system", "complaint"), [
-    ("", "names no coordinate reference system"), ("EPSG:4326", "not in metres"), ("EPSG:2263", "not in metres"),
-])  # fmt: skip
-def test_a_system_without_metres_is_refused(folder: Path, system: str, complaint: str) -> None:
-    with pytest.raises(SeamInspectorError, match=complaint):
+@pytest.mark.parametrize("system", ["", "EPSG:4326", "EPSG:2263"])
+def test_a_system_without_metres_is_refused(folder: Path, system: str) -> None:
+    with pytest.raises(SeamInspectorError, match=r"places\.csv is in no projected coordinate reference system"):
         oriented(folder, system=system)
 
 

@@ -43,7 +43,7 @@ def test_ordinary_points_pass_with_and_without_heights_and_a_little_beyond_the_i
 @pytest.mark.parametrize(("changed", "complaint"), [
     ({"wkt": "EPSG:4326"}, "the points are in degrees"),
     ({"ground": points().ground * [1e-7, 1e-7, 1]}, "pixel measures"),
-    ({"ground": points().ground * [1, 1, 3000]}, "which is impossible on Earth"),
+    ({"ground": points().ground * [1, 1, 3000]}, "are impossible on Earth"),
     ({"image": points().image * [1, -1]}, "rows are negative"),
     ({"image": points().image[:, ::-1]}, "columns and rows are swapped"),
     ({"image": points().image + [9000, 0]}, "20 points lie outside the image of 4000 x 3000 pixels"),

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.sensors.measure import registry
 from seam_inspector.plugin.sensors.measure.fit_files import view_direction
 from seam_inspector.plugin.sensors.measure.point_planning import (
@@ -104,11 +103,6 @@ def test_the_same_seed_gives_the_same_figures_whatever_else_is_asked_for() -> No
     both, single = (expected(registry.DLT, NOMINAL, PLAN, *counts, draws=5) for counts in ((8, 12), (12,)))
     assert both[1] == single[0]
     assert expected(registry.DLT, NOMINAL, PLAN, 12, seed=2, draws=5) != single
-
-
-def test_fewer_points_than_the_model_needs_are_told() -> None:
-    with pytest.raises(SettingsError, match="20"):
-        expected(registry.POLYNOMIAL_3D, NOMINAL, PLAN, 19, form="3")
 
 
 def test_draws_that_fail_count_as_the_worst() -> None:

@@ -8,7 +8,7 @@ import pytest
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.sensors.measure import registry
-from seam_inspector.plugin.sensors.measure.adjustment import CHECK_POINTS, LEAVE_ONE_OUT, adjust, all_requests, compare
+from seam_inspector.plugin.sensors.measure.adjustment import LEAVE_ONE_OUT, adjust, all_requests, compare
 from seam_inspector.plugin.sensors.measure.heights import is_flat
 from seam_inspector.plugin.sensors.measure.points import choose_check_points, control_coverage, coverage_warnings
 from seam_inspector.plugin.sensors.measure.pushbroom import geocentric, unit
@@ -148,16 +148,12 @@ def test_points_on_a_plane_in_space_are_refused_by_name() -> None:
 
 
 def test_layout_says_what_is_extrapolated() -> None:
-    box = (0.0, 0.0, 100.0, 50.0)
     square = np.array([[0, 0], [100, 0], [100, 50], [0, 50], [50, 25.0]])
-    assert control_coverage(square, box).extrapolated == pytest.approx(0)
-    assert coverage_warnings(control_coverage(square, box)) == []
-    assert len(control_coverage(square, box).outline) == 5
-    corner = square / 4
-    assert control_coverage(corner, box).extrapolated == pytest.approx(15 / 16)
-    assert "94%" in str(coverage_warnings(control_coverage(corner, box))[0])
     line = np.column_stack([np.linspace(0, 100, 9), np.linspace(0, 50, 9) + np.tile([0.1, -0.1, 0], 3)])
-    assert "nearly on a line" in str(coverage_warnings(control_coverage(line, box))[0])
+    for control, share in ((square, ""), (square / 4, "94%"), (line, "100%")):
+        said = coverage_warnings(control_coverage(control, (0.0, 0.0, 100.0, 50.0)))
+        assert [share in str(warning) for warning in said] == [True] * bool(share)
+    assert len(control_coverage(square, (0.0, 0.0, 100.0, 50.0)).outline) == 5
 
 
 def test_the_split_is_even_and_repeats() -> None:
@@ -173,11 +169,9 @@ def test_the_split_is_even_and_repeats() -> None:
 
 
 @pytest.mark.slow
-def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> None:
-    ground, random = places(60, 3), np.random.default_rng(3)
-    truth = made_pushbroom(0)
-    image = truth.project(ground) + random.normal(0, SIGMA, (60, 2))
-    few = points(image[:14], ground[:14])
+def test_comparison_recommends_the_parametric_model() -> None:
+    ground = places(14, 3)
+    few = points(made_pushbroom(0).project(ground) + np.random.default_rng(3).normal(0, SIGMA, (14, 2)), ground)
     models = all_requests(None, 694e3, (COLUMNS, ROWS))
     result = compare(few, models, robust=False, flat=is_flat(few))
     assert result.method == LEAVE_ONE_OUT
@@ -185,13 +179,6 @@ def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> Non
     assert result.recommended.errors.count == 14
     refused = {row.request.name: str(row.reason) for row in result.rows if row.errors is None}
     assert "needs at least 39" in refused["rational 3"]
-    many = points(image, ground, np.arange(60) >= 20)
-    rpc = adjust(registry.RATIONAL.request("3"), points(truth.project(places(400, 9)) + 6, places(400, 9))).fitted.model
-    models = [request for request in all_requests(rpc, 694e3, None) if request.kind != registry.PUSHBROOM]  # type: ignore[arg-type]
-    result = compare(many, models, False, False)
-    assert result.method == CHECK_POINTS
-    assert result.recommended.request.name == "rpc_bias shift"
-    assert "vendor's RPC" in str(result.reason)
 
 
 def test_plane_models_are_recommended_on_flat_terrain_only() -> None:

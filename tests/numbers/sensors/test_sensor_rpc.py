@@ -103,30 +103,6 @@ def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: P
     assert beside is not None  # OSSIM's .geom
 
 
-def test_alos_and_orthority_s_files_are_read(tmp_path: Path) -> None:
-    """ALOS as GDAL reads it beside its image; orthority's items are GDAL's own."""
-    items = rpc.to_metadata(made_rational(3, 2, 0.002))
-    names = [f"{name}_{kind}" for kind in ("OFF", "SCALE") for name in ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")]
-    forms = ("06.0f", "05.0f", "+08.4f", "+09.4f", "+05.0f") * 2
-    parts = [format(float(items[name]), form) for name, form in zip(names, forms)]
-    coefficients = {f"{name}_COEFF": [float(word) for word in items[f"{name}_COEFF"].split()]
-                    for name in ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")}  # fmt: skip
-    parts += [f"{value:+12.5E}" for values in coefficients.values() for value in values]
-    alos = tmp_path / "RPC-ALPSMW1234.txt"
-    alos.write_text("".join(parts) + "\n")
-    (tmp_path / "HDR-ALPSMW1234.txt").write_text(" " * 400)
-    ground = places(40, 3)
-    seen = by_gdal(tmp_path / "IMG-ALPSMW1234.tif", ground)
-    assert np.abs(rpc.read_rpc(alos).project(ground) - seen).max() < 1e-6
-    values = {name.lower(): float(items[name]) for name in names}
-    values.update({name.lower(): terms for name, terms in coefficients.items()})
-    path = tmp_path / "rpc.yaml"
-    path.write_text("image.tif:\n  cam_type: rpc\n  im_size: [10, 10]\n  rpc:\n" + "".join(
-        f"    {name}: {json.dumps(value)}\n" for name, value in values.items()
-    ))
-    assert np.abs(rpc.read_rpc(path).project(ground) - made_rational(3, 2, 0.002).project(ground)).max() < 1e-6
-
-
 def test_dimap_is_read_with_namespaces_and_in_its_encoding_but_not_with_entities(
     data_folder: Path, tmp_path: Path
 ) -> None:
@@ -222,7 +198,8 @@ def test_a_wrong_points_file_is_refused(tmp_path: Path) -> None:
     for content, words in (
         ("", "is not a points file"),
         ("a,b\n1,2\n", "is not a points file"),
-        (OLD.format(rows="7.1,43.6,120.5,-30.25,1\n7.2,x,3,4,1\n"), "Line 3 of image.points"),
+        *((OLD.format(rows=f"7.1,43.6,120.5,-30.25,1\n7.2,{number},3,4,1\n"), "Line 3 of image.points can't be read")
+          for number in ("nan", "inf", "x")),
         (OLD.format(rows="7.1,43.6\n"), "Line 2 of image.points"),
     ):
         path.write_text(content)

@@ -34,7 +34,7 @@ def test_the_angle_is_that_of_gdals_lines_of_sight() -> None:
 def test_an_oblique_photo_has_a_view() -> None:
     """A drone's strong lens, tilted by 30 degrees: a search from below the photo loses its way to a corner."""
     principal = np.array([688.2, 453.0])
-    interior = FrameInterior(np.full(2, 914.0), principal, BrownLens((-0.264, 0.112, -0.027), (9e-4, -5e-4)), principal)
+    interior = FrameInterior(np.full(2, 914.0), principal, BrownLens((-0.264, 0.112, -0.027), (9e-4, -5e-4)))
     camera = FrameCamera(interior, np.array([500_000.0, 5_550_000.0, 520.0]), camera_axes(30, 0, 0))
     domain = Domain((0, 1368), (0, 912), (230, 370), (500_000.0, 5_550_130.0))
     view = view_direction(camera, "EPSG:32651", domain)

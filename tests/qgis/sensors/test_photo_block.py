@@ -99,13 +99,13 @@ def test_what_can_t_be_done_is_said(project_folder: Path, tmp_path: Path) -> Non
         ({"OUTPUT": str(project_folder / "opensfm" / "reconstruction.json")}, "can't be written"),
         ({"EXTERIOR": str(tmp_path / "nothing")}, "nothing"),
         ({"EXTERIOR": None}, "Choose the folder of an OpenDroneMap project"),
-        ({"EXTERIOR": None, "PHOTOS": str(project_folder / "images")}, "images is not an OpenDroneMap project"),
+        ({"EXTERIOR": None, "PHOTOS": str(project_folder / "images")}, "Choose the folder of an OpenDroneMap project"),
         ({"HEIGHT": 5000}, "img_3.TIF is left out: The camera of"),
         ({"PHOTOS": str(project_folder / "opensfm")}, "None of the photos that reconstruction.json names"),
-        ({"HEIGHT": 400, "DEM": str(project_folder / "odm_dem" / "dsm.tif")}, "choose one of them"),
+        ({"HEIGHT": 400, "DEM": str(project_folder / "odm_dem" / "dsm.tif")}, "Give either a terrain model or"),
     ):
         assert_sentence(run("orthorectifyphotos", **{**given, **changed}).complaint, words)
     (project_folder / "odm_dem" / "dsm.tif").unlink()
-    assert_sentence(run("orthorectifyphotos", **given).complaint, "No terrain model is given")
+    assert_sentence(run("orthorectifyphotos", **given).complaint, "Give either a terrain model or")
     (project_folder / "opensfm" / "reconstruction.json").unlink()
-    assert_sentence(run("orthorectifyphotos", **given).complaint, "block")
+    assert_sentence(run("orthorectifyphotos", **given).complaint, "OpenDroneMap project")

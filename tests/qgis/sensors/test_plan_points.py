@@ -40,5 +40,5 @@ def test_what_can_not_be_planned_is_told(tmp_path: Path) -> None:
     assert_refused("planpoints", "needs at least", COUNTS="5", MODEL="rational 3")
     assert_refused("planpoints", "no RPC", COUNTS="5", MODEL="rpc_bias shift")
     assert_refused("planpoints", "no RPC to plan by", COUNTS="5", IMAGE=str(plain))
-    assert_refused("planpoints", "lowest and then the highest", COUNTS="5", LOWEST=400)
-    assert_refused("planpoints", "lowest and then the highest", COUNTS="5", HIGHEST=90000)
+    assert_refused("planpoints", "give metres, the lowest first", COUNTS="5", LOWEST=400)
+    assert_refused("planpoints", "give metres, the lowest first", COUNTS="5", HIGHEST=90000)
