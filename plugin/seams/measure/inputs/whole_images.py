@@ -54,10 +54,7 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
 
 def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None]) -> list[Source]:
     """Sources, parts of one image as one, by what was read of them in a window; None where that can't be compared."""
-    known = {
-        number: clip for number, clip in enumerate(clips)
-        if clip is not None and not (clip.resampled or clip.raster.is_turned)
-    }
+    known = {number: clip for number, clip in enumerate(clips) if clip is not None and not clip.resampled}
 
     def are_same(first: int, second: int) -> bool:
         if not have_same_grid(known[first].raster, known[second].raster):

@@ -302,5 +302,4 @@ def scan_request(
 
 def is_whole(source: OpenRaster) -> bool:
     """Whether nothing in a raster can say that a pixel is none."""
-    is_plain = source.roles.alpha is None and source.roles.palette is None
-    return is_plain and source.is_all_valid and not source.raster.data_type.startswith("float")
+    return source.roles.alpha is None and source.is_all_valid and not source.raster.data_type.startswith("float")
