@@ -16,11 +16,11 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .errors import Message, RasterError
 from .gdal_calls import gdal_call, gdal_pixels, gdal_settings, gdal_silenced
-from .gdal_paths import RASTERS, check_raster_path, is_remote, is_there, open_dataset, with_parts
+from .gdal_paths import RASTERS, check_raster_path, is_there, open_dataset, with_parts
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
-from .remote_files import COMPLETE, WITH_OTHERS, remote_parts, remote_settings, with_retries
+from .remote_files import remote_parts, remote_settings, with_retries
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,6 @@ class OpenRaster:
         self._is_of_file = dataset is None
         # Looked at once: a VRT may name thousands of files.
         self._is_remote = dataset is None and bool(remote_parts(ref.path))
-        self._beside = COMPLETE
         if dataset is not None:
             self.dataset = dataset
         self.fetched(lambda opened: None)  # and so opened
@@ -142,10 +141,6 @@ class OpenRaster:
             check_raster_path(path, ref.name)
         with self._network():
             self.dataset = gdal_call(lambda: _opened(ref), failure)
-            is_complete = self.dataset.GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE") == "COG"
-        if self._is_remote and self._beside == COMPLETE and is_remote(ref.path) and not is_complete:
-            self._beside = WITH_OTHERS
-            self._open()
 
     def __enter__(self) -> OpenRaster:
         return self
@@ -154,7 +149,7 @@ class OpenRaster:
         self.dataset = _Closed(self.ref.name)
 
     def _network(self) -> AbstractContextManager[None]:
-        return remote_settings(self._beside) if self._is_remote else nullcontext()
+        return remote_settings() if self._is_remote else nullcontext()
 
     def fetched(self, call: Callable[[gdal.Dataset], Fetched]) -> Fetched:
         """What a call finds in the dataset; what comes over the network has an end, and is asked for again."""

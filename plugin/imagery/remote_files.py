@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 import re
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import Callable, TypeVar
 
@@ -25,16 +25,13 @@ SETTINGS = {
     "GDAL_HTTP_MAX_RETRY": "3",  # of a request that is refused for now (429, 5xx)
     "GDAL_HTTP_RETRY_DELAY": "0.5",  # seconds, more each time
     "GDAL_HTTP_MERGE_CONSECUTIVE_RANGES": "YES",
+    "GDAL_DISABLE_READDIR_ON_OPEN": "TRUE",  # a mask beside a file is asked for by name, and no folder is listed
 }
 """GDAL's options for all that is remote; those that the user has set stay."""
-COMPLETE = {"GDAL_DISABLE_READDIR_ON_OPEN": "EMPTY_DIR"}
-"""For a file that has all inside, as a COG: nothing beside it is asked for."""
-WITH_OTHERS = {"GDAL_DISABLE_READDIR_ON_OPEN": "TRUE"}
-"""For one that may have a mask beside it: that is asked for by name, and no folder is listed."""
 REMEMBERED_S = 60.0  # in which what failed is not asked for again: each block would wait for it
 _PROBED_BYTES = 16384  # the least that GDAL fetches
 _TOO_SLOW = "too slow"
-_SILENT = re.compile(f"CURL error|{_TOO_SLOW}")
+_FAILED = re.compile(f"Range downloading|CURL error|{_TOO_SLOW}")
 _MOST_PROBED = 32  # remote parts of a VRT that are asked which one failed
 _MAY_BE_THE_NETWORK = (
     messages.NOT_FOUND.template, messages.NOT_A_RASTER.template, messages.NOT_READABLE.template,
@@ -48,7 +45,7 @@ def remote_parts(path: str) -> tuple[str, ...]:
 
 
 @contextmanager
-def remote_settings(more: Mapping[str, str]) -> Iterator[None]:
+def remote_settings(**more: str) -> Iterator[None]:
     """GDAL's options for remote files in this thread, but for those that the user set otherwise."""
     options = {**SETTINGS, **more}
     # One that only this thread has is from a block around this one.
@@ -61,7 +58,7 @@ def remote_settings(more: Mapping[str, str]) -> Iterator[None]:
 
 
 _failures: dict[str, tuple[float, Message]] = {}
-"""Until when a path or server is not asked again, and why."""
+"""Until when a path is not asked for again, and why."""
 
 
 def forget_failures() -> None:
@@ -75,10 +72,9 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     Raises RasterError with the cause, or what ``read`` raises about a raster that came whole. What failed is
     remembered for a while, by all threads, and fails at once; of a VRT not, since others of its parts may be there.
     """
-    for key in (path, _server(path)):
-        until, failure = _failures.get(key, (0.0, None))
-        if failure is not None and time.monotonic() < until:
-            raise RasterError(failure)
+    until, failure = _failures.get(path, (0.0, messages.NOT_FOUND))
+    if time.monotonic() < until:
+        raise RasterError(failure)
     try:
         return read(False)
     except RasterError as error:
@@ -99,8 +95,7 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
         except RasterError as error:
             failure = error.message
     if is_remote(path):
-        key = _server(path) if _SILENT.search(said) else ""
-        _failures[key or path] = time.monotonic() + REMEMBERED_S, failure
+        _failures[path] = time.monotonic() + REMEMBERED_S, failure
     raise RasterError(failure)
 
 
@@ -118,7 +113,7 @@ def remote_state(path: str) -> str:
 def _said_on_reading(path: str) -> str:
     """GDAL's words for why the first bytes of a remote file can't be read; empty where they can."""
     try:
-        with gdal_heard() as said, remote_settings({"CPL_VSIL_CURL_USE_HEAD": "NO"}):  # bytes, as of the pixels
+        with gdal_heard() as said, remote_settings(CPL_VSIL_CURL_USE_HEAD="NO"):  # bytes, as of the pixels
             gdal.VSIErrorReset()
             content, status = vsi_bytes(readable_path(path), _PROBED_BYTES), gdal.VSIStatL(readable_path(path))
     except RuntimeError as error:
@@ -128,10 +123,4 @@ def _said_on_reading(path: str) -> str:
         return gdal.VSIGetLastErrorMsg() or "".join(words[-1:]) or "unknown"
     if len(content) < min(status.size, _PROBED_BYTES):
         words.append(_TOO_SLOW)  # GDAL makes do with what came until it lost patience
-    return next((text for text in words if "Range downloading" in text or _SILENT.search(text)), "")
-
-
-def _server(path: str) -> str:
-    """The server of an address; empty where the path names none."""
-    address = re.search(r"https?://(?:[^/@]*@)?([^/]+)", path)
-    return address[1] if address else ""
+    return next(filter(_FAILED.search, words), "")

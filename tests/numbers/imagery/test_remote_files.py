@@ -28,7 +28,7 @@ def test_only_the_tiles_of_the_window_are_fetched_and_once(server: RangeServer, 
     np.testing.assert_array_equal(read(server.vsi("cog.tif")), expected(folder))
     tiles = sum(tile_bytes(folder, x, y) for x in (1, 2) for y in (1, 2))
     assert tiles <= server.sent <= tiles + 16384 + 4 * 64  # the file's head; what COG writes around each tile
-    assert {answer.path for answer in server.answers} == {"/cog.tif"}  # nothing beside it, no folder
+    assert not [answer for answer in server.answers if answer.path.endswith("/")]  # no folder is listed
     server.forget()
     read(server.vsi("cog.tif"))
     assert server.answers == []
