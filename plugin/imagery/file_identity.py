@@ -27,8 +27,17 @@ from .atomic_files import UnfinishedFile, files_written
 from .documents import json_document
 from .errors import SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
-from .gdal_paths import ANYTHING, RASTERS, begins_vrt, is_remote, local_file, open_dataset, vrt_parts, with_parts
-from .remote_files import remote_state
+from .gdal_paths import (
+    ANYTHING,
+    RASTERS,
+    begins_vrt,
+    is_remote,
+    local_file,
+    open_dataset,
+    remote_state,
+    vrt_parts,
+    with_parts,
+)
 
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first

@@ -16,11 +16,19 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .errors import Message, RasterError
 from .gdal_calls import gdal_call, gdal_pixels, gdal_settings, gdal_silenced
-from .gdal_paths import RASTERS, check_raster_path, is_there, open_dataset, with_parts
+from .gdal_paths import (
+    RASTERS,
+    check_raster_path,
+    is_there,
+    open_dataset,
+    remote_parts,
+    remote_settings,
+    with_parts,
+    with_retries,
+)
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
-from .remote_files import remote_parts, remote_settings, with_retries
 
 
 @dataclass(frozen=True)

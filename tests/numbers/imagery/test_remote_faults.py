@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery import remote_files
+from seam_inspector.plugin.imagery import gdal_paths
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
@@ -48,7 +48,7 @@ def test_a_fault_while_reading_that_passes_costs_nothing(
 @pytest.fixture
 def one_second(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without an answer is long enough."""
-    monkeypatch.setitem(remote_files.SETTINGS, "GDAL_HTTP_LOW_SPEED_TIME", "1")
+    monkeypatch.setitem(gdal_paths.SETTINGS, "GDAL_HTTP_LOW_SPEED_TIME", "1")
 
 
 @pytest.mark.usefixtures("one_second")
@@ -124,7 +124,7 @@ LIES = {
 def test_a_server_that_lies_costs_no_pixel_and_has_an_end(
     server: RangeServer, folder: Path, lie: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(remote_files.SETTINGS, "GDAL_HTTP_TIMEOUT", "2")
+    monkeypatch.setitem(gdal_paths.SETTINGS, "GDAL_HTTP_TIMEOUT", "2")
     raster = open_raster(RasterRef(server.vsi("cog.tif")))
     server.fault = lambda asked: LIES[lie]
     if LIES[lie].claimed:  # all that is needed comes

@@ -17,8 +17,7 @@ import numpy as np
 
 from ....imagery.errors import Message, SettingsError
 from ....imagery.messages import system_reason
-from ....imagery.record_store import RecordFiles
-from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
+from ....imagery.records import NotUnderstoodError, RecordFiles, packed, understanding, unpacked
 from .. import messages
 from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from ..blocks.mosaic_reading import ALL_READ, BlockReading

@@ -17,8 +17,7 @@ from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
 from ....imagery.messages import system_reason
-from ....imagery.record_store import RecordFiles
-from ....imagery.records import record_of, value_of
+from ....imagery.records import RecordFiles, record_of, value_of
 from ....imagery.seam_totals import KeptBeside, profile_text
 from .. import messages
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met

@@ -23,7 +23,7 @@ from ....imagery.file_identity import OF_NO_CONSEQUENCE, known_states, local_sta
 from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import RasterRef
-from ....imagery.record_store import RecordFiles, RecordFolder
+from ....imagery.records import RecordFiles, RecordFolder
 from .. import messages
 from ..source_images import Source
 
