@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial, reduce
-from typing import Any, Callable, NamedTuple, NoReturn, TypeVar
+from typing import Any, Callable, NamedTuple, TypeVar
 
 import numpy as np
 from osgeo import gdal, gdal_array
@@ -95,24 +95,13 @@ class PixelBlock(NamedTuple):
         return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
 
 
-class _Closed(NamedTuple):
-    """The dataset of a raster that is closed: raises RasterError whatever is asked of it."""
-
-    name: str
-
-    def __getattr__(self, asked: str) -> NoReturn:
-        raise RasterError(messages.RASTER_CLOSED(name=self.name))
-
-
 class OpenRaster:
-    """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
+    """A raster that stays open as long as this lives, or until a ``with`` block of it ends; reading opens it again.
+    Meant for one thread: what crosses threads is a ``RasterRef``.
 
     All reads stay inside the raster, and raise RasterError when they fail. What comes over the network is asked for
     again, in a raster that is opened anew, before that.
     """
-
-    dataset: gdal.Dataset = None
-    """For what only GDAL does, such as warping."""
 
     def __init__(
         self, ref: RasterRef | str | os.PathLike[str], dataset: gdal.Dataset | None = None,
@@ -128,8 +117,7 @@ class OpenRaster:
         self._is_of_file = dataset is None
         # Looked at once: a VRT may name thousands of files.
         self._is_remote = dataset is None and bool(remote_parts(ref.path))
-        if dataset is not None:
-            self.dataset = dataset
+        self._dataset = dataset
         self.fetched(lambda opened: None)  # and so opened
         if self.dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
@@ -148,13 +136,20 @@ class OpenRaster:
         for path in ref.paths:
             check_raster_path(path, ref.name)
         with self._network():
-            self.dataset = gdal_call(lambda: _opened(ref), failure)
+            self._dataset = gdal_call(lambda: _opened(ref), failure)
 
     def __enter__(self) -> OpenRaster:
         return self
 
     def __exit__(self, *error: object) -> None:
-        self.dataset = _Closed(self.ref.name)
+        self._dataset = None
+
+    @property
+    def dataset(self) -> gdal.Dataset:
+        """For what only GDAL does, such as warping."""
+        if self._dataset is None:
+            self._open()
+        return self._dataset
 
     def _network(self) -> AbstractContextManager[None]:
         return remote_settings() if self._is_remote else nullcontext()
@@ -163,7 +158,7 @@ class OpenRaster:
         """What a call finds in the dataset; what comes over the network has an end, and is asked for again."""
 
         def attempt(again: bool) -> Fetched:
-            if again or self.dataset is None:
+            if again:
                 self._open()
             with self._network():
                 return call(self.dataset)
