@@ -173,7 +173,26 @@ _WORDS = (type(None), bool, int, float, str, tuple, Message, np.generic)
 def record_of(value: object) -> bytes:
     """A dataclass of numbers, words, enums, arrays, messages, and tuples, mappings and dataclasses of those."""
     arrays: dict[str, np.ndarray] = {}
-    text = json.dumps(_plain(value, arrays), separators=(",", ":")).encode()
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, Enum):
+            return value.value
+        if isinstance(value, np.generic):
+            return value.item()
+        if isinstance(value, np.ndarray):
+            name = str(len(arrays))
+            arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
+            return name
+        if isinstance(value, Message):
+            words = {name: word if isinstance(word, _WORDS) else str(word) for name, word in value.values.items()}
+            return dict(zip(_MESSAGE, (value.template, value.level.value, words)))
+        if dataclasses.is_dataclass(value):
+            return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+        if isinstance(value, Mapping):
+            return dict(value)
+        raise TypeError(f"no record of {type(value).__name__}")
+
+    text = json.dumps(value, default=plain, separators=(",", ":")).encode()
     held = {_JSON: np.frombuffer(text, np.uint8), **arrays}
     return packed(held, held)
 
@@ -190,29 +209,6 @@ def sentences_of(*modules: ModuleType) -> dict[str, Message]:
     """Sentences that a record may hold, by template."""
     values = (value for module in modules for value in vars(module).values())
     return {value.template: value for value in values if isinstance(value, Message)}
-
-
-def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:
-    if isinstance(value, Enum):
-        return value.value
-    if isinstance(value, np.generic):
-        return value.item()
-    if value is None or isinstance(value, (bool, int, float, str)):
-        return value
-    if isinstance(value, np.ndarray):
-        name = str(len(arrays))
-        arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
-        return name
-    if isinstance(value, Message):
-        words = {name: word if isinstance(word, _WORDS) else str(word) for name, word in value.values.items()}
-        return dict(zip(_MESSAGE, (value.template, value.level.value, _plain(words, arrays))))
-    if dataclasses.is_dataclass(value):
-        return {field.name: _plain(getattr(value, field.name), arrays) for field in dataclasses.fields(value)}
-    if isinstance(value, Mapping):
-        return {_plain(key, arrays): _plain(item, arrays) for key, item in value.items()}
-    if isinstance(value, (tuple, list)):
-        return [_plain(item, arrays) for item in value]
-    raise TypeError(f"no record of {type(value).__name__}")
 
 
 @dataclasses.dataclass(frozen=True)

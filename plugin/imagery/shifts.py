@@ -171,6 +171,8 @@ class _TilePlan(NamedTuple):
     window: np.ndarray
     weights: np.ndarray
     """Weight of each frequency; their sum over the whole spectrum is 1."""
+    searches: list[tuple[np.ndarray, np.ndarray]]
+    """For each round how a spectrum's rows and columns turn by the offsets tried, (offsets, rows or columns)."""
 
 
 @cache
@@ -182,7 +184,10 @@ def _plan(side: int) -> _TilePlan:
     weights = np.exp(-0.5 * (across**2 + down[:, np.newaxis] ** 2) / _CUTOFF**2)
     weights[0, 0] = weights[half] = weights[:, half] = 0.0  # the mean, and what has no counterpart
     weights = (weights / (weights * halves).sum()).astype(np.float32)
-    return _TilePlan(side, half, down, across, halves, taper[:, np.newaxis] * taper, weights)
+    reaches = [_STEPS**-number for number in range(_ROUNDS)]
+    tried = [np.linspace(-reach, reach, 2 * _STEPS + 1)[:, np.newaxis] for reach in reaches]
+    searches = [(_turns(offsets, down), _turns(offsets, across)) for offsets in tried]
+    return _TilePlan(side, half, down, across, halves, taper[:, np.newaxis] * taper, weights, searches)
 
 
 def _nearest_pixel(cross: np.ndarray, plan: _TilePlan) -> Shift:
@@ -190,8 +195,8 @@ def _nearest_pixel(cross: np.ndarray, plan: _TilePlan) -> Shift:
     count = len(cross)
     highest = np.unravel_index(fft.irfft2(cross, (count, count)).argmax(), (count, count))
     y, x = (round((place - count if place > count // 2 else place) * plan.side / count) for place in map(int, highest))
-    around = np.arange(-2, 3)  # the correlation may have been looked at every second pixel only
-    surface = _correlation(cross, plan, y + around, x + around)
+    around = np.arange(-2, 3)[:, np.newaxis]  # the correlation may have been looked at every second pixel only
+    surface = _correlation(cross, plan, _turns(y + around, plan.down), _turns(x + around, plan.across))
     row, column = (int(place) + 1 for place in np.unravel_index(surface[1:-1, 1:-1].argmax(), (3, 3)))
     top = surface[row, column]
     peak = top
@@ -203,20 +208,20 @@ def _nearest_pixel(cross: np.ndarray, plan: _TilePlan) -> Shift:
 
 def _refined(cross: np.ndarray, plan: _TilePlan, start: Shift) -> Shift:
     """The shift ``start`` to a five hundredth of a pixel, by the sum of the spectrum itself."""
-    x, y, height = start.x, start.y, start.peak
-    for number in range(_ROUNDS):
-        offsets = np.linspace(-1, 1, 2 * _STEPS + 1) / _STEPS**number
-        values = _correlation(cross, plan, y + offsets, x + offsets)
+    x, y, reach, height = start.x, start.y, 1.0, start.peak
+    for turns_down, turns_across in plan.searches:
+        values = _correlation(cross, plan, turns_down * _turns(y, plan.down), turns_across * _turns(x, plan.across))
         i, j = np.unravel_index(values.argmax(), values.shape)
-        x, y, height = x + offsets[j], y + offsets[i], values[i, j]
+        offsets = np.linspace(-reach, reach, 2 * _STEPS + 1)
+        x, y, reach, height = x + offsets[j], y + offsets[i], reach / _STEPS, values[i, j]
     return Shift(float(x), float(y), float(height))
 
 
-def _correlation(cross: np.ndarray, plan: _TilePlan, down: np.ndarray, across: np.ndarray) -> np.ndarray:
-    """The correlation of two tiles by their cross spectrum, at shifts down, (n,), and across, (m,): (n, m)."""
-    turns_down, turns_across = (
-        np.exp(2j * np.pi * np.outer(by, frequencies)).astype(np.complex64)
-        for by, frequencies in ((down, plan.down), (across, plan.across))
-    )
+def _correlation(cross: np.ndarray, plan: _TilePlan, turns_down: np.ndarray, turns_across: np.ndarray) -> np.ndarray:
+    """The correlation of two tiles by their cross spectrum, at places given by how they turn it."""
     values: np.ndarray = (turns_down @ cross @ (turns_across * plan.halves).T).real
     return values
+
+
+def _turns(by: float | np.ndarray, frequencies: np.ndarray) -> np.ndarray:
+    return np.exp(2j * np.pi * by * frequencies).astype(np.complex64)

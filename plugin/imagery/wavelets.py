@@ -36,13 +36,9 @@ from .errors import SettingsError
 from .limits import has_colours, measured_bands
 
 # A component of a smaller share is not exact to 1e-4 in that chain of coarse components.
-MIN_FLOAT32_SHARE = 3e-3  # shares were off by 1.5e-7 at most, on textures and orthoimages from 256 x 256 px on
+MIN_FLOAT32_SHARE = 3e-3  # shares were off by 7e-7 at most with any wavelet, 2e-7 with coif3, from 256 x 256 px on
 MIN_FLOAT64_SHARE = 1e-5  # PyWavelets' coefficients are orthonormal to 1e-11 at worst (sym20)
 MIN_FLOAT32_PIXELS = 256 * 256  # smaller clips are fast in float64 too, and average less rounding out
-FLOAT32_WAVELETS = (  # those whose float32 shares stay that near on all of these
-    *("coif1", "coif2", "coif3", "db2", "db3", "db4", "db5", "db6"),
-    *("sym2", "sym3", "sym4", "sym5", "sym6", "sym7", "sym8", "sym9"),
-)
 DIRECTIONS = ("LH", "HL", "HH")
 """The three components of a level's detail, as ``detail_components`` has them: lines that run horizontally, vertically
 and diagonally show up in them. PyWavelets calls them cH, cV and cD."""
@@ -101,12 +97,10 @@ def clip_curves(
 def _energies(bands: np.ndarray, wavelet: str, levels: int) -> tuple[np.ndarray, np.ndarray]:
     """Energies of the components of every band, (bands, R + 1) float64: level 1..R details, then the coarse component;
     and the coarse components at level R, up to a constant."""
-    single = (
-        wavelet in FLOAT32_WAVELETS
-        and bands[0].size >= MIN_FLOAT32_PIXELS
-        and np.can_cast(bands.dtype, np.float32)  # of float64 and 32 bit integers it would drop digits
-    )
-    for dtype, least_share in ((np.float32, MIN_FLOAT32_SHARE), (np.float64, MIN_FLOAT64_SHARE))[0 if single else 1 :]:
+    # Of float64 and 32 bit integers float32 would drop digits.
+    is_single = bands[0].size >= MIN_FLOAT32_PIXELS and np.can_cast(bands.dtype, np.float32)
+    ways = ((np.float32, MIN_FLOAT32_SHARE), (np.float64, MIN_FLOAT64_SHARE))
+    for dtype, least_share in ways[not is_single :]:
         energies, coarse = _chain_energies(bands, wavelet, levels, dtype)
         if (energies > least_share * energies.sum(axis=1, keepdims=True)).all():
             return energies, coarse
@@ -153,12 +147,12 @@ def _chain_energies(bands: np.ndarray, wavelet: str, levels: int, dtype: type) -
     """Energies of the components from those of the coarse chain alone: what leaves it is detail."""
     low, _ = filter_taps(wavelet)
     offsets: Sequence[float] = _near_means(bands)  # what they miss the means by is taken out below, exactly
-    chain, coarse, factor = [], bands, scale(low, dtype)
-    for level in range(levels):
+    chain, coarse = [], bands
+    for _ in range(levels):
         (coarse,), energies = decomposed(coarse, offsets, [low], dtype)
-        chain.append(energies / factor ** (4 * level))
+        chain.append(energies)
         offsets = [0.0] * len(bands)
-    coarse = coarse.astype(np.float64) / factor ** (2 * levels)
+    coarse = coarse.astype(np.float64)
     chain.append([sum_of_squares(band) for band in coarse])
     # A constant c has the energy N c^2 at every level, all of it coarse.
     missed = coarse.mean(axis=(1, 2), dtype=np.float64) / 2**levels
@@ -212,8 +206,7 @@ def measure_directions(clip: Clip, wavelet: str, levels: int) -> dict[str, Direc
     """
     bands, names = clip.bands.astype(np.float64), clip.raster.band_names
     if has_colours(names):
-        weights = np.array(limits.LUMINANCE_WEIGHTS)
-        bands = np.concatenate([np.tensordot(weights, bands[: len(weights)], axes=1)[np.newaxis], bands])
+        bands = np.concatenate([mixture(bands, limits.LUMINANCE_WEIGHTS)[np.newaxis], bands])
     energies = bands.var(axis=(1, 2)) * bands[0].size
     sums = [np.sum(parts**2, axis=(2, 3)) for parts in detail_components(bands, wavelet, levels)]
     shares = np.array(sums) / np.where(energies > 0, energies, np.nan)  # (levels, directions, bands)
@@ -267,27 +260,12 @@ def filter_taps(wavelet: str) -> tuple[Taps, Taps]:
 
 
 @lru_cache(maxsize=1024)
-def _band_matrix(taps: Taps, factor: float, dtype: type) -> np.ndarray:
-    """(BLOCK, 2 BLOCK + L - 2): row i holds the taps from sample 2 i on, times a factor."""
+def _band_matrix(taps: Taps, dtype: type) -> np.ndarray:
+    """(BLOCK, 2 BLOCK + L - 2): row i holds the taps from sample 2 i on."""
     matrix = np.zeros((BLOCK, 2 * BLOCK + len(taps) - 2), dtype=dtype)
     for i in range(BLOCK):
-        matrix[i, 2 * i : 2 * i + len(taps)] = np.array(taps) * factor
+        matrix[i, 2 * i : 2 * i + len(taps)] = taps
     return matrix
-
-
-@cache
-def scale(taps: Taps, dtype: type) -> float:
-    """The factor, 1 to 2, with which the taps lose least when they are rounded to ``dtype``.
-
-    Rounded as they are, they would change the gain, and with it the background of every float32 curve, by up
-    to 5e-8 a level and axis; multiplied by this factor first, by less than 5e-9 at any frequency.
-    """
-    if dtype is np.float64:
-        return 1.0
-    factors = 2 ** np.linspace(0, 1, 512, endpoint=False)[:, np.newaxis]
-    rounded = (factors * taps).astype(dtype) / factors
-    gains, exact_gains = (np.abs(np.fft.rfft(x, 256)) ** 2 for x in (rounded, np.array(taps)))
-    return float(factors[np.abs(gains - exact_gains).max(axis=1).argmin(), 0])
 
 
 MAX_MULTIPLICATIONS = 4 * 65536 - 1  # per matrix product; for more OpenBLAS starts threads, which get in ours' way
@@ -303,12 +281,11 @@ def decomposed(
     ``taps``: the low-pass, and the high-pass where details are wanted, too. Beyond their edges the bands go on
     periodically, or ``mirrored``.
 
-    Returns LL, LH, HL and HH, (1 or 4, bands, rows / 2, columns / 2), where LL comes alone times the square of the
-    low-pass's scale; and the energies of the bands less their offsets.
+    Returns LL, or LL, LH, HL and HH, (1 or 4, bands, rows / 2, columns / 2); and the energies of the bands less their
+    offsets.
     """
-    (count, rows, columns), filters = bands.shape, len(taps)
-    factor, margin = scale(taps[0], dtype) if filters == 1 else 1.0, len(taps[0]) // 2 - 1
-    matrix = np.concatenate([_band_matrix(each, factor, dtype) for each in taps])
+    (count, rows, columns), filters, margin = bands.shape, len(taps), len(taps[0]) // 2 - 1
+    matrix = np.concatenate([_band_matrix(each, dtype) for each in taps])
     parts = np.empty((filters, filters, count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     across, energies = parts.shape[-1] // BLOCK, np.zeros(count)
     for band in range(count):

@@ -10,7 +10,6 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery import gdal_paths
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept
 from seam_inspector.plugin.imagery.rasters import RasterRef
 
@@ -99,17 +98,6 @@ def test_a_silent_server_is_named(server: RangeServer) -> None:
     with pytest.raises(RasterError, match=r"cog\.tif can't be read over the network \(Operation too slow"):
         read(server.vsi("cog.tif"))
     assert len(server.answers) <= 4, server.answers  # each of them is waited for
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("one_second")
-@pytest.mark.parametrize("is_open", [False, True])
-def test_a_server_that_drips_is_given_up(server: RangeServer, is_open: bool) -> None:
-    ref = RasterRef(server.address("cog.tif"))
-    raster = OpenRaster(ref) if is_open else None
-    server.fault = lambda asked: Fault(dripping=0.3)
-    with pytest.raises(RasterError, match=r"can't be read over the network \(.*too slow"):
-        (raster or OpenRaster(ref)).read(WINDOW)
 
 
 LIES = {

@@ -135,19 +135,6 @@ def test_luminance_is_that_of_the_mixed_bands(bands: int, wavelet: str) -> None:
         assert_curve(curve, band, wavelet, 3)
 
 
-def nearly_grey(shape: tuple[int, int], rest: float) -> np.ndarray:
-    """Three lively bands whose luminance is a faint texture of the contrast ``rest`` on a constant."""
-    red, green = 40 * texture(shape, 1.0, seed=1), 40 * texture(shape, 1.0, seed=2)
-    faint = rest * texture(shape, 1.5, seed=3)
-    return np.stack([red, green, (100 + faint - 0.299 * red - 0.587 * green) / 0.114])
-
-
-@pytest.mark.parametrize("rest", [10, 1, 0.1, 1e-3, 1e-5])
-def test_luminance_of_bands_that_nearly_cancel(rest: float) -> None:
-    clip = nearly_grey((128, 96), rest)
-    assert_curve(clip_curves(clip, "coif3", 3, WEIGHTS)[0][-1], luminance(clip), "coif3", 3)
-
-
 @pytest.mark.parametrize("levels", [1, 2, 3, 4])
 @pytest.mark.parametrize("wavelet", ["haar", "coif3", "sym5"])
 def test_coarse_components_hold_the_coefficients_of_pywavelets(levels: int, wavelet: str) -> None:
