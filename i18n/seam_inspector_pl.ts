@@ -184,37 +184,37 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="50"/>
+        <location filename="../plugin/imagery/messages.py" line="49"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="71"/>
+        <location filename="../plugin/imagery/messages.py" line="70"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="73"/>
+        <location filename="../plugin/imagery/messages.py" line="72"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="75"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="80"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="82"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="85"/>
+        <location filename="../plugin/imagery/messages.py" line="84"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
@@ -264,32 +264,32 @@
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="25"/>
+        <location filename="../plugin/imagery/messages.py" line="24"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="25"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <location filename="../plugin/imagery/messages.py" line="27"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="31"/>
+        <location filename="../plugin/imagery/messages.py" line="30"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="65"/>
+        <location filename="../plugin/imagery/messages.py" line="64"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; choose another place.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; wybierz inne miejsce.</translation>
     </message>
@@ -304,7 +304,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="41"/>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -2304,7 +2304,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="94"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2349,7 +2349,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="67"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2359,12 +2359,12 @@
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="96"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="97"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2389,17 +2389,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="63"/>
+        <location filename="../plugin/imagery/messages.py" line="62"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2424,22 +2424,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="107"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2449,17 +2449,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -2499,7 +2499,7 @@
         <translation>Reguły nie określają żadnej granicy; podaj ją w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="27"/>
+        <location filename="../plugin/imagery/messages.py" line="26"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -2899,7 +2899,7 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="93"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
@@ -3064,7 +3064,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="47"/>
+        <location filename="../plugin/imagery/messages.py" line="46"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3129,7 +3129,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="93"/>
+        <location filename="../plugin/imagery/messages.py" line="92"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -4068,7 +4068,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="69"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4858,7 +4858,7 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
@@ -5900,27 +5900,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -7689,12 +7689,12 @@
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="16"/>
+        <location filename="../plugin/imagery/messages.py" line="15"/>
         <source>{name} is a device, a pipe or memory, not a file; copy its data to a file.</source>
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="24"/>
+        <location filename="../plugin/imagery/messages.py" line="23"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
@@ -7714,7 +7714,7 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="99"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
@@ -7744,7 +7744,7 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>The rules in {name} are not valid JSON (see line {line}); correct the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -8028,7 +8028,7 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="38"/>
+        <location filename="../plugin/imagery/messages.py" line="37"/>
         <source>{name} lies outside the area of its coordinate reference system; assign it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
@@ -8073,7 +8073,7 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to them first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -10286,7 +10286,7 @@
         <translation>ortoobrazy skompresowano stratnie, a ortofotomapa zachowała więcej niż one</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="106"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>something else is there</source>
         <translation>w tym miejscu jest coś innego</translation>
     </message>
@@ -10351,7 +10351,7 @@
         <translation>Ocena okno po oknie: panele QGIS ustępują miejsca, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/hard_cut.py" line="277"/>
+        <location filename="../plugin/seams/desk/map/hard_cut.py" line="275"/>
         <source>hard cut: reading ...</source>
         <translation>ostre cięcie: wczytywanie...</translation>
     </message>
@@ -10587,7 +10587,7 @@
         <translation>ma układ odniesienia {system} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="33"/>
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>{name} is read in the reference system that was chosen for it, {system}, not in that of its file, {own}.</source>
         <translation>{name} jest brany w układzie współrzędnych, który mu wybrano, {system}, a nie w układzie swojego pliku, {own}.</translation>
     </message>
@@ -10810,17 +10810,17 @@
         <translation>Warstwy linii mozaikowania dotyczą {count} ortofotomap, a żadnej nie podano do decyzji: nie wiadomo, czy wszystkie należą do dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="35"/>
+        <location filename="../plugin/imagery/messages.py" line="34"/>
         <source>&apos;{text}&apos; is not a projected or geographic coordinate reference system; write it as WKT, or as a code such as EPSG:2180.</source>
         <translation>„{text}” nie jest układem współrzędnych mapy (płaskim ani geograficznym); należy go zapisać jako WKT albo tak jak EPSG:2180.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="50"/>
         <source>{name} is {value}; give {expected}.</source>
         <translation>{name}: podano {value}; należy podać {expected}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="53"/>
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>The window runs from {xmin:.8g} to {xmax:.8g} and from {ymin:.8g} to {ymax:.8g}; give xmin, ymin, xmax and ymax as numbers, the smaller ones first.</source>
         <translation>Okno biegnie od {xmin:.8g} do {xmax:.8g} i od {ymin:.8g} do {ymax:.8g}; podaj xmin, ymin, xmax i ymax jako liczby, najpierw mniejsze.</translation>
     </message>
@@ -10915,7 +10915,7 @@
         <translation>Wtapiaj węziej.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="42"/>
+        <location filename="../plugin/imagery/messages.py" line="41"/>
         <source>The table has no lines; make a frame of it by to_dataframe().</source>
         <translation>Tabela nie zawiera linii; utwórz z niej ramkę danych metodą to_dataframe().</translation>
     </message>
@@ -10925,12 +10925,12 @@
         <translation>Plik {path} nie podaje układu współrzędnych, więc przyjęto układ ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <location filename="../plugin/imagery/messages.py" line="17"/>
         <source>{name} is read by GDAL&apos;s driver {driver}, which may open other files, a service or a database; save the part that is needed as GeoTIFF.</source>
         <translation>{name} czyta sterownik GDAL {driver}, który może prowadzić do innych plików, usługi lub bazy danych; zapisz potrzebną część jako GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="21"/>
+        <location filename="../plugin/imagery/messages.py" line="20"/>
         <source>{name} claims {columns} x {rows} px in blocks of {width} x {height} px, which no memory holds; save it again in tiles, or copy it again if it is damaged.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px w blokach {width} × {height} px, których nie pomieści żadna pamięć; zapisz go ponownie w kaflach albo, jeśli jest uszkodzony, skopiuj go ponownie.</translation>
     </message>
@@ -10938,11 +10938,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="366"/>
         <source>{share:.0f} % of the mosaic&apos;s textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from, and check that they lie where it does.</source>
         <translation>{share:.0f} % terenu ortofotomapy z teksturą nie odpowiada żadnemu ortoobrazowi, najwięcej przy {x:.1f}, {y:.1f}, więc niczego tam nie zmierzono. Podaj te, z których ją tam wykonano, i sprawdź, czy leżą tam, gdzie ortofotomapa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="15"/>
-        <source>{name} is closed; open it again to read it.</source>
-        <translation>Plik {name} jest zamknięty; otwórz go ponownie, aby go odczytać.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
@@ -11024,12 +11019,12 @@
         <translation>z partii o liczbie niezgodnych odcinków {good} ({share:.1%}) odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="44"/>
         <source>Some places can&apos;t be transformed to another coordinate reference system; check the systems of the layers.</source>
         <translation>Niektórych położeń nie da się przeliczyć do innego układu współrzędnych; sprawdź układy warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="102"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address, the network, and GDAL&apos;s settings and credentials, or copy it to a local disk.</source>
         <translation>Nie można odczytać {name} przez sieć ({why}); sprawdź adres, sieć oraz ustawienia i dane logowania GDAL albo skopiuj plik na dysk lokalny.</translation>
     </message>
@@ -11247,37 +11242,37 @@
         <translation>W {name} obejrzano {share:.0%} ortofotomapy, w obrębie korytarza; linie mozaikowania poza nim nie są znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <location filename="../plugin/imagery/messages.py" line="29"/>
         <source>{name} has no coordinate reference system (CRS); set it where the raster is opened, or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych (CRS); ustaw go tam, gdzie raster jest otwierany, albo zapisz go w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="55"/>
+        <location filename="../plugin/imagery/messages.py" line="54"/>
         <source>The window lies outside the mosaic; choose a place on it.</source>
         <translation>Okno leży poza ortofotomapą; wybierz miejsce na niej.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="57"/>
+        <location filename="../plugin/imagery/messages.py" line="56"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so take a larger one, or use fewer levels where these ask for more than 64 px.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; weź większe okno albo, jeśli poziomy wymagają więcej niż 64 px, zmniejsz ich liczbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="60"/>
+        <location filename="../plugin/imagery/messages.py" line="59"/>
         <source>The window covers {width} x {height} px of the mosaic, but {most} million px are the most; take a smaller one.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; weź mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="77"/>
         <source>The seamline layer holds no line and no polygon; give that of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; podaj warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="87"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair it (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw ją („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
         <source>The seamline layer has coordinates that are not numbers in the mosaic&apos;s reference system; check the reference systems of both and repair the layer (&apos;Fix geometries&apos; or ogr2ogr -makevalid).</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które na mapie ortofotomapy nie są liczbami; sprawdź układy współrzędnych obu i napraw warstwę („Napraw geometrie” albo ogr2ogr -makevalid).</translation>
     </message>

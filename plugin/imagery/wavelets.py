@@ -338,11 +338,7 @@ def _strips(
     for start in range(0, rows, most):
         first, last = start - margin, start + _whole(min(most, rows - start)) + margin
         samples = buffer[: last - first]
-        held = slice(max(first, 0), min(last, rows))
-        samples[held.start - first : held.stop - first, inside] = band[held]
-        for beyond in (np.arange(first, held.start), np.arange(held.stop, last)):
-            if len(beyond):
-                samples[beyond - first, inside] = band[_continued(beyond, rows, mirrored)]
+        samples[:, inside] = band[_continued(np.arange(first, last), rows, mirrored)]
         samples[:, : inside.start] = samples[:, margin + left]
         samples[:, inside.stop :] = samples[:, margin + right]
         if offset:
