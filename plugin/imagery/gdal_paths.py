@@ -46,7 +46,7 @@ RASTERS, FEATURES, ANYTHING = gdal.OF_RASTER, gdal.OF_VECTOR, 0
 _DRIVERS = {RASTERS: _IMAGES, FEATURES: _TABLES, ANYTHING: (*_IMAGES, *_TABLES, "OGR_VRT")}
 
 
-def open_dataset(path: str, kind: int, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
+def open_dataset(path: str, kind: int = RASTERS, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
     """None for what has no end, and what can't be opened by the drivers that are allowed. GDAL says nothing."""
     if not is_endless(path):
         with gdal_silenced(), suppress(RuntimeError):
@@ -246,10 +246,6 @@ _PROBED_BYTES = 16384  # the least that GDAL fetches
 _TOO_SLOW = "too slow"
 _FAILED = re.compile(f"Range downloading|CURL error|{_TOO_SLOW}")
 _MOST_PROBED = 32  # remote parts of a VRT that are asked which one failed
-_MAY_BE_THE_NETWORK = (
-    messages.NOT_FOUND.template, messages.NOT_A_RASTER.template, messages.NOT_READABLE.template,
-    messages.DAMAGED.template,
-)
 
 
 def remote_parts(path: str) -> tuple[str, ...]:
@@ -288,11 +284,8 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     until, failure = _failures.get(path, (0.0, messages.NOT_FOUND))
     if time.monotonic() < until:
         raise RasterError(failure)
-    try:
+    with suppress(RasterError), remote_settings():
         return read(False)
-    except RasterError as error:
-        if error.message.template not in _MAY_BE_THE_NETWORK:
-            raise
     gdal.VSICurlClearCache()  # what was fetched, and what is said to be there
     probed = ((part, _said_on_reading(part)) for part in remote_parts(path)[:_MOST_PROBED])
     part, said = next(((part, said) for part, said in probed if said), (path, ""))
@@ -304,7 +297,8 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
         failure = messages.REMOTE_NOT_READABLE(name=shown, why=why)
     else:
         try:
-            return read(True)
+            with remote_settings():
+                return read(True)
         except RasterError as error:
             failure = error.message
     if is_remote(path):

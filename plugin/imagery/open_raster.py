@@ -5,7 +5,7 @@ import math
 import os
 import re
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, nullcontext, suppress
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial, reduce
 from typing import Any, Callable, NamedTuple, TypeVar
@@ -16,16 +16,7 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .errors import Message, RasterError
 from .gdal_calls import gdal_call, gdal_pixels, gdal_settings, gdal_silenced
-from .gdal_paths import (
-    RASTERS,
-    check_raster_path,
-    is_there,
-    open_dataset,
-    remote_parts,
-    remote_settings,
-    with_parts,
-    with_retries,
-)
+from .gdal_paths import check_raster_path, is_there, open_dataset, remote_parts, with_parts, with_retries
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -135,8 +126,7 @@ class OpenRaster:
             failure = messages.NOT_PERMITTED(name=ref.name)
         for path in ref.paths:
             check_raster_path(path, ref.name)
-        with self._network():
-            self._dataset = gdal_call(lambda: _opened(ref), failure)
+        self._dataset = gdal_call(lambda: _opened(ref), failure)
 
     def __enter__(self) -> OpenRaster:
         return self
@@ -151,17 +141,13 @@ class OpenRaster:
             self._open()
         return self._dataset
 
-    def _network(self) -> AbstractContextManager[None]:
-        return remote_settings() if self._is_remote else nullcontext()
-
     def fetched(self, call: Callable[[gdal.Dataset], Fetched]) -> Fetched:
         """What a call finds in the dataset; what comes over the network has an end, and is asked for again."""
 
         def attempt(again: bool) -> Fetched:
             if again:
                 self._open()
-            with self._network():
-                return call(self.dataset)
+            return call(self.dataset)
 
         try:
             return with_retries(self.ref.path, self.ref.name, attempt) if self._is_remote else attempt(again=False)
@@ -348,7 +334,7 @@ def damaged(name: str, window: PixelWindow, why: str) -> Message:
 def _opened(ref: RasterRef) -> gdal.Dataset | None:
     """The dataset of all parts, a palette as its colours, rows that run north turned over; None where GDAL opens no
     first part."""
-    if (first := open_dataset(ref.path, RASTERS)) is None:
+    if (first := open_dataset(ref.path)) is None:
         return None
     whole: gdal.Dataset = first
     with suppress(RuntimeError):  # Read now what lies beside it, without what is broken; else the next question fails.

@@ -211,13 +211,6 @@ def sentences_of(*modules: ModuleType) -> dict[str, Message]:
     return {value.template: value for value in values if isinstance(value, Message)}
 
 
-@dataclasses.dataclass(frozen=True)
-class _OneOf:
-    """Not typing's Union, which remembers our classes and so keeps all of the plugin when it is unloaded."""
-
-    kinds: tuple[Any, ...]
-
-
 class _Reader:
     def __init__(self, arrays: Mapping[str, np.ndarray], sentences: Mapping[str, Message]) -> None:
         self._arrays, self._sentences = arrays, sentences
@@ -225,8 +218,8 @@ class _Reader:
     def read(self, kind: Any, plain: Any) -> Any:
         """Raises NotUnderstoodError, or whatever the data is not fit for."""
         origin, inner = typing.get_origin(kind), typing.get_args(kind)
-        if isinstance(kind, _OneOf):
-            for other in kind.kinds:
+        if isinstance(kind, list):
+            for other in kind:
                 with suppress(NotUnderstoodError, AttributeError, KeyError, TypeError, ValueError):
                     return self.read(other, plain)
         elif origin is tuple:
@@ -284,8 +277,8 @@ def _kind(node: ast.expr, names: Mapping[str, Any]) -> Any:
         return getattr(_kind(node.value, names), node.attr)
     if isinstance(node, ast.Constant):
         return type(None) if node.value is None else node.value
-    if isinstance(node, ast.BinOp):
-        return _OneOf((_kind(node.left, names), _kind(node.right, names)))
+    if isinstance(node, ast.BinOp):  # typing's Union remembers our classes: all of the plugin when it is unloaded
+        return [_kind(node.left, names), _kind(node.right, names)]
     if isinstance(node, ast.Tuple):
         return tuple(_kind(part, names) for part in node.elts)
     if isinstance(node, ast.Subscript):
