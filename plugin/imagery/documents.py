@@ -104,52 +104,55 @@ class RuleObject:
         """Refuse every other key."""
         for key in self.content:
             if key not in known:
-                raise self._refusal(messages.RULES_KEY_UNKNOWN, key=key, known=", ".join(known))
+                raise SettingsError(
+                    messages.RULES_KEY_UNKNOWN(place=self.place, name=self.file, key=key, known=", ".join(known))
+                )
 
     def number(self, key: str, least: float = 0) -> float | None:
         """Number of ``least`` or more; None when it is left out."""
         value = self.content.get(key)
-        if value is not None and not (is_number(value) and value >= least):
-            raise self._refusal(messages.RULES_LIMIT_BAD, key=key, least=least)
-        return None if value is None else float(value)
+        if value is None:
+            return None
+        if not (is_number(value) and value >= least):
+            raise SettingsError(messages.RULES_LIMIT_BAD(place=self.place, name=self.file, key=key, least=least))
+        return float(value)
 
     def limits(self) -> tuple[float | None, float | None]:
         """``least`` and ``most``."""
         least, most = self.number("least"), self.number("most")
         if least is not None and most is not None and least > most:
-            raise self._refusal(messages.RULES_LIMITS_CROSSED)
+            raise SettingsError(messages.RULES_LIMITS_CROSSED(place=self.place, name=self.file))
         return least, most
 
     def whole(self, key: str, default: int) -> int:
         """A whole number of 1 or more."""
         value = self.content.get(key, default)
-        if type(value) is not int or value < 1:
-            raise self._refusal(messages.RULES_WHOLE_BAD, key=key)
+        if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+            raise SettingsError(messages.RULES_WHOLE_BAD(place=self.place, name=self.file, key=key))
         return value
 
     def flag(self, key: str, default: bool) -> bool:
         """True or false."""
         value = self.content.get(key, default)
         if not isinstance(value, bool):
-            raise self._refusal(messages.RULES_FLAG_BAD, key=key)
+            raise SettingsError(messages.RULES_FLAG_BAD(place=self.place, name=self.file, key=key))
         return value
 
     def word(self, key: str, known: Collection[str]) -> str:
         """One of some words."""
         value = self.content.get(key)
         if not isinstance(value, str) or value not in known:
-            raise self._refusal(messages.RULES_WORD_UNKNOWN, key=key, value=value, known=", ".join(known))
+            raise SettingsError(messages.RULES_WORD_UNKNOWN(
+                place=self.place, name=self.file, key=key, value=value, known=", ".join(known)
+            ))  # fmt: skip
         return value
 
     def source(self) -> str:
         """Origin of the limits."""
         source = self.content.get("source")
         if not isinstance(source, str) or not source.strip():
-            raise self._refusal(messages.RULES_SOURCE_MISSING)
+            raise SettingsError(messages.RULES_SOURCE_MISSING(place=self.place, name=self.file))
         return source
-
-    def _refusal(self, message: Message, **values: object) -> SettingsError:
-        return SettingsError(message(place=self.place, name=self.file, **values))
 
 
 def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made]) -> Made:

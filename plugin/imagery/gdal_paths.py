@@ -281,9 +281,9 @@ def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result
     Raises RasterError with the cause, or what ``read`` raises about a raster that came whole. What failed is
     remembered for a while, by all threads, and fails at once; of a VRT not, since others of its parts may be there.
     """
-    until, failure = _failures.get(path, (0.0, messages.NOT_FOUND))
-    if time.monotonic() < until:
-        raise RasterError(failure)
+    known = _failures.get(path)
+    if known is not None and time.monotonic() < known[0]:
+        raise RasterError(known[1])
     with suppress(RasterError), remote_settings():
         return read(False)
     gdal.VSICurlClearCache()  # what was fetched, and what is said to be there
