@@ -64,6 +64,7 @@ _ROLE = re.compile(rf"(?<![a-z])(?:red[ _-]?edge|({'|'.join(_ROLES)}))(?![a-z])"
 """The word for a role in what a band is called, as in Red (band 4) and NIR_842; the red edge is none."""
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
+_TURNED = "TURNED", "YES", "SEAM_INSPECTOR"  # what is noted of a raster whose rows were turned over
 CORNER_PX = 16
 """Side of the squares at an image's corners, one of which is wholly of the pads around it."""
 _MOST_OF_A_TILE = 1 << 24  # pixels that are worked on at once: what is made of them takes several times their room
@@ -171,6 +172,7 @@ class OpenRaster:
             self.ref, self.columns, self.rows,
             transform and tuple(transform), self.dataset.GetProjection() or "",
             self.roles.names, str(kind), int(bits) if bits else None, is_lossy, self.roles.indices,
+            self.dataset.GetMetadataItem(_TURNED[0], _TURNED[2]) is not None,
         )
 
     @property
@@ -343,13 +345,14 @@ def _opened(ref: RasterRef) -> gdal.Dataset | None:
     if ref.parts:
         pixel = {"xRes": width, "yRes": -height}
         whole = gdal.BuildVRT("", [*ref.paths[::-1]], resolution="user", outputBounds=ref.bounds, **pixel)
-    elif first.RasterCount == 1 and first.GetRasterBand(1).GetColorTable() is not None:
-        whole = gdal.Translate("", first, format="VRT", rgbExpand="rgba")
+    if whole.RasterCount == 1 and whole.GetRasterBand(1).GetColorTable() is not None:
+        whole = gdal.Translate("", whole, format="VRT", rgbExpand="rgba")
     if height > 0 == skew_x == skew_y and first.GetProjection():
         size = {"width": first.RasterXSize, "height": first.RasterYSize}
         bounds = left, top, left + width * first.RasterXSize, top + height * first.RasterYSize
         is_masked = whole.GetRasterBand(1).GetMaskFlags() == gdal.GMF_PER_DATASET
         whole = gdal.Warp("", whole, format="VRT", outputBounds=bounds, dstAlpha=is_masked, errorThreshold=0, **size)
+        whole.SetMetadataItem(*_TURNED)
     if whole is not first:
         whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
     return whole

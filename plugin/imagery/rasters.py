@@ -83,6 +83,8 @@ class Raster:
     """Whether the file says that its pixels are compressed with loss."""
     band_order: tuple[int, ...] = ()
     """Place in the file, from 0, of each of its bands."""
+    is_turned: bool = False
+    """Whether it is seen turned over, as the rows of its file run north."""
 
     @cached_property
     def wkt(self) -> str:

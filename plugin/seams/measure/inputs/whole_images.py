@@ -91,7 +91,7 @@ def _part(mosaic: Raster, source: Source, opened: Callable[[RasterRef], OpenRast
 def have_same_grid(first: Raster, second: Raster) -> bool:
     """Whether the pixels of two rasters lie on one grid and hold the same bands in the same order."""
     held = [(raster.band_names, raster.band_order, raster.data_type, raster.wkt) for raster in (first, second)]
-    if held[0] != held[1]:
+    if held[0] != held[1] or first.is_turned or second.is_turned:  # GDAL puts no turned ones together
         return False
     grid, other = first.grid, second.grid
     column, row = grid.column_at(other.left), grid.row_at(other.top)
