@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from seam_inspector.plugin.imagery.record_store import RecordFiles
+from seam_inspector.plugin.imagery.records import RecordFiles
 
 from fuzz.breakages.broken import FILES, LAYERS, RASTERS, RECORDS, Broken, breakage
 

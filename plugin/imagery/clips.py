@@ -92,14 +92,13 @@ def read_clip(
 ) -> Clip:
     """The pixels of a raster under a window of the mosaic.
 
-    They are read as they are when the pixel sizes agree to 1 % and the axes are parallel, turned over where rows run
-    north; the sub-pixel offset is reported. Otherwise the raster is warped to the window's grid, by averaging where it
-    is finer and by cubic convolution where it is not. With ``holes`` ``valid`` tells of small ones, too.
+    They are read as they are when the pixel sizes agree to 1 % and the axes are parallel; the sub-pixel offset is
+    reported. Otherwise the raster is warped to the window's grid, by averaging where it is finer and by cubic
+    convolution where it is not. With ``holes`` ``valid`` tells of small ones, too.
 
     Raises NotCoveredError when more than 0.1 % of the pixels are invalid, or with ``partly`` when all but 0.5 % are;
     RasterError when the raster can't be read.
     """
-    source = source.upright
     raster, grid = placed(source.raster), mosaic.grid
     if not (
         raster.is_north_up

@@ -27,8 +27,7 @@ from .atomic_files import UnfinishedFile, files_written
 from .documents import json_document
 from .errors import SettingsError
 from .gdal_calls import gdal_settings, gdal_silenced
-from .gdal_paths import ANYTHING, RASTERS, begins_vrt, is_remote, local_file, open_dataset, vrt_parts, with_parts
-from .remote_files import remote_state
+from .gdal_paths import ANYTHING, begins_vrt, is_remote, local_file, open_dataset, remote_state, vrt_parts, with_parts
 
 _DATABASES = (".gpkg", ".sqlite")  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
@@ -115,7 +114,7 @@ def files_beside(path: str) -> set[str]:
     name = os.path.basename(path)
     called = {name + ending for ending in (".aux.xml", ".msk", ".ovr")}
     with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
-        dataset = open_dataset(path, RASTERS) if os.path.isfile(path) and not is_database(path) else None
+        dataset = open_dataset(path) if os.path.isfile(path) and not is_database(path) else None
         if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
             names = {os.path.basename(file) for file in _files_of(dataset)} - {name}
             called |= {other for other in names if other.startswith(os.path.splitext(name)[0])}
@@ -207,7 +206,7 @@ def local_states(paths: Iterable[str]) -> dict[str, FileState]:
         for part in (part for path in paths for part in with_parts(path) if not is_remote(part)):
             file, beside = local_file(part), [part + _MASK]
             if os.path.exists(file) and not vrt_parts(part):
-                beside += map(local_file, _files_of(open_dataset(part, RASTERS)))
+                beside += map(local_file, _files_of(open_dataset(part)))
             beside = [name for name in beside if not name.lower().endswith(_NOT_PIXELS)]
             files.update(dict.fromkeys(map(os.path.abspath, (file, *beside))))
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # digests are made while Python waits

@@ -3,6 +3,8 @@
 What users choose is looked at by ``check_raster_path`` and opened by ``open_dataset``: mosaics and orthoimages as
 ``RASTERS``, seamlines and tables as ``FEATURES``, both as ``ANYTHING`` where it is only asked which files they are. XML
 and JSON are read by ``documents``. What a VRT leads to, GDAL opens with all of its drivers, as QGIS does.
+
+What is read over the network, by GDAL's own file systems, is asked for again where that fails, and the cause is named.
 """
 from __future__ import annotations
 
@@ -10,27 +12,28 @@ import os
 import re
 import sqlite3
 import stat
+import time
 from collections.abc import Iterator
-from contextlib import closing, suppress
+from contextlib import closing, contextmanager, suppress
 from functools import lru_cache
 from html import unescape
 from itertools import combinations
 from pathlib import Path
+from typing import Callable, TypeVar
 
 from osgeo import gdal
 
 from . import messages
-from .errors import RasterError
-from .gdal_calls import gdal_silenced, vsi_bytes
+from .errors import Message, RasterError
+from .gdal_calls import gdal_heard, gdal_settings, gdal_silenced, vsi_bytes
 
 _IMAGES = (
     "GTiff", "COG", "JPEG", "PNG", "GIF", "BIGGIF", "BMP", "WEBP", "JPEGXL", "HEIF", "PNM", "JP2OpenJPEG", "JP2ECW",
     "JP2KAK", "JP2MrSID", "JP2Lura", "ECW", "MrSID", "HFA", "ENVI", "EHdr", "NITF", "RMF", "RST", "KRO", "SGI", "TGA",
     "AAIGrid", "GRASSASCIIGrid", "GSAG", "GSBG", "GS7BG", "XYZ", "SRTMHGT", "DTED", "USGSDEM", "SAGA", "PCRaster",
     "BYN", "CTable2", "GTX", "ISG", "LOSLAS", "NGSGEOID", "NTv2", "netCDF", "GPKG", "MBTiles", "Rasterlite", "VRT",
-    "GTI",
 )  # fmt: skip
-"""Formats of images, heights and geoids. But for VRT and GTI they name no other file, as ERS, MRF and KMZ do."""
+"""Formats of images, heights and geoids. But for VRT they name no other file, as ERS, MRF, GTI and KMZ do."""
 _TABLES = (
     "GPKG", "ESRI Shapefile", "GeoJSON", "GeoJSONSeq", "TopoJSON", "ESRIJSON", "FlatGeobuf", "CSV", "SQLite", "KML",
     "LIBKML", "GML", "GPX", "DXF", "DGN", "MapInfo File", "OpenFileGDB", "Parquet", "Arrow", "XLSX", "ODS",
@@ -43,7 +46,7 @@ RASTERS, FEATURES, ANYTHING = gdal.OF_RASTER, gdal.OF_VECTOR, 0
 _DRIVERS = {RASTERS: _IMAGES, FEATURES: _TABLES, ANYTHING: (*_IMAGES, *_TABLES, "OGR_VRT")}
 
 
-def open_dataset(path: str, kind: int, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
+def open_dataset(path: str, kind: int = RASTERS, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
     """None for what has no end, and what can't be opened by the drivers that are allowed. GDAL says nothing."""
     if not is_endless(path):
         with gdal_silenced(), suppress(RuntimeError):
@@ -110,7 +113,7 @@ _PACKED = re.compile(r"^(?:/?vsi(?:(?:zip|tar|gzip|7z|rar|sparse|cached)/|subfil
 _MOST_WORDS = 9  # between colons in a name: each stretch of them may be a file's
 _HEAD_BYTES = 1024  # by which GDAL's drivers know their files
 _VRT = b"<VRTDataset"
-_NAMES_OTHERS = (_VRT, b"<OGRVRT", b"<GDALTileIndexDataset")
+_NAMES_OTHERS = (_VRT, b"<OGRVRT")
 _ELEMENT = re.compile(rb"<([^<>]+)>\s*([^<\s][^<]*)")
 _NAMING = re.compile(rb"FILE|DATASET|DATASOURCE|DEMPATH", re.I)
 """In the names of elements that hold a file's, and in the keys of metadata."""
@@ -164,7 +167,7 @@ def begins_vrt(content: bytes) -> bool:
 
 
 def with_parts(path: str) -> Iterator[str]:
-    """A raster or layer and what it is made of where it is a VRT or a tile index, parts of parts too, each once."""
+    """A raster or layer and what it is made of where it is a VRT, parts of parts too, each once."""
     parts, known = [path], {path}
     for part in parts:  # which grows meanwhile
         yield part
@@ -174,15 +177,13 @@ def with_parts(path: str) -> Iterator[str]:
 
 
 def vrt_parts(path: str) -> tuple[str, ...]:
-    """The files that a VRT or a tile index of a raster names; none of what is neither, or lies on a server."""
+    """The files that a VRT names; none of what is none, or lies on a server."""
     if path.lstrip().startswith("<"):
         return tuple(_named(os.fsencode(path), ""))
     if is_remote(path):
         return ()
     if path.startswith("vrt://"):
         return (path[len("vrt://") :].partition("?")[0],)
-    if path.upper().startswith("GTI:"):
-        return tuple(_indexed(path[len("GTI:") :]))
     stamp = file_stamp(local_file(path))
     if stamp is None:
         return _read_names.__wrapped__(path, ()) if path.startswith("/vsimem/") else ()
@@ -205,8 +206,6 @@ def file_stamp(path: str) -> Stamp | None:
 @lru_cache(100_000)
 def _read_names(path: str, stamp: Stamp) -> tuple[str, ...]:
     """What the file at a path names, looked at anew once it is another one: windows open ten thousand files each."""
-    if re.search(r"\.gti\.(gpkg|fgb|parquet)$", path, re.I):
-        return tuple(_indexed(path))
     with gdal_silenced(), suppress(RuntimeError):
         head = vsi_bytes(path, _HEAD_BYTES)
         if any(root in head.partition(b"\0")[0] for root in _NAMES_OTHERS):
@@ -227,11 +226,108 @@ def _named(document: bytes, folder: str) -> Iterator[str]:
         yield from filter(os.path.isfile, (os.path.join(folder, part) for part in _between_colons(name)))
 
 
-def _indexed(path: str) -> Iterator[str]:
-    """The files that a tile index of a raster names."""
-    dataset = open_dataset(path, FEATURES)
-    layer = None if dataset is None else dataset.GetLayer(0)
-    if layer is None or (column := layer.GetLayerDefn().GetFieldIndex("location")) < 0:
-        return
-    for row in layer:
-        yield path_from(os.path.dirname(path), row.GetFieldAsString(column))
+# --- over the network -------------------------------------------------------------------------------------------
+
+Result = TypeVar("Result")
+
+SETTINGS = {
+    "GDAL_HTTP_CONNECTTIMEOUT": "10",
+    "GDAL_HTTP_LOW_SPEED_TIME": "10",  # seconds in which next to nothing comes: no answer
+    "GDAL_HTTP_LOW_SPEED_LIMIT": "1000",  # bytes a second; a window would take hours
+    "GDAL_HTTP_TIMEOUT": "600",  # seconds of one answer: some never end
+    "GDAL_HTTP_MAX_RETRY": "3",  # of a request that is refused for now (429, 5xx)
+    "GDAL_HTTP_RETRY_DELAY": "0.5",  # seconds, more each time
+    "GDAL_HTTP_MERGE_CONSECUTIVE_RANGES": "YES",
+    "GDAL_DISABLE_READDIR_ON_OPEN": "TRUE",  # a mask beside a file is asked for by name, and no folder is listed
+}
+"""GDAL's options for all that is remote; those that the user has set stay."""
+REMEMBERED_S = 60.0  # in which what failed is not asked for again: each block would wait for it
+_PROBED_BYTES = 16384  # the least that GDAL fetches
+_TOO_SLOW = "too slow"
+_FAILED = re.compile(f"Range downloading|CURL error|{_TOO_SLOW}")
+_MOST_PROBED = 32  # remote parts of a VRT that are asked which one failed
+
+
+def remote_parts(path: str) -> tuple[str, ...]:
+    """What of a raster is read over the network: itself, or what VRTs on this machine name."""
+    return tuple(filter(is_remote, with_parts(path)))
+
+
+@contextmanager
+def remote_settings(**more: str) -> Iterator[None]:
+    """GDAL's options for remote files in this thread, but for those that the user set otherwise."""
+    options = {**SETTINGS, **more}
+    # One that only this thread has is from a block around this one.
+    free = {
+        name: value for name, value in options.items()
+        if gdal.GetThreadLocalConfigOption(name) is not None or gdal.GetConfigOption(name) is None
+    }
+    with gdal_settings(**free):
+        yield
+
+
+_failures: dict[str, tuple[float, Message]] = {}
+"""Until when a path is not asked for again, and why."""
+
+
+def forget_failures() -> None:
+    """Ask again for all that failed."""
+    _failures.clear()
+
+
+def with_retries(path: str, name: str, read: Callable[[bool], Result]) -> Result:
+    """What ``read`` gives of a raster at once, or in a second attempt: told so, it is to open the raster anew.
+
+    Raises RasterError with the cause, or what ``read`` raises about a raster that came whole. What failed is
+    remembered for a while, by all threads, and fails at once; of a VRT not, since others of its parts may be there.
+    """
+    known = _failures.get(path)
+    if known is not None and time.monotonic() < known[0]:
+        raise RasterError(known[1])
+    with suppress(RasterError), remote_settings():
+        return read(False)
+    gdal.VSICurlClearCache()  # what was fetched, and what is said to be there
+    probed = ((part, _said_on_reading(part)) for part in remote_parts(path)[:_MOST_PROBED])
+    part, said = next(((part, said) for part, said in probed if said), (path, ""))
+    shown = (name if part == path else os.path.basename(part)).partition("?")[0]  # without what may be a password
+    if said:
+        status = re.search(r"HTTP (?:response|error) code:? ([1-9]\d\d)", said)
+        words = re.sub(r" on \w+://\S+", "", said)  # an address may hold a password
+        why = f"HTTP {status[1]}" if status else words.rpartition("CURL error: ")[2]
+        failure = messages.REMOTE_NOT_READABLE(name=shown, why=why)
+    else:
+        try:
+            with remote_settings():
+                return read(True)
+        except RasterError as error:
+            failure = error.message
+    if is_remote(path):
+        _failures[path] = time.monotonic() + REMEMBERED_S, failure
+    raise RasterError(failure)
+
+
+def remote_state(path: str) -> str:
+    """Size, time of change and entity tag of what a server has, as far as it tells them now."""
+    path = readable_path(path)
+    gdal.VSICurlClearCache()
+    with gdal_silenced(), suppress(RuntimeError):
+        status, headers = gdal.VSIStatL(path), gdal.GetFileMetadata(path, "HEADERS") or {}
+        tags = [value for name, value in headers.items() if name.lower() == "etag"]
+        return f"{status and status.size} {status and status.mtime} {''.join(tags)}"
+    return ""
+
+
+def _said_on_reading(path: str) -> str:
+    """GDAL's words for why the first bytes of a remote file can't be read; empty where they can."""
+    try:
+        with gdal_heard() as said, remote_settings(CPL_VSIL_CURL_USE_HEAD="NO"):  # bytes, as of the pixels
+            gdal.VSIErrorReset()
+            content, status = vsi_bytes(readable_path(path), _PROBED_BYTES), gdal.VSIStatL(readable_path(path))
+    except RuntimeError as error:
+        return str(error)
+    words = [text for _, text in said]
+    if status is None:
+        return gdal.VSIGetLastErrorMsg() or "".join(words[-1:]) or "unknown"
+    if len(content) < min(status.size, _PROBED_BYTES):
+        words.append(_TOO_SLOW)  # GDAL makes do with what came until it lost patience
+    return next(filter(_FAILED.search, words), "")

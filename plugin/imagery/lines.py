@@ -71,14 +71,15 @@ def burnt(
         target = gdal.GetDriverByName("MEM").Create("", window.width, window.height, 1, gdal.GDT_Byte)
         target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
         target.GetRasterBand(1).Fill(background)
+        vector = ogr.GetDriverByName("Memory").CreateDataSource("")
+        layer = vector.CreateLayer("shapes")
+        layer.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
         for geometry, value in shapes:
-            vector = ogr.GetDriverByName("Memory").CreateDataSource("")
-            layer = vector.CreateLayer("shape")
             feature = ogr.Feature(layer.GetLayerDefn())
             feature.SetGeometry(geometry)
+            feature.SetField("value", value)
             layer.CreateFeature(feature)
-            options = ["ALL_TOUCHED=TRUE"] if touched else []
-            gdal.RasterizeLayer(target, [1], layer, burn_values=[value], options=options)
+        gdal.RasterizeLayer(target, [1], layer, options=["ATTRIBUTE=value", f"ALL_TOUCHED={touched}"])
         return np.asarray(target.ReadAsArray())
 
 

@@ -12,7 +12,6 @@ PART_NOT_FOUND = Message("{name} refers to {part}, which does not exist; restore
 MASK_NOT_READABLE = Message("The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both again.")
 DAMAGED = Message(
     "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it again.")
-RASTER_CLOSED = Message("{name} is closed; open it again to read it.")
 NO_FILE = Message("{name} is a device, a pipe or memory, not a file; copy its data to a file.")
 DRIVER_NOT_USED = Message(
     "{name} is read by GDAL's driver {driver}, which may open other files, a service or a database; save the part that "

@@ -5,10 +5,10 @@ import math
 import os
 import re
 from collections.abc import Iterator
-from contextlib import AbstractContextManager, nullcontext, suppress
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property, partial, reduce
-from typing import Any, Callable, NamedTuple, NoReturn, TypeVar
+from typing import Any, Callable, NamedTuple, TypeVar
 
 import numpy as np
 from osgeo import gdal, gdal_array
@@ -16,11 +16,10 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .errors import Message, RasterError
 from .gdal_calls import gdal_call, gdal_pixels, gdal_settings, gdal_silenced
-from .gdal_paths import RASTERS, check_raster_path, is_remote, is_there, open_dataset, with_parts
+from .gdal_paths import check_raster_path, is_there, open_dataset, remote_parts, with_parts, with_retries
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
-from .remote_files import COMPLETE, WITH_OTHERS, remote_parts, remote_settings, with_retries
 
 
 @dataclass(frozen=True)
@@ -30,8 +29,6 @@ class BandRoles:
     names: tuple[str, ...]
     indices: tuple[int, ...]
     alpha: int | None = None
-    palette: np.ndarray | None = None
-    """(entries, 4) red, green, blue, alpha of a paletted raster."""
 
 
 def band_roles(dataset: gdal.Dataset) -> BandRoles:
@@ -45,10 +42,6 @@ def band_roles(dataset: gdal.Dataset) -> BandRoles:
     colours = [gdal.GetColorInterpretationName(band.GetColorInterpretation()).lower() for band in bands]
     called = [{role for role in _ROLE.findall(band.GetDescription().lower()) if role} for band in bands]
     colours = [_ROLES[roles.pop()] if len(roles) == 1 else colour for roles, colour in zip(called, colours)]
-    table = dataset.GetRasterBand(1).GetColorTable()
-    if len(colours) == 1 and colours[0] == "palette" and table is not None:
-        entries = [table.GetColorEntry(i) for i in range(table.GetCount())]
-        return BandRoles(COLOURS, (0,), palette=np.array(entries, dtype=np.uint8))
     alpha = colours.index("alpha") if "alpha" in colours else None
     measured = [i for i in range(len(colours)) if i != alpha]
     named = {colour: i for i, colour in reversed(list(enumerate(colours))) if colour in (*COLOURS, "nir")}
@@ -71,6 +64,7 @@ _ROLE = re.compile(rf"(?<![a-z])(?:red[ _-]?edge|({'|'.join(_ROLES)}))(?![a-z])"
 """The word for a role in what a band is called, as in Red (band 4) and NIR_842; the red edge is none."""
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
+_TURNED = "TURNED", "YES", "SEAM_INSPECTOR"  # what is noted of a raster whose rows were turned over
 CORNER_PX = 16
 """Side of the squares at an image's corners, one of which is wholly of the pads around it."""
 _MOST_OF_A_TILE = 1 << 24  # pixels that are worked on at once: what is made of them takes several times their room
@@ -93,42 +87,29 @@ class PixelBlock(NamedTuple):
         return np.ones(self.bands.shape[1:], bool) if self.invalid is None else ~self.invalid
 
 
-class _Closed(NamedTuple):
-    """The dataset of a raster that is closed: raises RasterError whatever is asked of it."""
-
-    name: str
-
-    def __getattr__(self, asked: str) -> NoReturn:
-        raise RasterError(messages.RASTER_CLOSED(name=self.name))
-
-
 class OpenRaster:
-    """A raster that stays open as long as this lives. Meant for one thread: what crosses threads is a ``RasterRef``.
+    """A raster that stays open as long as this lives, or until a ``with`` block of it ends; reading opens it again.
+    Meant for one thread: what crosses threads is a ``RasterRef``.
 
     All reads stay inside the raster, and raise RasterError when they fail. What comes over the network is asked for
     again, in a raster that is opened anew, before that.
     """
 
-    dataset: gdal.Dataset = None
-    """For what only GDAL does, such as warping."""
-
     def __init__(
         self, ref: RasterRef | str | os.PathLike[str], dataset: gdal.Dataset | None = None,
-        complex_values: bool = False, turned: bool = False,
+        complex_values: bool = False,
     ) -> None:
         """``ref``: where it is, or its path; ``dataset``: what was made of the raster in memory, instead of its file;
-        ``complex_values`` may be welcome; ``turned``: whether its last row is the first one here.
+        ``complex_values`` may be welcome.
 
         Raises RasterError when it can't be opened or used.
         """
         ref = ref if isinstance(ref, RasterRef) else RasterRef(os.fspath(ref))
-        self.ref, self.is_broken, self._is_turned = ref, False, turned
+        self.ref, self.is_broken = ref, False
         self._is_of_file = dataset is None
         # Looked at once: a VRT may name thousands of files.
         self._is_remote = dataset is None and bool(remote_parts(ref.path))
-        self._beside = COMPLETE
-        if dataset is not None:
-            self.dataset = dataset
+        self._dataset = dataset
         self.fetched(lambda opened: None)  # and so opened
         if self.dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
@@ -146,33 +127,28 @@ class OpenRaster:
             failure = messages.NOT_PERMITTED(name=ref.name)
         for path in ref.paths:
             check_raster_path(path, ref.name)
-        with self._network():
-            self.dataset = gdal_call(lambda: _opened(ref), failure)
-            with gdal_silenced(), suppress(RuntimeError):
-                # Read now what lies beside it, without what of that is broken; else the next question fails.
-                self.dataset.GetGeoTransform()
-            is_complete = self.dataset.GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE") == "COG"
-        if self._is_remote and self._beside == COMPLETE and is_remote(ref.path) and not is_complete:
-            self._beside = WITH_OTHERS
-            self._open()
+        self._dataset = gdal_call(lambda: _opened(ref), failure)
 
     def __enter__(self) -> OpenRaster:
         return self
 
     def __exit__(self, *error: object) -> None:
-        self.dataset = _Closed(self.ref.name)
+        self._dataset = None
 
-    def _network(self) -> AbstractContextManager[None]:
-        return remote_settings(self._beside) if self._is_remote else nullcontext()
+    @property
+    def dataset(self) -> gdal.Dataset:
+        """For what only GDAL does, such as warping."""
+        if self._dataset is None:
+            self._open()
+        return self._dataset
 
     def fetched(self, call: Callable[[gdal.Dataset], Fetched]) -> Fetched:
         """What a call finds in the dataset; what comes over the network has an end, and is asked for again."""
 
         def attempt(again: bool) -> Fetched:
-            if again or self.dataset is None:
+            if again:
                 self._open()
-            with self._network():
-                return call(self.dataset)
+            return call(self.dataset)
 
         try:
             return with_retries(self.ref.path, self.ref.name, attempt) if self._is_remote else attempt(again=False)
@@ -190,28 +166,14 @@ class OpenRaster:
         back = transform and gdal.InvGeoTransform(transform)
         if back is None or not all(map(math.isfinite, (*transform, *back))):
             transform = None  # its pixels would lie on one line, or nowhere
-        if transform is not None and self._is_turned:
-            left, right, skew_x, top, skew_y, down = transform
-            transform = left + self.rows * skew_x, right, -skew_x, top + self.rows * down, skew_y, -down
         kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
         bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
         return Raster(
             self.ref, self.columns, self.rows,
             transform and tuple(transform), self.dataset.GetProjection() or "",
-            self.roles.names,
-            "uint8" if self.roles.palette is not None else str(kind),
-            int(bits) if bits else None,
-            is_lossy, self._is_turned, self.roles.indices,
+            self.roles.names, str(kind), int(bits) if bits else None, is_lossy, self.roles.indices,
+            self.dataset.GetMetadataItem(_TURNED[0], _TURNED[2]) is not None,
         )
-
-    @property
-    def upright(self) -> OpenRaster:
-        """It with the north up: itself, or turned over where its rows run north."""
-        return self._turned_over if self.raster.is_south_up else self  # kept here, it would never be let go
-
-    @cached_property
-    def _turned_over(self) -> OpenRaster:
-        return OpenRaster(self.ref, turned=True)
 
     @property
     def nodata(self) -> float | None:
@@ -243,8 +205,7 @@ class OpenRaster:
 
         Raises RasterError for a band that is not there or holds no values to measure.
         """
-        roles = self.roles
-        measured = tuple(range(len(roles.names))) if roles.palette is not None else roles.indices
+        measured = self.roles.indices
         if number - 1 not in measured:
             raise RasterError(messages.BAND_NOT_THERE(name=self.ref.name, band=number, count=len(measured)))
         return measured.index(number - 1)
@@ -254,8 +215,7 @@ class OpenRaster:
         limits.check_type("window", window, PixelWindow)
         if 0 in (window.width, window.height) or window.cut_to(self.columns, self.rows) != window:
             raise RasterError(messages.NOT_COVERED(name=self.ref.name))
-        first = self.rows - window.row - window.height if self._is_turned else window.row
-        inside = (window.column, first, window.width, window.height)
+        inside = (window.column, window.row, window.width, window.height)
         columns, rows = size or inside[2:]
         part = {"buf_xsize": columns, "buf_ysize": rows}
         how = gdal.GRIORA_Average if averaged else gdal.GRIORA_NearestNeighbour
@@ -268,10 +228,7 @@ class OpenRaster:
             mask = self._pixels(
                 lambda dataset: dataset.GetRasterBand(1).GetMaskBand().ReadAsArray(*inside, **part), window, size
             )
-        data = data.reshape(-1, rows, columns)
-        if self._is_turned:
-            data, mask = data[:, ::-1], None if mask is None else mask[::-1]
-        return self._block(data, mask)
+        return self._block(data.reshape(-1, rows, columns), mask)
 
     def _pixels(
         self, call: Callable[[gdal.Dataset], Any], window: PixelWindow, size: tuple[int, int] | None
@@ -349,10 +306,6 @@ class OpenRaster:
         if bands.dtype.kind == "f" or bands.dtype.itemsize == 8:
             with np.errstate(invalid="ignore"):
                 masks.append(~(np.abs(bands) <= limits.LARGEST_VALUE).all(axis=0))
-        if roles.palette is not None:
-            indices = np.minimum(bands[0], len(roles.palette) - 1)
-            masks.append(roles.palette[indices, 3] == 0)
-            bands = np.moveaxis(roles.palette[indices, :3], -1, 0)
         invalid = [mask for mask in masks if mask is not None and mask.any()]
         return PixelBlock(bands, reduce(np.logical_or, invalid) if invalid else None)
 
@@ -381,13 +334,27 @@ def damaged(name: str, window: PixelWindow, why: str) -> Message:
 
 
 def _opened(ref: RasterRef) -> gdal.Dataset | None:
-    """None where GDAL opens no first part."""
-    first = open_dataset(ref.path, RASTERS)
-    if first is None or not ref.parts:
-        return first
-    _, width, _, _, _, height = first.GetGeoTransform()
-    whole = gdal.BuildVRT("", [*ref.paths[::-1]], resolution="user", xRes=width, yRes=-height, outputBounds=ref.bounds)
-    whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
+    """The dataset of all parts, a palette as its colours, rows that run north turned over; None where GDAL opens no
+    first part."""
+    if (first := open_dataset(ref.path)) is None:
+        return None
+    whole: gdal.Dataset = first
+    with suppress(RuntimeError):  # Read now what lies beside it, without what is broken; else the next question fails.
+        first.GetGeoTransform()
+    left, width, skew_x, top, skew_y, height = first.GetGeoTransform()
+    if ref.parts:
+        pixel = {"xRes": width, "yRes": -height}
+        whole = gdal.BuildVRT("", [*ref.paths[::-1]], resolution="user", outputBounds=ref.bounds, **pixel)
+    if whole.RasterCount == 1 and whole.GetRasterBand(1).GetColorTable() is not None:
+        whole = gdal.Translate("", whole, format="VRT", rgbExpand="rgba")
+    if height > 0 == skew_x == skew_y and first.GetProjection():
+        size = {"width": first.RasterXSize, "height": first.RasterYSize}
+        bounds = left, top, left + width * first.RasterXSize, top + height * first.RasterYSize
+        is_masked = whole.GetRasterBand(1).GetMaskFlags() == gdal.GMF_PER_DATASET
+        whole = gdal.Warp("", whole, format="VRT", outputBounds=bounds, dstAlpha=is_masked, errorThreshold=0, **size)
+        whole.SetMetadataItem(*_TURNED)
+    if whole is not first:
+        whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
     return whole
 
 

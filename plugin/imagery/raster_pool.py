@@ -15,10 +15,9 @@ from functools import lru_cache
 from typing import Any, TypeVar
 
 from .errors import RasterError
-from .gdal_paths import file_stamp, readable_path
+from .gdal_paths import file_stamp, forget_failures, readable_path
 from .open_raster import OpenRaster
 from .rasters import RasterRef
-from .remote_files import forget_failures
 
 KEPT_OPEN = 16  # rasters per thread: the sources of some blocks, far from the files a process may have open
 
@@ -132,13 +131,11 @@ class ReadingLanes:
     def __init__(self, lanes: int = LANES) -> None:
         self._lanes = [ThreadPoolExecutor(1, f"seam-inspector-lane-{number}") for number in range(lanes)]
         self._lane_of: dict[RasterRef, Executor] = {}
-        self._lock = threading.Lock()
 
     def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]:
         lane_of, every = self._lane_of, self._lanes
-        with self._lock:
-            lanes = ((lane_of.setdefault(ref, every[len(lane_of) % len(every)]), ref, work) for ref, work in readings)
-            futures = [lane.submit(read_one, open_raster, ref, work) for lane, ref, work in lanes]
+        lanes = ((lane_of.setdefault(ref, every[len(lane_of) % len(every)]), ref, work) for ref, work in readings)
+        futures = [lane.submit(read_one, open_raster, ref, work) for lane, ref, work in lanes]
         try:
             return [future.result() for future in futures]
         finally:
@@ -147,11 +144,9 @@ class ReadingLanes:
 
     def let_go(self) -> None:
         """Close all files, in their threads, as a large one takes its time: when what was asked for has been read."""
-        with self._lock:
-            for lane in {*self._lane_of.values()}:
-                with suppress(RuntimeError):  # closed meanwhile: its thread closes them as it ends
-                    lane.submit(lambda: _kept().cache_clear())
-            self._lane_of.clear()
+        for lane in self._lanes:
+            with suppress(RuntimeError):  # closed meanwhile: its thread closes them as it ends
+                lane.submit(lambda: _kept().cache_clear())
 
     def close(self) -> None:
         """Read nothing more; the threads close their files as they end."""

@@ -77,9 +77,11 @@ def raster_writer(path: str, like: Raster, bands: WrittenBands) -> Iterator[Rast
         del dataset
         try:
             yield writer
-            writer.close()
+            with gdal_writing(failure):  # what is still in memory
+                writer.close()
         finally:
-            writer.abandon()
+            with gdal_silenced(), suppress(RuntimeError):
+                writer.close()
 
 
 class RasterWriter:
@@ -104,12 +106,7 @@ class RasterWriter:
             self._mask.WriteArray(np.where(invalid, 0, 255).astype(np.uint8), 0, row)
 
     def close(self) -> None:
-        """Write what is still in memory. Raises RasterError when the disk is full."""
-        with gdal_writing(self._failure):
-            self._dataset.FlushCache()
-            self._mask = self._dataset = None
-
-    def abandon(self) -> None:
-        """Close what is not wanted any more."""
-        with gdal_silenced(), suppress(RuntimeError):
-            self._mask = self._dataset = None
+        """Write what is still in memory, once."""
+        dataset, self._mask, self._dataset = self._dataset, None, None
+        if dataset is not None:
+            dataset.FlushCache()

@@ -19,7 +19,6 @@ MAX_SKEW = 1e-6  # of a pixel per pixel: 0.05 px across 50 000 px
 
 GeoTransform = tuple[float, float, float, float, float, float]
 
-_NO_PLACE: GeoTransform = (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)  # what GDAL gives a raster that has none
 ON_ITS_OWN_PIXELS: GeoTransform = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
 """Placement that QGIS gives a raster without a place on the map: x is the column, y the row downwards, so negative."""
 
@@ -82,10 +81,10 @@ class Raster:
     """Bits a pixel where the file says it (NBITS), as 12 in 16."""
     is_lossy: bool = False
     """Whether the file says that its pixels are compressed with loss."""
-    is_turned: bool = False
-    """Whether it is seen turned over, as the rows of its file run north."""
     band_order: tuple[int, ...] = ()
     """Place in the file, from 0, of each of its bands."""
+    is_turned: bool = False
+    """Whether it is seen turned over, as the rows of its file run north."""
 
     @cached_property
     def wkt(self) -> str:
@@ -130,17 +129,8 @@ class Raster:
     @property
     def is_north_up(self) -> bool:
         """Whether it is neither rotated nor mirrored nor south-up, so that it has a grid."""
-        return self._is_straight and self.placement[5] < 0
-
-    @property
-    def is_south_up(self) -> bool:
-        """Whether it is a map whose rows run north: turned over it has a grid."""
-        return self.has_place and self._is_straight and not self.is_north_up and self.placement != _NO_PLACE
-
-    @property
-    def _is_straight(self) -> bool:
         _, right, skew_x, _, skew_y, down = self.placement
-        return max(abs(skew_x), abs(skew_y)) < MAX_SKEW * min(abs(right), abs(down)) and right > 0
+        return max(abs(skew_x), abs(skew_y)) < MAX_SKEW * min(right, -down)
 
     @cached_property
     def grid(self) -> Grid:

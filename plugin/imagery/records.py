@@ -6,25 +6,34 @@
 - ``record_of`` makes bytes of frozen dataclasses, as JSON and arrays. What is read is only ever made into the classes
   that the given class's annotations name, and into sentences that are known. Floats come back to the last digit; arrays
   of float32, which are pictures, to a two-thousandth.
+- ``RecordFiles`` keeps records in a folder, a file each: there whole or not at all, whatever ends the process that
+  writes them. Whoever sees the folder reads and writes them, be it a thread or another machine. As a ``RecordFolder``
+  one process at a time has it, which knows what its records are of.
 """
 from __future__ import annotations
 
 import ast
 import builtins
 import dataclasses
+import errno
 import json
 import math
+import os
+import shutil
+import stat
 import struct
 import sys
 import typing
 import zlib
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
+from pathlib import Path
 from types import ModuleType
-from typing import Any, Callable, Generic, TypeVar
+from typing import Any, BinaryIO, Callable, Generic, TypeVar
+from uuid import uuid4
 
 import numpy as np
 
@@ -139,14 +148,12 @@ def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -
     return b"".join([_LENGTH.pack(len(head)), head, *parts])
 
 
-def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, np.ndarray]:
-    """What ``packed`` made bytes of, or of that ``names``; arrays can't be written to. Call it ``understanding``."""
+def unpacked(record: bytes) -> dict[str, np.ndarray]:
+    """What ``packed`` made bytes of; arrays can't be written to. Call it ``understanding``."""
     (length,) = _LENGTH.unpack_from(record)
     place, arrays, room = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
         held, place = record[place : place + size], place + size
-        if names is not None and name not in names:
-            continue
         whole = math.prod(shape) * np.dtype(kind).itemsize
         room -= max(whole, size)
         if room < 0:
@@ -166,7 +173,26 @@ _WORDS = (type(None), bool, int, float, str, tuple, Message, np.generic)
 def record_of(value: object) -> bytes:
     """A dataclass of numbers, words, enums, arrays, messages, and tuples, mappings and dataclasses of those."""
     arrays: dict[str, np.ndarray] = {}
-    text = json.dumps(_plain(value, arrays), separators=(",", ":")).encode()
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, Enum):
+            return value.value
+        if isinstance(value, np.generic):
+            return value.item()
+        if isinstance(value, np.ndarray):
+            name = str(len(arrays))
+            arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
+            return name
+        if isinstance(value, Message):
+            words = {name: word if isinstance(word, _WORDS) else str(word) for name, word in value.values.items()}
+            return dict(zip(_MESSAGE, (value.template, value.level.value, words)))
+        if dataclasses.is_dataclass(value):
+            return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+        if isinstance(value, Mapping):
+            return dict(value)
+        raise TypeError(f"no record of {type(value).__name__}")
+
+    text = json.dumps(value, default=plain, separators=(",", ":")).encode()
     held = {_JSON: np.frombuffer(text, np.uint8), **arrays}
     return packed(held, held)
 
@@ -185,73 +211,43 @@ def sentences_of(*modules: ModuleType) -> dict[str, Message]:
     return {value.template: value for value in values if isinstance(value, Message)}
 
 
-def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:
-    if isinstance(value, Enum):
-        return value.value
-    if isinstance(value, np.generic):
-        return value.item()
-    if value is None or isinstance(value, (bool, int, float, str)):
-        return value
-    if isinstance(value, np.ndarray):
-        name = str(len(arrays))
-        arrays[name] = value.astype(np.float16) if value.dtype == np.float32 else value
-        return name
-    if isinstance(value, Message):
-        words = {name: word if isinstance(word, _WORDS) else str(word) for name, word in value.values.items()}
-        return dict(zip(_MESSAGE, (value.template, value.level.value, _plain(words, arrays))))
-    if dataclasses.is_dataclass(value):
-        return {field.name: _plain(getattr(value, field.name), arrays) for field in dataclasses.fields(value)}
-    if isinstance(value, Mapping):
-        return {_plain(key, arrays): _plain(item, arrays) for key, item in value.items()}
-    if isinstance(value, (tuple, list)):
-        return [_plain(item, arrays) for item in value]
-    raise TypeError(f"no record of {type(value).__name__}")
-
-
-@dataclasses.dataclass(frozen=True)
-class _OneOf:
-    """Not typing's Union, which remembers our classes and so keeps all of the plugin when it is unloaded."""
-
-    kinds: tuple[Any, ...]
-
-
 class _Reader:
     def __init__(self, arrays: Mapping[str, np.ndarray], sentences: Mapping[str, Message]) -> None:
         self._arrays, self._sentences = arrays, sentences
 
     def read(self, kind: Any, plain: Any) -> Any:
         """Raises NotUnderstoodError, or whatever the data is not fit for."""
-        if isinstance(kind, _OneOf):
-            for other in kind.kinds:
+        origin, inner = typing.get_origin(kind), typing.get_args(kind)
+        if isinstance(kind, list):
+            for other in kind:
                 with suppress(NotUnderstoodError, AttributeError, KeyError, TypeError, ValueError):
                     return self.read(other, plain)
-            raise NotUnderstoodError(repr(plain)[:80])
-        origin, inner = typing.get_origin(kind), typing.get_args(kind)
-        if origin is tuple:
+        elif origin is tuple:
             kinds = inner[:1] * len(plain) if inner[-1] is ... else inner
-            _checked(type(plain) is list and len(kinds) == len(plain), plain)
-            return tuple(map(self.read, kinds, plain))
-        if isinstance(origin, type) and issubclass(origin, Mapping):
+            if type(plain) is list and len(kinds) == len(plain):
+                return tuple(map(self.read, kinds, plain))
+        elif isinstance(origin, type) and issubclass(origin, Mapping):
             return {self.read(inner[0], key): self.read(inner[1], item) for key, item in plain.items()}
-        return self._single(kind, plain)
+        else:
+            return self._single(kind, plain)
+        raise NotUnderstoodError(repr(plain)[:80])
 
     def _single(self, kind: Any, plain: Any) -> Any:
-        if kind is type(None) or kind in (bool, int, str):
-            return _checked(type(plain) is kind, plain)
-        if kind is float:
-            return float(_checked(type(plain) in (int, float), plain))
-        if kind is np.ndarray:
+        if kind in (type(None), bool, int, float, str):
+            if type(plain) is kind or (kind is float and type(plain) is int):
+                return plain if kind is not float else float(plain)
+        elif kind is np.ndarray:
             array = self._arrays[plain]
             return array.astype(np.float32) if array.dtype == np.float16 else array
-        if kind is Message:
+        elif kind is Message:
             return self._message(plain)
-        if issubclass(kind, Enum):
+        elif issubclass(kind, Enum):
             return kind(plain)
-        if not dataclasses.is_dataclass(kind):
-            raise NotUnderstoodError(str(kind))
-        make: Any = kind
-        kinds = _annotations(make)
-        return make(**{name: self.read(kinds[name], item) for name, item in plain.items()})
+        elif dataclasses.is_dataclass(kind):
+            make: Any = kind
+            kinds = _annotations(make)
+            return make(**{name: self.read(kinds[name], item) for name, item in plain.items()})
+        raise NotUnderstoodError(repr(plain)[:80])
 
     def _message(self, plain: Any) -> Message:
         template, level, values = (plain[name] for name in _MESSAGE)
@@ -265,12 +261,6 @@ class _Reader:
         if isinstance(plain, dict):
             return self._message(plain)
         return tuple(map(self._in_sentence, plain)) if isinstance(plain, list) else plain
-
-
-def _checked(is_fit: bool, plain: Any) -> Any:
-    if not is_fit:
-        raise NotUnderstoodError(repr(plain)[:80])
-    return plain
 
 
 @cache
@@ -287,11 +277,152 @@ def _kind(node: ast.expr, names: Mapping[str, Any]) -> Any:
         return getattr(_kind(node.value, names), node.attr)
     if isinstance(node, ast.Constant):
         return type(None) if node.value is None else node.value
-    if isinstance(node, ast.BinOp):
-        left = _kind(node.left, names)
-        return _OneOf((*(left.kinds if isinstance(left, _OneOf) else (left,)), _kind(node.right, names)))
+    if isinstance(node, ast.BinOp):  # typing's Union remembers our classes: all of the plugin when it is unloaded
+        return [_kind(node.left, names), _kind(node.right, names)]
     if isinstance(node, ast.Tuple):
         return tuple(_kind(part, names) for part in node.elts)
     if isinstance(node, ast.Subscript):
         return _kind(node.value, names)[_kind(node.slice, names)]
     raise NotUnderstoodError(ast.dump(node))
+
+
+# --- in folders -------------------------------------------------------------------------------------------------
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def _lock(file: BinaryIO) -> None:
+        """Raises PermissionError where another process has it."""
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+else:
+    import fcntl
+
+    def _lock(file: BinaryIO) -> None:
+        """Raises BlockingIOError where another process has it."""
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+_CHECKSUM_BYTES = 4
+_MOST_KEPT_BYTES = 2**30  # of a record; the largest of ours is a twentieth of it
+_ABOUT, _LOCK, _UNFINISHED = ".about", ".lock", ".unfinished-"
+"""Names of what is no record, which begin with a dot: what the records are of, the lock, unfinished files."""
+
+
+@dataclass(frozen=True)
+class RecordFiles:
+    """Payloads by name. Names are words and numbers of ours; links, pipes and folders by these names are no records."""
+
+    folder: Path
+
+    @property
+    def names(self) -> set[str]:
+        """Names of all there is: nothing where the folder is not, as its disk may be gone. Whoever saves is told."""
+        with suppress(OSError), os.scandir(self.folder) as entries:
+            files = [entry.name for entry in entries if entry.is_file(follow_symlinks=False)]
+            return {name for name in files if not name.startswith(".")}
+        return set()
+
+    def save(self, name: str, payload: bytes, is_synced: bool = False) -> None:
+        """Keep a payload in the place of an earlier one; it outlives the process, and if ``is_synced`` the power.
+
+        Raises OSError: FileNotFoundError where nobody sees the folder from here, as without the shared disk.
+        """
+        unfinished = self.folder / f"{_UNFINISHED}{uuid4().hex}"
+        try:
+            with open(unfinished, "xb") as file:
+                file.write(payload)
+                file.write(zlib.crc32(payload).to_bytes(_CHECKSUM_BYTES, "little"))
+                if is_synced:
+                    file.flush()
+                    os.fsync(file.fileno())
+            os.replace(unfinished, self.folder / name)
+        except OSError:
+            with suppress(OSError):
+                unfinished.unlink()
+            raise
+
+    def load(self, name: str) -> bytes | None:
+        """The payload, None where there is none. Raises OSError where it can't be read, or the disk damaged it."""
+        path = self.folder / name
+        try:
+            status = path.lstat()
+        except FileNotFoundError:
+            return None
+        held = path.read_bytes() if stat.S_ISREG(status.st_mode) and status.st_size <= _MOST_KEPT_BYTES else b""
+        payload, checksum = held[:-_CHECKSUM_BYTES], held[-_CHECKSUM_BYTES:]
+        if zlib.crc32(payload).to_bytes(_CHECKSUM_BYTES, "little") != checksum:
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        return payload
+
+    def forget(self, name: str) -> None:
+        """There is none of that name any more. Raises OSError."""
+        (self.folder / name).unlink(missing_ok=True)
+
+
+class RecordFolder:
+    """Records of one thing, for this process alone; the lock ends with it. Made when it is not there."""
+
+    def __init__(self, folder: Path, kind: str, of: str = "") -> None:
+        """``kind``: what such folders are for; ``of``: what the records are of, in one line. Records of something else
+        are deleted, and what one is that was not written whole.
+
+        Raises OSError where nothing can be written, SettingsError where another process has the folder, or something
+        else is there, which is left as it is.
+        """
+        self.files = RecordFiles(folder)
+        self.was_of: str | None = None
+        """What the records there were of."""
+        self._lock = _locked(folder)
+        with ExitStack() as stack:
+            stack.callback(self.close)
+            about = self.files.load(_ABOUT)
+            if about is not None:
+                was_kind, _, self.was_of = about.decode(errors="replace").partition("\n")
+                if was_kind != kind:
+                    raise SettingsError(messages.RECORDS_FOREIGN())
+            for unfinished in folder.glob(f"{_UNFINISHED}*"):
+                unfinished.unlink()
+            if self.was_of != of:
+                for name in self.files.names:
+                    self.files.forget(name)
+                self.files.save(_ABOUT, f"{kind}\n{of}".encode(), is_synced=True)
+            stack.pop_all()
+
+    def close(self) -> None:
+        """Let go of the folder, which stays."""
+        self._lock.close()
+
+    def remove(self) -> None:
+        """Delete all of it, records first: if the process dies meanwhile, what is left is still known as ours."""
+        for name in self.files.names:
+            with suppress(OSError):
+                self.files.forget(name)
+        if os.name == "nt":  # where no open file can be deleted
+            self.close()
+        shutil.rmtree(self.files.folder, ignore_errors=True)
+        self.close()
+        with suppress(OSError):  # on a disk of the network, where the lock took room in it until now
+            self.files.folder.rmdir()
+
+
+def _locked(folder: Path) -> BinaryIO:
+    """The lock in a folder, which is made when it is not there. Raises OSError, SettingsError."""
+    while True:
+        with suppress(FileExistsError):
+            folder.mkdir()
+        if folder.is_symlink() or not folder.is_dir():
+            raise SettingsError(messages.RECORDS_FOREIGN())
+        names = os.listdir(folder)
+        if _ABOUT not in names and not all(name.startswith((_LOCK, _UNFINISHED)) for name in names):
+            raise SettingsError(messages.RECORDS_FOREIGN())
+        flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0)  # a link in a folder of somebody else
+        with ExitStack() as stack:
+            file = stack.enter_context(os.fdopen(os.open(folder / _LOCK, flags, 0o666), "r+b", buffering=0))
+            try:
+                _lock(file)
+            except (BlockingIOError, PermissionError):
+                raise SettingsError(messages.RECORDS_IN_USE()) from None
+            with suppress(FileNotFoundError):  # another process removed it between our opening and our lock
+                if os.path.samestat(os.fstat(file.fileno()), os.stat(folder / _LOCK)):
+                    stack.pop_all()
+                    return file

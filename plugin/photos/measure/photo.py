@@ -53,9 +53,9 @@ class Photo(OpenRaster):
         rows, columns = self.rows // factor, self.columns // factor
         if factor == 1:
             return self.grey()
-        if self.roles.palette is None and self.raster.bits != 1 and not self._nodata_is_grey:
+        if self.roles.alpha is None and self.raster.bits != 1 and not self._nodata_is_grey:
             return self._grey(PixelWindow(0, 0, columns * factor, rows * factor), (columns, rows))
-        # GDAL would average to the nearest of two values, and leave nodata out
+        # GDAL would average to the nearest of two values or of a palette, and leave nodata out
         made = np.empty((rows, columns), np.float32)
         step = max(1, STRIP_PIXELS // (self.columns * factor))
         for row in range(0, rows, step):
@@ -91,7 +91,7 @@ class Photo(OpenRaster):
         if kind.kind == "f":
             band, failure = self.dataset.GetRasterBand(1), imagery_messages.NOT_READABLE(name=self.ref.name)
             return float(gdal_call(lambda: band.ComputeRasterMinMax(False), failure)[1])
-        bits = self.raster.bits if kind.kind == "u" and self.roles.palette is None else None
+        bits = self.raster.bits if kind.kind == "u" else None
         return float(2**bits - 1 if bits is not None else np.iinfo(kind).max)
 
     def _grey(self, window: PixelWindow, size: tuple[int, int] | None = None) -> np.ndarray:
@@ -106,7 +106,7 @@ class Photo(OpenRaster):
     def _nodata_is_grey(self) -> bool:
         """Whether what the file calls nodata is a value that a photo can have."""
         nodata = self.nodata
-        return nodata is not None and 0 <= nodata <= MOST_GREY and self.roles.palette is None
+        return nodata is not None and 0 <= nodata <= MOST_GREY
 
     def _without_value(self, bands: np.ndarray, invalid: np.ndarray | None) -> np.ndarray | None:
         """(rows, columns) of the invalid pixels that hold no grey value; None where all do."""

@@ -155,10 +155,7 @@ def whole_images(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source
 
 def whole_images_of_clips(sources: Sequence[Source], clips: Sequence[Clip | None]) -> list[Source]:
     """Sources, parts of one image as one, by what was read of them in a window; None where that can't be compared."""
-    known = {
-        number: clip for number, clip in enumerate(clips)
-        if clip is not None and not (clip.resampled or clip.raster.is_turned)
-    }
+    known = {number: clip for number, clip in enumerate(clips) if clip is not None and not clip.resampled}
 
     def are_same(first: int, second: int) -> bool:
         if not have_same_grid(known[first].raster, known[second].raster):
@@ -195,7 +192,7 @@ def _part(mosaic: Raster, source: Source, opened: Callable[[RasterRef], OpenRast
 def have_same_grid(first: Raster, second: Raster) -> bool:
     """Whether the pixels of two rasters lie on one grid and hold the same bands in the same order."""
     held = [(raster.band_names, raster.band_order, raster.data_type, raster.wkt) for raster in (first, second)]
-    if held[0] != held[1]:
+    if held[0] != held[1] or first.is_turned or second.is_turned:  # GDAL puts no turned ones together
         return False
     grid, other = first.grid, second.grid
     column, row = grid.column_at(other.left), grid.row_at(other.top)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal, osr
-from seam_inspector.plugin.imagery import remote_files
+from seam_inspector.plugin.imagery import gdal_paths
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept
 from seam_inspector.plugin.imagery.rasters import RasterRef
@@ -64,7 +64,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def server(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[RangeServer]:
-    monkeypatch.setitem(remote_files.SETTINGS, "GDAL_HTTP_RETRY_DELAY", "0.01")
+    monkeypatch.setitem(gdal_paths.SETTINGS, "GDAL_HTTP_RETRY_DELAY", "0.01")
     gdal.VSICurlClearCache()
     with serving(folder) as started, rasters_kept():
         yield started

@@ -9,8 +9,8 @@ from ctypes.util import find_library
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.imagery import filters
-from seam_inspector.plugin.imagery.filters import correlated
+from seam_inspector.plugin.imagery import wavelets
+from seam_inspector.plugin.imagery.wavelets import correlated
 
 
 @pytest.mark.parametrize("shape", [(512, 512), (64, 72), (101, 67), (3, 5), (130, 2)])
@@ -28,7 +28,7 @@ def test_a_plane_is_correlated_as_by_scipy(shape: tuple[int, int], taps: tuple[i
 
 @pytest.fixture
 def plain(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(filters, "numpy_has_plain_products", lambda: True)
+    monkeypatch.setattr(wavelets, "numpy_has_plain_products", lambda: True)
 
 
 @pytest.mark.usefixtures("plain")
@@ -38,11 +38,11 @@ def test_products_are_those_of_numpy(dtype: type, many: tuple[int, ...]) -> None
     rng = np.random.default_rng(1)
     first, second = rng.random((7, 5)).astype(dtype), rng.random((*many, 5, 18)).astype(dtype)[..., ::2]
     out = np.full((*many, 7, 18), -1, dtype)
-    filters.multiply(first, second, out[..., 1::2])
+    wavelets.multiply(first, second, out[..., 1::2])
     np.testing.assert_allclose(out[..., 1::2], first @ second, rtol=1e-5)
     assert (out[..., ::2] == -1).all()
     matrix = rng.random((6, 4)).astype(dtype)
-    np.testing.assert_allclose(filters.product(matrix.T, matrix), matrix.T @ matrix, rtol=1e-5)
+    np.testing.assert_allclose(wavelets.product(matrix.T, matrix), matrix.T @ matrix, rtol=1e-5)
 
 
 @pytest.mark.usefixtures("plain")
@@ -51,11 +51,11 @@ def test_kernels_and_wavelets_are_the_same_by_other_products(monkeypatch: pytest
     taps = np.random.default_rng(3).random((5, 5)).astype(np.float32)
 
     def made() -> list[np.ndarray]:
-        pair = filters.filter_pair("coif3")
-        return [filters.correlated(plane, taps), *filters.split(plane[np.newaxis], [100.0], pair, np.float32)]
+        pair = wavelets.filter_taps("coif3")
+        return [wavelets.correlated(plane, taps), *wavelets.decomposed(plane[np.newaxis], [100.0], pair, np.float32)[0]]
 
     by_scipy = made()
-    monkeypatch.setattr(filters, "numpy_has_plain_products", lambda: False)
+    monkeypatch.setattr(wavelets, "numpy_has_plain_products", lambda: False)
     for expected, other in zip(by_scipy, made()):
         np.testing.assert_allclose(expected, other, rtol=1e-5, atol=2e-3)
 
@@ -66,7 +66,7 @@ GSL = find_library("gslcblas")
 @pytest.mark.slow
 @pytest.mark.skipif(not (GSL and sys.platform.startswith("linux")), reason="no CBLAS of GSL on this machine")
 def test_a_process_that_was_started_with_the_library_of_gsl_is_told() -> None:
-    code = f"import {filters.__name__} as filters; print(filters.numpy_has_plain_products())"
+    code = f"import {wavelets.__name__} as made; print(made.numpy_has_plain_products())"
     for preloaded, preloads in (("", "False"), (str(GSL), "True")):
         made = subprocess.run(
             [sys.executable, "-c", code], env={**os.environ, "LD_PRELOAD": preloaded}, capture_output=True, text=True,

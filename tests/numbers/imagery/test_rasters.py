@@ -38,24 +38,6 @@ def test_pixels_come_as_they_are(make_raster: MakeRaster, mosaic: Raster, dtype:
     assert (clip.invalid_share, clip.offset_x, clip.offset_y, clip.resampled) == (0, 0, 0, False)
 
 
-@pytest.mark.parametrize(
-    "options",
-    [
-        (),
-        ("INTERLEAVE=BAND",),
-        ("COMPRESS=LZW", "PREDICTOR=2"),
-        ("TILED=YES", "COMPRESS=DEFLATE", "INTERLEAVE=BAND"),
-        ("BIGTIFF=YES", "ENDIANNESS=BIG"),
-    ],
-)
-def test_how_a_file_is_laid_out_does_not_matter(
-    make_raster: MakeRaster, mosaic: Raster, options: tuple[str, ...]
-) -> None:
-    image = orthoimage(SIZE, dtype=np.uint16)
-    clip = clip_of(make_raster("source.tif", image, options=options), mosaic)
-    np.testing.assert_array_equal(clip.bands, inside(image))
-
-
 @pytest.mark.parametrize("shift_x", [0.0, 0.3, -0.3, 0.49, 7.25])
 @pytest.mark.parametrize("shift_y", [0.0, 0.2, -0.45, -3.75])
 def test_the_subpixel_offset_says_how_far_the_window_lies_right_of_and_below_the_pixels(

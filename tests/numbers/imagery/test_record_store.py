@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.record_store import RecordFiles, RecordFolder
+from seam_inspector.plugin.imagery.records import RecordFiles, RecordFolder
 
 KIND = "Tests"
 SAVED = {"a": b"third", "b": b"second", "c": b""}

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from seam_inspector.plugin.imagery import documents
 from seam_inspector.plugin.imagery.documents import RuleObject, read_rules
 from seam_inspector.plugin.imagery.errors import SettingsError
 
@@ -15,24 +14,6 @@ def read(folder: Path, content: Any) -> tuple[RuleObject, list[RuleObject]]:
     path = folder / "rules.json"
     path.write_bytes(content if isinstance(content, bytes) else json.dumps(content).encode())
     return read_rules(path, lambda whole, rules: (whole, rules))
-
-
-class Key(str):
-    """Counts how often keys are compared."""
-
-    compared = 0
-
-    def __eq__(self, other: object) -> bool:
-        Key.compared += 1
-        return super().__eq__(other)
-
-    __hash__ = str.__hash__
-
-
-def test_very_many_keys_are_not_compared_with_each_other() -> None:
-    pairs = [(Key(number), 0) for number in range(20_000)]
-    assert len(documents._object("rules.json", pairs)) == len(pairs)
-    assert Key.compared < len(pairs)
 
 
 @pytest.mark.parametrize("text", ["[" * 200_000, "9" * 100_000, f"[-{9}]".replace("9", "9" * 401)])

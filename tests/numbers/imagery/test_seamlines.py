@@ -136,18 +136,6 @@ def test_every_kind_of_line_is_read(text: str) -> None:
     assert total([seam]) == pytest.approx(50)
 
 
-@given(st.integers(1, 5), st.integers(2, 5), st.floats(5, 300), st.floats(5, 300))
-def test_a_grid_of_cells_has_its_inner_lines_as_seams(rows: int, columns: int, width: float, height: float) -> None:
-    cells = [
-        polygon(ORIGIN + box(column * width, row * height, (column + 1) * width, (row + 1) * height))
-        for row in range(rows)
-        for column in range(columns)
-    ]
-    seams = find_seams(cells, 0.1)
-    assert len(seams) == rows - 1 + columns - 1
-    assert total(seams) == pytest.approx((rows - 1) * columns * width + (columns - 1) * rows * height)
-
-
 @given(arrays(np.int32, st.tuples(st.integers(2, 12), st.integers(2, 12)), elements=st.integers(1, 3)))
 def test_polygons_and_lines_of_the_same_raster_give_the_same_seams(labels: np.ndarray) -> None:
     assume(len(np.unique(labels)) > 1)

@@ -14,7 +14,6 @@ from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.wavelets import (
     Curve,
     clip_curves,
-    component_products,
     detail_components,
     placed_components,
 )
@@ -136,38 +135,6 @@ def test_luminance_is_that_of_the_mixed_bands(bands: int, wavelet: str) -> None:
         assert_curve(curve, band, wavelet, 3)
 
 
-def nearly_grey(shape: tuple[int, int], rest: float) -> np.ndarray:
-    """Three lively bands whose luminance is a faint texture of the contrast ``rest`` on a constant."""
-    red, green = 40 * texture(shape, 1.0, seed=1), 40 * texture(shape, 1.0, seed=2)
-    faint = rest * texture(shape, 1.5, seed=3)
-    return np.stack([red, green, (100 + faint - 0.299 * red - 0.587 * green) / 0.114])
-
-
-@pytest.mark.parametrize("rest", [10, 1, 0.1, 1e-3, 1e-5])
-def test_luminance_of_bands_that_nearly_cancel(rest: float) -> None:
-    clip = nearly_grey((128, 96), rest)
-    assert_curve(clip_curves(clip, "coif3", 3, WEIGHTS)[0][-1], luminance(clip), "coif3", 3)
-
-
-@given(st.integers(0, 2**32 - 1), st.sampled_from(imagery_limits.WAVELETS), st.integers(1, 4), st.floats(-1, 1))
-def test_inner_products_of_two_clips(seed: int, wavelet: str, levels: int, alike: float) -> None:
-    shape = (80, 64)
-    plane = texture(shape, 1.5, seed)
-    other = alike * plane + (1 - abs(alike)) * texture(shape, 1.0, seed + 1)
-    pair = np.stack([300 + 40 * plane, 9000 + 7 * other])
-    products = component_products(pair, wavelet, levels, [(0, 1), (1, 0)])
-    first, second = (decompose(band, wavelet, levels) for band in pair)
-    scale = np.sqrt(first.energy * second.energy)
-    np.testing.assert_allclose(products.components[0], first.products(first), rtol=1e-7, atol=1e-9 * first.energy)
-    np.testing.assert_allclose(products.components[1], second.products(second), rtol=1e-7, atol=1e-9 * second.energy)
-    np.testing.assert_allclose(products.components[2], first.products(second), atol=1e-9 * scale)
-    np.testing.assert_allclose(products.components[3], products.components[2], atol=1e-9 * scale)
-    np.testing.assert_allclose(products.totals[:2], [first.energy, second.energy])
-    np.testing.assert_allclose(
-        products.totals[2:], without_mean(pair[0]).ravel() @ without_mean(pair[1]).ravel(), atol=1e-9 * scale
-    )
-
-
 @pytest.mark.parametrize("levels", [1, 2, 3, 4])
 @pytest.mark.parametrize("wavelet", ["haar", "coif3", "sym5"])
 def test_coarse_components_hold_the_coefficients_of_pywavelets(levels: int, wavelet: str) -> None:
@@ -251,8 +218,6 @@ def test_other_settings_are_refused_with_the_reason(wavelet: str, levels: int, s
     band = texture((512, 512), 1.0)
     with pytest.raises(SettingsError, match=sentence):
         clip_curves(band[np.newaxis], wavelet, levels)
-    with pytest.raises(SettingsError, match=sentence):
-        component_products(band[np.newaxis], wavelet, levels)
     with pytest.raises(SettingsError, match=sentence):
         next(detail_components(band[np.newaxis], wavelet, levels))
 

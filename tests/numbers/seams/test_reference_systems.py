@@ -116,10 +116,12 @@ def test_rows_that_run_north_change_nothing(tmp_path: Path, feather: int) -> Non
         for name, image in (("mosaic", mosaic), ("a", first), ("b", second))
     )
     turned = write_raster(tmp_path / "turned.tif", second[::-1], geotransform=south_up)
-    expected, upturned = inspected(path, [a, b]), inspected(path, [a, turned])
-    assert upturned.judgement == expected.judgement
-    assert upturned.notices == ()
-    assert upturned.profile.kept == expected.profile.kept
+    whole = write_raster(tmp_path / "turned_mosaic.tif", mosaic[::-1], geotransform=south_up)
+    expected = inspected(path, [a, b])
+    for upturned in (inspected(path, [a, turned]), inspected(whole, [a, b])):
+        assert upturned.judgement == expected.judgement
+        assert upturned.notices == ()
+        assert upturned.profile.kept == expected.profile.kept
     assert kept(scan(open_block(path, [a, turned]))) == kept(scan(open_block(path, [a, b])))
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from osgeo import ogr
-from seam_inspector.plugin.imagery.record_store import RecordFiles
+from seam_inspector.plugin.imagery.records import RecordFiles
 from seam_inspector.plugin.seams.measure.scan import loss_raster
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
 

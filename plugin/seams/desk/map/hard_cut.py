@@ -165,13 +165,11 @@ def write_composite(composite: WindowComposite, request: WindowRequest, path: st
     """
     window, mosaic = request.window, OpenRaster(request.mosaic.ref)
     assert window is not None
-    pixels = composite.bands
-    if mosaic.roles.palette is None:
-        place = window.column, window.row, window.width, window.height
-        failure = imagery_messages.NOT_READABLE(name=mosaic.ref.name)
-        pixels = gdal_call(lambda: mosaic.dataset.ReadAsArray(*place), failure).reshape(-1, window.height, window.width)
-        for name, band in zip(composite.names, composite.bands):
-            pixels[mosaic.roles.indices[mosaic.roles.names.index(name)]] = band
+    place = window.column, window.row, window.width, window.height
+    failure = imagery_messages.NOT_READABLE(name=mosaic.ref.name)
+    pixels = gdal_call(lambda: mosaic.dataset.ReadAsArray(*place), failure).reshape(-1, window.height, window.width)
+    for name, band in zip(composite.names, composite.bands):
+        pixels[mosaic.roles.indices[mosaic.roles.names.index(name)]] = band
     grid = request.mosaic.grid
     left, _, _, top = grid.window_extent(window)
     like = replace(

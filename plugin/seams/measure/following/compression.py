@@ -9,7 +9,7 @@ from typing import Callable
 import numpy as np
 from scipy import fft
 
-from ....imagery.filters import product
+from ....imagery.wavelets import product
 
 IsCompressed = Callable[["int | None"], bool]
 """Whether the mosaic or a source shows traces of a codec; of None whether any of them does."""

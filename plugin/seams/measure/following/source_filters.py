@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....imagery.filters import correlated, product
 from ....imagery.shifts import shifted
+from ....imagery.wavelets import correlated, product
 from ..seam_cells import UNKNOWN, present
 from .border import BORDER_PX
 from .boxes import enlarged, in_squares, near_border

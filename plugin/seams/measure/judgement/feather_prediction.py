@@ -25,7 +25,7 @@ from ....imagery.grids import Extent, PixelWindow
 from ....imagery.lines import burnt, read_geometry
 from ....imagery.rasters import Raster
 from ....imagery.reference_systems import geometry_on
-from ....imagery.wavelets import component_products, placed_components
+from ....imagery.wavelets import detail_components, placed_components
 from ..following.boxes import in_squares
 from ..limits import GAUSSIAN, LINEAR
 
@@ -48,17 +48,18 @@ class Feather:
 
 def feathers(planes: Sequence[np.ndarray], wavelet: str, levels: int) -> list[Feather]:
     """Every pair of the sources' planes, (rows, columns) each, of one window."""
-    pairs = list(combinations(range(len(planes)), 2))
-    if not pairs:
+    if len(planes) < 2:
         return []
-    products = component_products(np.stack(planes), wavelet, levels, pairs)
-    each = []
-    for (i, j), shared in zip(pairs, products.components[len(planes) :]):
-        energy = products.components[i] + products.components[j]
-        least = imagery_limits.MIN_SHARE * (products.totals[i] + products.totals[j])
-        rho = tuple(2 * s / e if e > least else None for s, e in zip(shared[:-1].tolist(), energy[:-1].tolist()))
-        each.append(Feather(i, j, rho))
-    return each
+    stack = np.stack(planes).astype(np.float64)
+    least = imagery_limits.MIN_SHARE * stack.var(axis=(1, 2)) * stack[0].size
+    products = [np.tensordot(parts, parts, [(0, 2, 3)] * 2) for parts in detail_components(stack, wavelet, levels)]
+
+    def rho(shared: np.ndarray, i: int, j: int) -> float | None:
+        energy = shared[i, i] + shared[j, j]
+        return float(2 * shared[i, j] / energy) if energy > least[i] + least[j] else None
+
+    pairs = combinations(range(len(planes)), 2)
+    return [Feather(i, j, tuple(rho(shared, i, j) for shared in products)) for i, j in pairs]
 
 
 def smallest(pairs: Iterable[Sequence[float | None]]) -> tuple[float | None, ...] | None:

@@ -18,8 +18,7 @@ import numpy as np
 
 from ....imagery.errors import Message, SettingsError
 from ....imagery.messages import system_reason
-from ....imagery.record_store import RecordFiles
-from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
+from ....imagery.records import NotUnderstoodError, RecordFiles, packed, understanding, unpacked
 from ..blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from ..blocks.block_pixels import ALL_READ, BlockReading
 from ..blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block

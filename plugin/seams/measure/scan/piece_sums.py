@@ -15,8 +15,7 @@ import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
-from ....imagery.record_store import RecordFiles
-from ....imagery.records import record_of, value_of
+from ....imagery.records import RecordFiles, record_of, value_of
 from ....imagery.seam_totals import KeptBeside, profile_text
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockGrid, BlockKey, squares_met
 from ..blocks.scan_block import CELLS, NOT_LOOKED

@@ -24,8 +24,7 @@ from ....imagery.file_identity import OF_NO_CONSEQUENCE, FileState, known_states
 from ....imagery.gdal_paths import is_remote, local_file, with_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import Raster
-from ....imagery.record_store import RecordFiles, RecordFolder
-from ....imagery.records import NotUnderstoodError
+from ....imagery.records import NotUnderstoodError, RecordFiles, RecordFolder
 from ....imagery.seam_totals import MOSAIC_FILES, SOURCE_FILES
 from .. import messages
 from ..source_images import Source

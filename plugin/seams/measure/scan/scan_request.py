@@ -214,7 +214,7 @@ def _has_pixels(mosaic: OpenRaster, places: np.ndarray) -> np.ndarray:
     """Whether the mosaic has pixels at columns and rows, (n, 2); what can't be read counts as some."""
     size = np.array([mosaic.columns, mosaic.rows])
     has_pixels = ((places >= 0) & (places < size)).all(axis=1)
-    can_lack = mosaic.roles.alpha is not None or mosaic.roles.palette is not None
+    can_lack = mosaic.roles.alpha is not None
     if not can_lack and mosaic.is_all_valid and not mosaic.raster.data_type.startswith("float"):
         return np.asarray(has_pixels)
     cell = np.floor(places / _STEP_PX).astype(np.int64)

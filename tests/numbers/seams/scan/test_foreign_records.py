@@ -10,8 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.record_store import RecordFiles
-from seam_inspector.plugin.imagery.records import packed, unpacked
+from seam_inspector.plugin.imagery.records import RecordFiles, packed, unpacked
 from seam_inspector.plugin.seams.measure.blocks.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request

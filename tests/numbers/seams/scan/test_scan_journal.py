@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from seam_inspector.plugin.imagery.errors import INFO, WARNING, Message, SettingsError
-from seam_inspector.plugin.imagery.record_store import RecordFiles
+from seam_inspector.plugin.imagery.records import RecordFiles
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.scan.block_runs import FIRST_LOOK, held
 from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanJournal, open_journal, save

@@ -11,7 +11,7 @@ from typing import Any, Callable
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.record_store import RecordFiles
+from seam_inspector.plugin.imagery.records import RecordFiles
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.workers import Workers
