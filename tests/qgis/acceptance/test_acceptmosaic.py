@@ -136,8 +136,8 @@ def test_a_layer_given_twice_counts_once(tmp_path: Path) -> None:
     outcome = decide(made, made)
     assert outcome.results["TOTAL_METRES"] == 100
     assert_sentence(outcome.log.warnings[0], "4 pieces of seam are given twice")
-    path = file(made, tmp_path / "seams.gpkg")
-    assert decide(path, path).results["TOTAL_METRES"] == 100
+    paths = [file(made, tmp_path / name) for name in ("a.gpkg", "b.gpkg")]
+    assert decide(*paths).results["TOTAL_METRES"] == 100
 
 
 def empty(kind: str = "LineString", **fields: tuple[str, list[Any]]) -> QgsVectorLayer:

@@ -31,6 +31,7 @@ from ..seamlines.piece_index import PieceIndex
 from ..seamlines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
 from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, parts_with_area, polygons_of, seams_of, trace_borders
 from ..workers import Workers, in_order
+from .common_shift import LEAST_BESIDE, common_shift
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .piece_sums import (
@@ -115,12 +116,15 @@ class Gathering:
         if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
             notes["may_be_copies"] = ", ".join(doubtful)
         notes.update(ground.told)
+        shift = common_shift(request, ground.unexplained_places) if ground.unexplained >= LEAST_BESIDE else None
+        if shift is not None:
+            notes["mosaic_shift"] = "{:.2f} {:.2f}".format(*shift)
         if raster is not None:
             sources = _listed(source.ref for source in request.sources)
             settings = {**request.settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
             raster.close([request.source_names[number] for number in self._shown], settings)
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
-        notices = [*lost, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
+        notices = [*lost, *too_many, *_notices(ground, shift), *notices, *without_verdict(judged)]
         if not (pieces or request.given or too_many):
             followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
             notices += [messages.SCAN_WITHOUT_SEAMS(name=followed)] if followed else []
@@ -220,9 +224,11 @@ def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> It
         yield messages.MORE_SEAMS_THAN_OUTLINES(metres=length, around=around)
 
 
-def _notices(ground: FollowedGround) -> Iterator[Message]:
-    """What of the ground is in no figure."""
-    if ground.unexplained >= LEAST_UNEXPLAINED:
+def _notices(ground: FollowedGround, shift: tuple[float, float] | None) -> Iterator[Message]:
+    """What of the ground is in no figure; ``shift``: by which the mosaic lies beside all its orthoimages."""
+    if shift is not None:
+        yield messages.MOSAIC_BESIDE(share=100 * ground.unexplained, east=shift[0], north=shift[1])
+    elif ground.unexplained >= LEAST_UNEXPLAINED:
         place = ground.unexplained_places[0]
         yield messages.MOSAIC_UNEXPLAINED(share=100 * ground.unexplained, x=place.x, y=place.y)
     if ground.unseen:
