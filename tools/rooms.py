@@ -36,7 +36,7 @@ BOUNDS = {
     "plugin/imagery": Measures(4903, 0, 0),
     "plugin/seams/measure": Measures(17665, 1, 0),
     "plugin/seams": Measures(13097, 0, 0),
-    "plugin/acceptance": Measures(5399, 1, 0),
+    "plugin/acceptance": Measures(5393, 1, 0),
     "plugin/toolkit": Measures(4697, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(1998, 0, 0),

@@ -176,22 +176,12 @@ def test_8_sheet_by_sheet_or_as_one(spoilt: Block, scanned: Run, tmp_path: Path)
     assert abs(outcome.results["FAILED_METRES"] - scanned.results["FAILED_METRES"]) <= borders
     assert "as their scans left them (2)" in said(outcome)
     assert_all_say_the_same(tmp_path, outcome, *layers)
-    coarse = scan(spoilt, tmp_path / "coarse", MOSAIC=str(tmp_path / "sheet_1.tif"), PIECE=25)
-    assert "piece_m is 10, 25" in said(decide(tmp_path, layers[0], coarse.results["SEAMS"]))
 
 
 def test_9_without_orthoimages(spoilt: Block, tmp_path: Path) -> None:
-    """Too little seam for a verdict on pieces of 10 m: each says so itself, and stretches say what they tell."""
+    """Too little seam for a verdict on pieces of 10 m."""
     made = scan(spoilt, tmp_path / "scan", SOURCES=[])
-    rows = made.rows("SEAMS")
-    for row in rows:
-        low, high = row["kept_low"], row["kept_high"]
-        if row["verdict"] == "preserved":
-            assert low > 0.7
-        if row["verdict"] == "significant":
-            assert high < 1
-            assert high <= max(2 * low, 0.7)
-    pieces = [row for row in rows if row["level"] == "piece"]
+    pieces = [row for row in made.rows("SEAMS") if row["level"] == "piece"]
     assert sum(row["length"] for row in pieces) == pytest.approx(made.results["SEAM_METRES"])
     outcome = decide(tmp_path, made.results["SEAMS"])
     assert outcome.results["DECISION"] == "undecided"

@@ -36,7 +36,7 @@ def common_shift(request: ScanRequest, places: Sequence[GroundPlace]) -> tuple[f
 
 
 def _shifts_at(request: ScanRequest, place: GroundPlace) -> Iterator[tuple[float, float]]:
-    """By how many pixels the mosaic lies to the right of and below each source around a place."""
+    """Pixels by which the mosaic lies to the right of and below each source around a place."""
     grid = request.mosaic.grid
     window = standard_window(grid, place.x, place.y, _SIDE_PX).moved_into(grid.columns, grid.rows)
     window = window.cut_to(grid.columns, grid.rows)
