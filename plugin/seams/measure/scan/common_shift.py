@@ -17,7 +17,7 @@ from .scan_request import ScanRequest
 LEAST_BESIDE = 0.1
 """Least share of the ground that no source explains, to be looked at: less may be what a seam or a building hides."""
 _SIDE_PX, _STEP_PX = 1024, 4  # of what is compared at one place; sides of the squares whose means are
-_LEAST_SHIFTS, _LEAST_AGREEING = 2, 0.75  # one source says nothing of the others; of the shifts
+_LEAST_SHIFTS, _LEAST_AGREEING = 3, 0.75  # relief moves single ones by as much; share of the shifts
 _SAME = 0.5  # of its length: shifts that differ by less are one, whatever the relief adds
 
 

@@ -16,11 +16,12 @@ BESIDE, LACK = "does not lie where its orthoimages do", "match none of the ortho
 
 @pytest.fixture
 def files(tmp_path: Path) -> Path:
-    """A mosaic cut hard out of two images of one scene: the second has a texture of its own besides."""
+    """A mosaic cut hard out of two of three images of one scene: the second has a texture of its own besides."""
     first, other = (orthoimage((SIDE, SIDE), 1, seed).astype(float) for seed in (1, 2))
     second = np.clip(0.35 * first + 0.65 * other, 0, 255)
     mosaic = np.where(np.arange(SIDE)[:, np.newaxis] < SIDE / 2, first, second)
-    for name, pixels in (("mosaic", mosaic), ("first", first), ("second", second)):
+    third = np.clip(0.5 * first + 0.5 * second, 0, 255)
+    for name, pixels in (("mosaic", mosaic), ("first", first), ("second", second), ("third", third)):
         write_raster(tmp_path / f"{name}.tif", pixels.astype(np.uint8))
     return tmp_path
 
@@ -39,7 +40,7 @@ def scanned(folder: Path, *names: str) -> tuple[ScanResult, str]:
 
 def test_the_shift_is_told_in_metres(files: Path) -> None:
     moved(files / "mosaic.tif", 15, -20)
-    result, words = scanned(files, "first", "second")
+    result, words = scanned(files, "first", "second", "third")
     east, north = map(float, result.told["mosaic_shift"].split())
     assert (east, north) == pytest.approx((1.5, 2.0), abs=0.03)
     assert BESIDE in words
