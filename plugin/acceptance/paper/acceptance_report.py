@@ -165,11 +165,11 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
 
 
 def _unmeasured(decision: Decision) -> str:
-    """Why pieces were not measured, in the scan's words without their numbers, with the metres of each; those of most
-    metres first."""
+    """Why pieces were not measured, in the scan's words without numbers and advice; those of most metres first."""
     lengths: dict[str, float] = defaultdict(float)
     for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
-        lengths[_NUMBER.sub("\u2026", piece.reason.rstrip(".")) or tr("no reason is given")] += piece.length_m
+        why = piece.reason.partition(";")[0].rstrip(".")
+        lengths[_NUMBER.sub("\u2026", why) or tr("no reason is given")] += piece.length_m
     reasons = sorted(lengths.items(), key=lambda reason: -reason[1])
     rest = sum(length for _, length in reasons[_MOST_REASONS:])
     most = [*reasons[:_MOST_REASONS], *([(tr("other reasons"), rest)] if rest else [])]

@@ -128,8 +128,9 @@ def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
 def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: Path) -> None:
     """Four kinds of reasons, of which three have room; their numbers differ from piece to piece."""
     reasons = [
-        "Between 41 and 133 %.", "Between 60 and 140 %.", "This piece is 5.0 m long.", "This piece is 0.2 m long.",
-        "This piece is 3.5 m long.", "No ground.", "No ground.", "Blurred.",
+        "Between 41 and 133 %; take longer ones.", "Between 60 and 140 %; take longer ones.", "Blurred.",
+        "This piece is 5.0 m long.", "This piece is 0.2 m long.", "This piece is 3.5 m long.", "No ground; look.",
+        "No ground; look.",
     ]
     plain = decided()
     pieces = [
