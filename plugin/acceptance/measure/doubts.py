@@ -30,7 +30,7 @@ def against_any(delivery: Delivery) -> Iterator[Doubt]:
     files = delivery.files
     for layer in delivery.layers:
         if shift := numbers_in(layer.settings.get("mosaic_shift", "")):
-            yield messages.MOSAIC_BESIDE(name=layer.name, east=shift[0], north=shift[1]), messages.WOULD_PLACE
+            yield messages.MOSAIC_DISPLACED(name=layer.name, east=shift[0], north=shift[1]), messages.WOULD_PLACE
     yield from _doubts(
         (files.not_scanned, messages.DOUBT_NOT_SCANNED, messages.WOULD_SCAN_AGAIN),
         (files.changed, messages.DOUBT_FILES_CHANGED, messages.WOULD_SCAN_AGAIN),

@@ -75,7 +75,7 @@ RUN_IN_PIECE = Message(
 MEASURED = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of '{name}' match no orthoimage and {limit:.0%} may", INFO)
-MOSAIC_BESIDE = Message(
+MOSAIC_DISPLACED = Message(
     "the mosaic of '{name}' does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m "
     "to the north of all of them", INFO)
 MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of '{name}' could not be read, such as around {place}", INFO)
