@@ -36,7 +36,7 @@ BOUNDS = {
     "plugin/imagery": Measures(4674, 0, 0),
     "plugin/seams/measure": Measures(17665, 1, 0),
     "plugin/seams": Measures(12998, 0, 0),
-    "plugin/acceptance": Measures(5399, 1, 0),
+    "plugin/acceptance": Measures(5393, 1, 0),
     "plugin/toolkit": Measures(4434, 0, 0),
     "plugin/noise": Measures(1961, 0, 0),
     "plugin/radiometry": Measures(1998, 0, 0),

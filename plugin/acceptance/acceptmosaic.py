@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsProcessingOutputString
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
+from ..imagery.documents import ready_rules
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import sentence, tr
 from . import stated_rules as stated
-from .measure.acceptance_rules import ready_files
 from .paper.paper_head import QUALITY, REPORT, add_paper
 from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
@@ -61,7 +61,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         ))
         add_plan_parameters(self)
         self.addDescribed(
-            common.choice(stated.READY_RULES, tr("Ready rules"), list(ready_files()), None, optional=True),
+            common.choice(stated.READY_RULES, tr("Ready rules"), list(ready_rules("acceptance")), None, optional=True),
             tr("Rules that come with the plugin, instead of the limits above; leave those at their defaults."),
         )
         self.addDescribed(common.file(stated.RULES, tr("Rules"), "json", optional=True), tr(
@@ -69,7 +69,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             "their defaults. The documentation has an example."
         ))
         self.addDescribed(common.features(WINDOWS, tr("Inspected windows"), common.POLYGON, optional=True), tr(
-            "Inspected windows: their causes and remarks go to the failures in them."
+            "Inspected windows: each gives its cause and remarks to the failure nearest to its middle."
         ))
         add_paper(self)
         self.addOutput(QgsProcessingOutputString(DECISION, tr("accepted, rejected or undecided")))

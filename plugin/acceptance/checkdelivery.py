@@ -127,7 +127,8 @@ class CheckDelivery(SeamInspectorAlgorithm):
 
         folder, is_ordered = run.path(FOLDER), bool(run.parameters.get(SHEETS))
         folder = folder and os.path.abspath(folder)  # what is written names the files from anywhere
-        files = _rasters(Path(folder), with_folders=is_ordered) if folder else []
+        paths = Path(folder).glob("**/*" if is_ordered else "*") if folder else ()  # an index also names those deeper
+        files = sorted(path for path in paths if path.suffix.lower() in RASTERS)
         sheets, homes = [], {Path(folder)}
         for name, path, outline, wkt in index_rows(run, SHEETS, self._index) if is_ordered else ():
             file = _of_stem(files, Path(path or name).stem) if folder else None
@@ -141,11 +142,6 @@ class CheckDelivery(SeamInspectorAlgorithm):
         if not sheets:
             raise SettingsError(messages.NO_SHEETS(folder=folder))
         return sorted(sheets, key=lambda sheet: in_words(sheet.name))
-
-
-def _rasters(folder: Path, with_folders: bool) -> list[Path]:
-    """Paths of the rasters in ``folder``, by name; ``with_folders``: those in folders of it, too."""
-    return sorted(path for path in folder.glob("**/*" if with_folders else "*") if path.suffix.lower() in RASTERS)
 
 
 def _of_stem(files: Sequence[Path], stem: str) -> Path | None:

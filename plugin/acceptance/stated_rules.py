@@ -7,6 +7,7 @@ from typing import Any
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
+from ..imagery.documents import ready_rules
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
@@ -46,7 +47,10 @@ _ORIGINS = {
 
 def stated_rules(run: Run) -> limits.AcceptanceRules:
     """Raises SettingsError for limits that can't be, and for a parameter beside rules that are given."""
-    given = _given(run)
+    given: dict[str, Any] = {
+        **{name: run.real(name) for name in LIMITS}, **{name: standard_quality(run, name) for name in QUALITIES},
+        PLAN: run.word(PLAN), INSPECTION_LEVEL: run.word(INSPECTION_LEVEL),
+    }  # fmt: skip
     path, ready = (run.text(RULES) if run.parameters.get(RULES) else ""), run.word(READY_RULES)
     if path and ready:
         raise SettingsError(messages.TWO_RULES(ready=ready, name=Path(path).name))
@@ -56,7 +60,7 @@ def stated_rules(run: Run) -> limits.AcceptanceRules:
     for parameter, value in given.items():
         if value != DEFAULTS[parameter]:
             raise SettingsError(messages.RULES_AND_PARAMETER(parameter=parameter, value=value, name=name))
-    return in_users_language(limits.load_acceptance_rules(Path(path) if path else limits.ready_files()[ready]))
+    return in_users_language(limits.load_acceptance_rules(Path(path) if path else ready_rules("acceptance")[ready]))
 
 
 def standard_quality(run: Run, name: str) -> str:
@@ -80,20 +84,6 @@ def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
     return {**parameters, **{name: word for name, word in words.items() if word is not None}}
 
 
-def _given(run: Run) -> dict[str, Any]:
-    return {
-        **{name: run.real(name) for name in LIMITS}, **{name: standard_quality(run, name) for name in QUALITIES},
-        PLAN: run.word(PLAN), INSPECTION_LEVEL: run.word(INSPECTION_LEVEL),
-    }  # fmt: skip
-
-
-_CHECKS = {
-    MAX_SHARE: (limits.FAILED_SHARE, 100), MAX_RUN: (limits.LONGEST_FAILURE, 1),
-    MIN_MEASURED: (limits.MEASURED_SHARE, 100),
-}
-"""What each limit is of, and how many of the parameter's units are one of the rule's."""
-
-
 def _of_parameters(run: Run, given: dict[str, Any]) -> limits.AcceptanceRules:
     def source(name: str) -> str:
         if given[name] != DEFAULTS[name]:
@@ -102,11 +92,13 @@ def _of_parameters(run: Run, given: dict[str, Any]) -> limits.AcceptanceRules:
         return filled(text, parameter=name, origin=tr(_ORIGINS[name]))
 
     sampling = None if given[PLAN] == ALL else sampling_rule(run, source(PLAN))
+    kept, most, run_m, least = (given[name] for name in LIMITS)
+    rules = limits.limit_rules(kept, most / 100, run_m, least / 100)
     ruled = tuple(
-        limits.AcceptanceRule(check, given[name] / scale, source(name)) for name, (check, scale) in _CHECKS.items()
+        replace(rule, source=source(name)) for rule, name in zip(rules.rules, (MAX_SHARE, MAX_RUN, MIN_MEASURED))
         if sampling is None or name == MIN_MEASURED
     )
-    rules = limits.AcceptanceRules("", given[MIN_KEPT], source(MIN_KEPT), ruled, sampling)
+    rules = replace(rules, kept_source=source(MIN_KEPT), rules=ruled, sampling=sampling)
     return replace(rules, name=sentence(limits.limits_in_words(rules)))
 
 

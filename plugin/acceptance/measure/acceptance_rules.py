@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import reduce
 from pathlib import Path
 
-from ...imagery.documents import RuleObject, read_rules, ready_rules
+from ...imagery.documents import RuleObject, read_rules
 from ...imagery.errors import Message, SettingsError, Stated
 from ...imagery.limits import PATH_TYPES, check_type
 from ...imagery.seam_totals import STANDARD_LEAST_KEPT
@@ -142,10 +142,6 @@ def limit_rules(
     ))  # fmt: skip
     rules = AcceptanceRules("", min_kept, source(min_kept, STANDARD_KEPT), ruled)
     return replace(rules, name=str(limits_in_words(rules)))
-
-
-def ready_files() -> dict[str, Path]:
-    return ready_rules("acceptance")
 
 
 def load_acceptance_rules(path: Path | str) -> AcceptanceRules:

@@ -74,7 +74,7 @@ def decide(delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = No
     sentences = (
         _HEADLINES[outcome](rules=rules.name, why=foremost),
         *(first_advice if outcome is AcceptanceOutcome.UNDECIDED else ()),
-        *([messages.OPEN_BESIDES(why=_joined(besides))] if besides else ()),
+        *(messages.OPEN_BESIDES(why=reason) for reason in besides),
         *layer_sentences(delivery),
         *_figures(whole, runs, rules),
         *_sample_sentences(delivery, lot is not None),

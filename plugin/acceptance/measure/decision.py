@@ -3,18 +3,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from math import inf
+from math import dist, inf
 from typing import Any
 
 import numpy as np
 
 from ...imagery.errors import Message
+from ...imagery.grids import middle_of
 from ...imagery.lines import line_wkt
 from ...imagery.records import GEOMETRY, TableRows
 from ...imagery.seam_totals import PieceState
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_plans import SamplingPlan
+
+_ALONG = np.linspace(0, 1, 11)  # places along a piece of which one may be nearest to what was looked at
 
 
 class AcceptanceOutcome(Enum):
@@ -44,6 +47,7 @@ class FailureRun:
     pieces: tuple[int, ...]  # the pieces' numbers, in the order in which they follow each other
     sheets: tuple[str, ...]  # that it lies in
     place: tuple[float, float]  # a point half-way along it, in the delivery's reference system
+    joined_m: float = 0.0  # length of all failures together that hang together with it through nodes
 
 
 @dataclass(frozen=True)
@@ -189,7 +193,7 @@ class Defect:
 
     run: FailureRun
     pieces: tuple[DecidedPiece, ...]  # in the order in which they follow each other
-    windows: tuple[SeenWindow, ...] = ()  # inspected ones over any of them, nearest to the worst first
+    windows: tuple[SeenWindow, ...] = ()  # inspected ones of it, nearest to the worst first
 
     @property
     def worst(self) -> DecidedPiece:
@@ -216,16 +220,21 @@ class Defect:
 
 
 def defects_of(decision: Decision) -> tuple[Defect, ...]:
-    """The longest first."""
-    windows = decision.delivery.windows
-    left, bottom, right, top = np.array([window.extent for window in windows]).reshape(-1, 4).T
-    defects = []
-    for run in decision.runs:
-        defect = Defect(run, tuple(decision.pieces[number] for number in run.pieces))
-        x, y = np.array([decided.piece.middle for decided in defect.pieces]).T[:, :, np.newaxis]
-        is_over = ((left <= x) & (x <= right) & (bottom <= y) & (y <= top)).any(axis=0)
-        worst_x, worst_y = defect.worst.piece.middle
-        apart = np.hypot((left + right) / 2 - worst_x, (bottom + top) / 2 - worst_y)
-        nearest_first = [windows[number] for number in np.argsort(apart, kind="stable").tolist() if is_over[number]]
-        defects.append(replace(defect, windows=tuple(nearest_first)))
+    """The longest first; a window is of the failure that comes nearest to its middle, if any runs through it."""
+    defects = [Defect(run, tuple(decision.pieces[number] for number in run.pieces)) for run in decision.runs]
+    places = np.array([
+        decided.piece.point(share) for defect in defects for decided in defect.pieces for share in _ALONG
+    ]).reshape(-1, 2)
+    of_place = np.repeat(range(len(defects)), [len(_ALONG) * len(defect.pieces) for defect in defects])
+    inspected: list[tuple[int, SeenWindow]] = []
+    for window in decision.delivery.windows:
+        left, bottom, right, top = window.extent
+        apart = np.hypot(*(places - middle_of(window.extent)).T)
+        apart[((places < (left, bottom)) | (places > (right, top))).any(axis=1)] = inf
+        if apart.min(initial=inf) < inf:
+            inspected.append((int(of_place[apart.argmin()]), window))
+    for number, defect in enumerate(defects):
+        windows = [window for at, window in inspected if at == number]
+        windows.sort(key=lambda window: dist(middle_of(window.extent), defect.worst.piece.middle))
+        defects[number] = replace(defect, windows=tuple(windows))
     return tuple(defects)

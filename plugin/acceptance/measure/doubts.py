@@ -15,7 +15,7 @@ from . import messages
 from .acceptance_rules import LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRules
 from .decision import MetreFigures
 from .delivery import Delivery, Seal, SheetState
-from .seen_ground import SeenGround, ground_sentences, unseen_seams
+from .seen_ground import SeenGround, ground_sentences, numbers_in, unseen_seams
 
 _NAMED = 3  # layers that a sentence names
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
@@ -28,6 +28,9 @@ _Named = tuple[Sequence[str], "Callable[..., Message]", Message]
 def against_any(delivery: Delivery) -> Iterator[Doubt]:
     """Why nothing is decided: what was measured is not, or not only, what is given."""
     files = delivery.files
+    for layer in delivery.layers:
+        if shift := numbers_in(layer.settings.get("mosaic_shift", "")):
+            yield messages.MOSAIC_DISPLACED(name=layer.name, east=shift[0], north=shift[1]), messages.WOULD_PLACE
     yield from _doubts(
         (files.not_scanned, messages.DOUBT_NOT_SCANNED, messages.WOULD_SCAN_AGAIN),
         (files.changed, messages.DOUBT_FILES_CHANGED, messages.WOULD_SCAN_AGAIN),

@@ -74,8 +74,11 @@ RUN_IN_PIECE = Message(
     "{metres:.1f} m long, which can hide a longer one", INFO)
 MEASURED = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
-MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} match no orthoimage and {limit:.0%} may", INFO)
-MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of {name} could not be read, for example around {place}", INFO)
+MOSAIC_LACKS = Message("{share:.0%} of the mosaic of '{name}' match no orthoimage and {limit:.0%} may", INFO)
+MOSAIC_DISPLACED = Message(
+    "the mosaic of '{name}' does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m "
+    "to the north of all of them", INFO)
+MOSAIC_PARTLY_READ = Message("{share:.2%} of the mosaic of '{name}' could not be read, such as around {place}", INFO)
 DOUBT_NOT_MEASURED = Message("sheets of which nothing was measured: {count} ({names})", INFO)
 DOUBT_LEFT_OUT = Message("sheets that are missing in the mosaic that was scanned: {count} ({names})", INFO)
 DOUBT_DAMAGED = Message("sheets whose pixels can't all be read: {count} ({names})", INFO)
@@ -135,9 +138,9 @@ WOULD_MEASURE = Message(
     "What would decide it: a scan with pieces of {piece:.0f} m, with which some {share:.0%} of the metres would be "
     "measured and {least:.0%} are required.", WARNING)
 WOULD_LOOK_THERE = Message(
-    "What would decide it: an operator's look at {wanted:.0f} of the {lacking:.0f} m that were not measured; whoever "
-    "signs decides by that. A scan of these orthoimages can't: no pieces short enough to show a failure would measure "
-    "enough, for the reasons in the field 'reason' of the seams.", WARNING)
+    "What would decide it: an operator's look at what was not measured, at least {wanted:.0f} of {lacking:.0f} m; "
+    "whoever signs decides by that. A scan of these orthoimages with pieces short enough to show a failure would not "
+    "measure enough; the field 'reason' of the seams says why.", WARNING)
 WOULD_MEASURE_ALONE = Message(
     "What would decide it: measuring at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
     "orthoimages beside them to the scan.", WARNING)
@@ -153,9 +156,10 @@ WOULD_SHORTEN = Message(
 WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
 WOULD_COMPLETE_SAMPLE = Message(
     "What would decide it: as many measured pieces as the plan needs, drawn from the whole lot.", WARNING)
-WOULD_GIVE_ORTHOIMAGES = Message(
-    "What would decide it: a scan with the orthoimages that are missing, since seams beside them are not counted.",
-    WARNING)
+WOULD_GIVE_ORTHOIMAGES = Message("What would decide it: a scan with the orthoimages that are missing.", WARNING)
+WOULD_PLACE = Message(
+    "What would decide it: a scan of mosaic and orthoimages that lie in the same place. Ask the producer which of them "
+    "have a wrong georeference.", WARNING)
 WOULD_GIVE_SEAMS = Message(
     "What would decide it: checking where the scan saw a border and no seam is measured, then a scan with all "
     "seamlines, or with none.", WARNING)
@@ -235,17 +239,17 @@ PICTURES_MISSING = Message(
 SEAMS_ELSEWHERE_UNKNOWN = Message(
     "Without what a scan with orthoimages found on the ground, seams that are in no row are unknown: {names}.", INFO)
 SCAN_UNEXPLAINED = Message(
-    "The scan of {name} found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there are "
-    "not counted and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING)
+    "The scan of '{name}' found no orthoimage for {share:.0%} of the mosaic, most of it around {place}. Seams there "
+    "are not counted and those beside it are not measured; scan again with the orthoimages that it was made from, "
+    "placed as it is.", WARNING)
 SCAN_UNSEEN = Message(
-    "The mosaic of {name} passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
+    "The mosaic of '{name}' passes from one orthoimage to another along at least {metres:.0f} m where no seam is "
     "measured, the longest around {place}.", WARNING)
 SCAN_PARTLY = Message(
-    "Only {share:.0%} of the mosaic of {name} were scanned, those in its corridor; seams elsewhere are unknown.", INFO)
+    "Only {share:.0%} of the mosaic of '{name}' were scanned, in its corridor; seams elsewhere are unknown.", INFO)
 SOURCES_NOT_GIVEN = Message(
-    "The seamlines of {name} name orthoimages that the scan was not given ({names}); seams beside them are not "
-    "measured.",
-    WARNING)
+    "The seamlines of '{name}' name orthoimages that the scan was not given ({names}); seams beside them are not "
+    "measured.", WARNING)
 SCANNED_APART = Message(
     "{count} mosaics were scanned one by one: a seam along the border between two of them is not counted. Scan sheets "
     "that meet as one mosaic.", WARNING)
@@ -253,11 +257,11 @@ SOURCES_BELIEVED = Message(
     "The mosaic was compared with the orthoimages that were given. Detail that these lack too does not count as lost: "
     "make sure that the mosaic was made from them.", INFO)
 SEAMS_GIVEN = Message(
-    "The seams are those of the given seamlines ({name}); a missing one is noticed only if it is longer than some 150 "
-    "pixels.", INFO)
+    "The scan of '{name}' measured along the seamlines that it was given; a seam that these lack is noticed only if it "
+    "is longer than some 150 pixels.", INFO)
 SEAMS_FOUND = Message(
-    "The scan found the seams from the pixels ({name}), and wide feathers hide some of them. Give the producer's "
-    "seamlines to the scan to measure all of them.", WARNING)
+    "The scan of '{name}' found the seams from the pixels, and wide feathers hide some of them. Give it the producer's "
+    "seamlines to measure all of them.", WARNING)
 PAPER_STOPPED = Message(
     "The run was stopped: there is neither report nor XML, and the failures may have no pictures.", WARNING)
 # the files of a delivery; what is found at a sheet goes into tables

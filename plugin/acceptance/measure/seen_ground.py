@@ -29,7 +29,7 @@ def _place(x: float, y: float, width_m: float | None = None, height_m: float | N
     return f"{x:.1f}, {y:.1f}{size}"
 
 
-def _numbers_in(text: str) -> list[float]:
+def numbers_in(text: str) -> list[float]:
     """The numbers of a text, between blanks, or commas where several scans say one each; none where a word is none."""
     try:
         return [float(word) for word in text.replace(",", " ").split()]
@@ -62,10 +62,10 @@ class SeenGround:
     def of_settings(cls, settings: Mapping[str, str]) -> SeenGround:
         """What a scan wrote beside its rows, or what ``united_settings`` made of several."""
         def figures(name: str, nothing: float = 0.0) -> list[float]:
-            return _numbers_in(settings.get(name, "")) or [nothing]
+            return numbers_in(settings.get(name, "")) or [nothing]
 
         def places(name: str) -> tuple[str, ...]:
-            held = map(_numbers_in, settings.get(name, "").replace(",", ";").split(";"))
+            held = map(numbers_in, settings.get(name, "").replace(",", ";").split(";"))
             return tuple(_place(*numbers) for numbers in held if len(numbers) in (2, 4))
 
         return cls(

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -76,6 +77,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         failing=failing_sentence(decision),
         judged=_judged_bands(record.mosaics),
         figures=_key_figures(decision),
+        joined=metres(max(run.joined_m for run in decision.runs)) if decision.longest_failure_m else "",
         parts=parts,
         sentences=[sentence(words) for words in decision.sentences[1 + is_undecided :]],
         rules=[*_rule_rows(decision, sources)],
@@ -135,7 +137,7 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
             filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
         *([] if whole.failed_unclear_share is None else [
-            (share(whole.failed_unclear_share, 1), tr("of these may keep enough (95 %)"))
+            (share(whole.failed_unclear_share, 1), tr("of these may keep enough"))
         ]),
         (share(whole.failed_share), tr("of what was measured failed")),
         *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
@@ -163,27 +165,15 @@ def _parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
 
 
 def _unmeasured(decision: Decision) -> str:
-    """Why pieces were not measured, in the scan's words, with the metres of each; those of most metres first."""
-    alike: dict[str, list[DeliveredPiece]] = {}
+    """Why pieces were not measured, in the scan's words without numbers and advice; those of most metres first."""
+    lengths: dict[str, float] = defaultdict(float)
     for piece in (decided.piece for decided in decision.pieces if decided.state is PieceState.NOT_MEASURED):
-        alike.setdefault(_NUMBER.sub("", piece.reason), []).append(piece)
-    reasons = sorted(
-        ((sum(piece.length_m for piece in pieces), _same_words([piece.reason for piece in pieces]))
-         for pieces in alike.values()), key=lambda reason: -reason[0],
-    )  # fmt: skip
-    rest, unknown = sum(length for length, _ in reasons[_MOST_REASONS:]), tr("no reason is given")
-    most = [*reasons[:_MOST_REASONS], *([(rest, tr("other reasons"))] if rest else [])]
-    return "; ".join(f"{metres(length)}: {reason.rstrip('.') or unknown}" for length, reason in most)
-
-
-def _same_words(texts: Sequence[str]) -> str:
-    """Texts that differ in their numbers as one, with the smallest and the largest of these."""
-    def size(number: str) -> float:
-        return float(number.replace(",", "."))
-
-    ends = [(min(numbers, key=size), max(numbers, key=size)) for numbers in zip(*map(_NUMBER.findall, texts))]
-    ranges = iter([least if least == most else f"{least}\u2013{most}" for least, most in ends])
-    return _NUMBER.sub(lambda _: next(ranges), texts[0])
+        why = piece.reason.partition(";")[0].rstrip(".")
+        lengths[_NUMBER.sub("\u2026", why) or tr("no reason is given")] += piece.length_m
+    reasons = sorted(lengths.items(), key=lambda reason: -reason[1])
+    rest = sum(length for _, length in reasons[_MOST_REASONS:])
+    most = [*reasons[:_MOST_REASONS], *([(tr("other reasons"), rest)] if rest else [])]
+    return "; ".join(f"{metres(length)}: {reason}" for reason, length in most)
 
 
 def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
@@ -204,15 +194,13 @@ def _ground_parts(decision: Decision) -> Iterator[tuple[str, str, str, bool]]:
         words += filled(tr("; found and not given: {unseen}, given and not found: {unchanged}") if is_given else (
             tr("; borders without a measured seam: {unseen}")
         ), unseen=metres(ground.unseen_m), unchanged=metres(ground.unchanged_m))
-    if ground.looked_at < 1:
-        words += filled(tr("; looked at: {share} of the mosaic"), share=share(ground.looked_at, 0))
     for name, figure, figures, places in (
         (names[0], apart, words, ground.unseen_at),
         (names[1], ground.unexplained,
          filled(tr("{share} of the ground with texture"), share=share(ground.unexplained, 1)), ground.unexplained_at),
         (names[2], ground.nodata, share(ground.nodata, 1), ground.nodata_at),
     ):
-        where = filled(tr("; around {places}"), places="; ".join(places)) if places else ""
+        where = filled(tr("; most of it around {place}"), place=places[0]) if places else ""
         is_reason = decision.accepted is not True and figure > 0 and name != names[2]
         yield name, tr("With findings") if figure > 0 else tr("No findings"), figures + where, is_reason
 
@@ -251,7 +239,7 @@ def _sheet_row(figures: MetreFigures, word: str) -> list[str]:
 def _legend(decision: Decision) -> list[tuple[str, str]]:
     words = {
         PieceState.FAILED: tr("pieces that failed"), PieceState.PASSED: tr("pieces that passed"),
-        PieceState.NOT_MEASURED: tr("not measured"), PieceState.NO_DETAIL: tr("ground without detail"),
+        PieceState.NOT_MEASURED: tr("pieces not measured"), PieceState.NO_DETAIL: tr("ground without detail"),
     }  # fmt: skip
     present = {decided.state for decided in decision.pieces}
     entries = [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]

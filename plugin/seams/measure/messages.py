@@ -359,6 +359,11 @@ MOSAIC_UNEXPLAINED = Message(
     "{share:.0f} % of the mosaic's textured ground match none of the orthoimages, most of it around {x:.1f}, {y:.1f}, "
     "so nothing is measured there. Give those that it was made from, and check that they lie where it does.", WARNING
 )
+MOSAIC_BESIDE = Message(
+    "The mosaic does not lie where its orthoimages do: it lies {east:+.2f} m to the east, {north:+.2f} m to the north "
+    "of all of them, so {share:.0f} % of its textured ground match none. Ask which of them have a wrong georeference.",
+    WARNING,
+)
 BORDERS_WITHOUT_SEAM = Message(
     "The mosaic passes from one orthoimage to another along some {metres:.0f} m where no seam is measured, the longest "
     "{longest:.0f} m around {x:.1f}, {y:.1f}: no seamline is given there, or the place was blurred or cut out. Check "

@@ -106,7 +106,7 @@ def test_too_little_measured_is_undecided_and_says_what_would_decide_it() -> Non
     assert "with pieces of 20 m, with which some 100% of the metres would be measured" in text_of(decide(made, rules()))
     whole_seams = [replace(piece, seam_id=str(piece.number)) for piece in wide]
     wider = [replace(piece, kept_low=0.42, kept_high=1.45) for piece in wide]  # enough only in pieces of 40 m
-    by_look = "an operator's look at 100 of the 100 m that were not measured; whoever signs decides by that"
+    by_look = "an operator's look at what was not measured, at least 100 of 100 m; whoever signs decides by that"
     for pieces, run in ((wide, 10.0), (whole_seams, 50.0), (wider, 50.0)):
         words = text_of(decide(replace(made, pieces=tuple(pieces)), rules(run=run)))
         assert by_look in words
@@ -121,7 +121,7 @@ def test_no_piece_is_advised_where_forecasts_are_below_what_is_required() -> Non
     blank = seam([None] * 4, seam_id="2", start=(0, 90), number=10)
     made = delivery(wide, blank, seam([0.9] * 6, seam_id="3", start=(0, 190), number=14))
     decision = decide(replace(made, layers=(DeliveredLayer("a", Seal.WHOLE, 0.0, files),)), rules())
-    assert "What would decide it: an operator's look at 140 of the 140 m" in str(decision.sentences[1])
+    assert "operator's look at what was not measured, at least 140 of 140 m" in str(decision.sentences[1])
     assert sum("What would decide it" in str(sentence) for sentence in decision.sentences) == 1
 
 
@@ -368,7 +368,7 @@ def test_what_nobody_has_looked_at_is_not_passed_over() -> None:
     blank = replace(read, name="b", settings={}, is_blank=True)
     unknown = seam([None], sheet="b", start=(0, 99), number=100)
     for words, unseen in (
-        ("0.40% of the mosaic of a could not be read, for example around 10 20", replace(sound, layers=(read,))),
+        ("0.40% of the mosaic of 'a' could not be read, such as around 10 20", replace(sound, layers=(read,))),
         ("sheets of which nothing was measured: 1 (b)", replace(sound, layers=(blank,))),
         ("sheets of which nothing was measured: 1 (b)", delivery(seam([0.95] * 100), unknown)),
         ("missing in the mosaic that was scanned: 1 (x)", with_sheet(sound, SheetState.LEFT_OUT)),

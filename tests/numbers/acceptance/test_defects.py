@@ -30,3 +30,13 @@ def test_cause_and_remarks_come_from_the_windows_on_it() -> None:
     assert defect.cause == "feathering"
     assert set(defect.remarks) == {"kerb gone", "<b>"}
     assert defect.run.length_m == 2 * PIECE_M
+
+
+def test_a_window_over_two_failures_is_of_the_one_nearest_to_its_middle() -> None:
+    """Pieces of 25 m, of which the window shows parts of three; none of it is said of a failure that it only meets."""
+    plain = decided(failed=[(0, 10), (0, 12)])
+    upper, lower = defects_of(with_windows(plain, window_on(plain, 12, "blur", "kerb gone")))
+    assert [(defect.pieces[0].piece.number, defect.remarks) for defect in (upper, lower)] == [
+        (10, ()), (12, ("kerb gone",)),
+    ]  # fmt: skip
+    assert (upper.cause, lower.cause) == ("", "blur")

@@ -71,6 +71,8 @@ def test_three_seams_at_a_node_are_a_line_and_a_branch() -> None:
     along = seam([F, F, F, F])
     branch = seam([F, F], seam_id="2", start=(20, 0), way=(0, 1), number=4)
     assert lengths(along, branch) == [40, 20]
+    apart = seam([F], sheet="b", start=(0, 500), number=6)
+    assert [run.joined_m for run in whole_runs(along, branch, apart)] == [60, 60, 10]
 
 
 def test_a_ring_is_one_run() -> None:
@@ -88,18 +90,6 @@ def test_degrees_are_no_metres() -> None:
     for place, piece in enumerate(small):
         vars(piece)["station_m"] = None if place else 0.0
     assert [run.length_m for run in whole_runs(small, unit_m=111_000.0)] == [30]
-
-
-def test_runs_do_not_depend_on_the_order_of_many_pieces() -> None:
-    random = np.random.default_rng(0)
-    kept = [F if failed else P for failed in random.random(400) < 0.6]
-    pieces = seam(kept)
-    order = random.permutation(400)
-    mixed = [DeliveredPiece(**{**vars(pieces[old]), "number": new}) for new, old in enumerate(order)]
-    expected, run = [], 0
-    for value in [*kept, P]:
-        run, expected = (run + 10, expected) if value == F else (0, [*expected, run] if run else expected)
-    assert sorted(lengths(mixed)) == sorted(lengths(pieces)) == sorted(expected)
 
 
 def test_a_seam_that_sheets_cut_is_one_seam() -> None:

@@ -76,20 +76,6 @@ def test_acceptance_numbers_are_those_of_table_2(aql: str) -> None:
     assert [plan.acceptance_number for plan in plans] == list(map(int, COLUMNS[aql].split()))
 
 
-@pytest.mark.parametrize(
-    ("lot", "aql", "size", "accepted"),
-    [  # table 1-A of the National Institute of Building Sciences' guide, "developed from MIL-STD-105E", level II
-        (8, "6.5", 2, 0), (25, "10", 5, 1), (50, "6.5", 8, 1), (280, "4.0", 32, 3), (500, "2.5", 50, 3),
-        (1200, "0.65", 80, 1), (3200, "10", 125, 21), (10_000, "0.65", 200, 3), (150_000, "1.5", 500, 14),
-        # and examples of textbooks: Montgomery, Introduction to statistical quality control, section 15.4
-        (2000, "0.65", 125, 2), (1000, "1.0", 80, 2),
-    ],
-)  # fmt: skip
-def test_published_examples(lot: int, aql: str, size: int, accepted: int) -> None:
-    plan = single_sampling_plan(lot, aql, "II")
-    assert (plan.sample_size, plan.acceptance_number) == (size, accepted)
-
-
 def test_a_sample_as_large_as_the_lot_is_the_whole_lot() -> None:
     plan = single_sampling_plan(40, "0.10", "II")
     assert plan.is_whole_lot

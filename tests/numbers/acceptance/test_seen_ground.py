@@ -6,13 +6,12 @@ from dataclasses import replace
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
-from seam_inspector.plugin.acceptance.measure.delivered_rows import make_delivery, united_settings
+from seam_inspector.plugin.acceptance.measure.delivered_rows import united_settings
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredLayer, Seal
 from seam_inspector.plugin.acceptance.measure.seen_ground import SeenGround
 from seam_inspector.plugin.imagery.seam_totals import MOSAIC_FILES
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
-from tests.numbers.acceptance.made_decisions import UTM
 
 SOUND = [0.97] * 100  # 1 km
 PLACE = "500036.8 4999944 6 102"
@@ -64,8 +63,21 @@ def test_ground_that_no_orthoimage_explains_leaves_it_open_by_its_area(seams: st
     layer = DeliveredLayer("a", True, 0.0, said(seams=seams, unexplained="0.5"))
     decision = decide(replace(delivery(seam(SOUND)), layers=(layer,)), rules())
     assert decision.outcome is AcceptanceOutcome.UNDECIDED
-    assert "50% of the mosaic of a match no orthoimage" in str(decision.why)
+    assert "50% of the mosaic of 'a' match no orthoimage" in str(decision.why)
     assert "What would decide it: a scan with the orthoimages that are missing" in str(decision.sentences[1])
+
+
+@pytest.mark.parametrize("kept", [0.97, 0.3])
+def test_a_mosaic_that_lies_beside_its_orthoimages_is_not_decided_on(kept: float) -> None:
+    """Nothing is missing then, and what was measured may be of other ground: that neither accepts nor rejects."""
+    layer = DeliveredLayer("a", True, 0.0, said(unexplained="0.43", mosaic_shift="1.50 -0.01"))
+    decision = decide(replace(delivery(seam([kept] * 100)), layers=(layer,)), rules())
+    assert decision.outcome is AcceptanceOutcome.UNDECIDED
+    assert str(decision.sentences[0]) == (
+        "Undecided by 'contract': the mosaic of 'a' does not lie where its orthoimages do: it lies +1.50 m to the "
+        "east, -0.01 m to the north of all of them."
+    )
+    assert "a scan of mosaic and orthoimages that lie in the same place" in str(decision.sentences[1])
 
 
 def test_an_orthoimage_that_is_named_and_was_not_given_is_the_first_reason() -> None:
@@ -78,7 +90,7 @@ def test_an_orthoimage_that_is_named_and_was_not_given_is_the_first_reason() -> 
         "beside them are not measured."
     )
     assert "What would decide it: a scan with the orthoimages that are missing" in str(decision.sentences[1])
-    assert str(decision.sentences[2]).startswith("Open besides: 13% of the mosaic of a match no orthoimage")
+    assert str(decision.sentences[2]).startswith("Open besides: 13% of the mosaic of 'a' match no orthoimage")
     assert str(decision.why).startswith(str(decision.foremost))
     assert decided(said(not_given="cam2_101")).accepted  # enough was measured without it
 
@@ -113,18 +125,6 @@ def test_all_scans_together() -> None:
     assert list(ground.unseen_at) == ["500036.8, 4999944.0 (6 x 102 m)"]
     assert [place[-11:] for place in ground.nodata_at] == ["(6 x 102 m)", " (9 x 10 m)"]
     assert ground.unseen_m - ground.unchanged_m == 45
-
-
-def test_what_a_scan_tells_of_the_ground_counts_for_its_rows() -> None:
-    rows = [
-        {"seam_id": 1, "station": 25.0 * place, "length": 25.0, "kept_1": 0.97, "kept_low": 0.9, "kept_high": 1.02,
-         "verdict": "preserved", "geometry": f"LINESTRING ({25 * place} 0, {25 * place + 25} 0)"}
-        for place in range(20)
-    ]  # fmt: skip
-    assert decide(make_delivery({"a": rows}, UTM), rules()).accepted
-    unseen = said(unseen_metres="400.0", unseen_longest="400.0", unseen_at=PLACE)
-    decision = decide(make_delivery({"a": rows}, UTM, {"a": unseen}), rules())
-    assert decision.outcome is AcceptanceOutcome.UNDECIDED
 
 
 def test_a_sample_of_several_scans_says_what_they_say_together() -> None:

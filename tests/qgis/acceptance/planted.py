@@ -51,13 +51,8 @@ class Block:
     folder: Path
 
 
-def make_block(
-    folder: Path, planted: Sequence[Planted] = (), smooth: int = 0, jpeg: int = 0, names: Sequence[str] = "abcd",
-    foreign: slice | None = None,
-) -> Block:
-    """``smooth``: rows from the top without detail; ``jpeg``: quality of the mosaic's compression, 0 for none;
-    ``names`` of the orthoimages, with their folders; ``foreign``: rows and columns of a square of another image that is
-    not among them."""
+def make_block(folder: Path, planted: Sequence[Planted] = (), smooth: int = 0, jpeg: int = 0) -> Block:
+    """``smooth``: rows from the top without detail; ``jpeg``: quality of the mosaic's compression, 0 for none."""
     folder.mkdir(parents=True, exist_ok=True)
     scene = texture(SHAPE, 3.0, 40)
     fades = np.clip((np.arange(ROWS) - smooth) / 20 + 0.5, 0, 1)[:, np.newaxis] if smooth else 1.0
@@ -73,21 +68,17 @@ def make_block(
             if item == seam:
                 share[start:stop] = np.clip(aside[start:stop] / FEATHER_PX + 0.5, 0, 1)
         made = (1 - share) * made + share * images[seam + 1]
-    if foreign is not None:
-        made[:, foreign, foreign] = 110 + 22 * scene[foreign, foreign] + 9 * texture(SHAPE, 0.8, 77)[foreign, foreign]
     mosaic = write_raster(folder / "mosaic.tif", np.rint(made).astype(np.uint8), GSD)
     if jpeg:
         options = ["COMPRESS=JPEG", f"JPEG_QUALITY={jpeg}", "TILED=YES", "PHOTOMETRIC=YCBCR"]
         mosaic = str(folder / "compressed.tif")
         gdal.Translate(mosaic, str(folder / "mosaic.tif"), creationOptions=options)
     sources = []
-    for number, (image, name) in enumerate(zip(images, names)):
+    for number, (image, name) in enumerate(zip(images, "abcd")):
         left, right = max(STRIP * number - OVERLAP, 0), min(STRIP * (number + 1) + OVERLAP, SHAPE[1])
-        path = folder / f"{name}.tif"
-        path.parent.mkdir(exist_ok=True)
         whole = gdal.Open(str(folder / "mosaic.tif")).GetGeoTransform()
         origin = whole[0] + GSD * left, whole[3]
-        sources.append(write_raster(path, np.ascontiguousarray(image[:, :, left:right]), GSD, origin))
+        sources.append(write_raster(folder / f"{name}.tif", np.ascontiguousarray(image[:, :, left:right]), GSD, origin))
     return Block(mosaic, tuple(sources), saved(seam_layer(), folder / "seamlines.gpkg"), folder)
 
 

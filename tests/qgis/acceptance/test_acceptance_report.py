@@ -126,10 +126,11 @@ def test_a_rule_that_can_not_be_told_says_why(tmp_path: Path) -> None:
 
 
 def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: Path) -> None:
-    """Four kinds of reasons, of which three have room; the numbers are those of all pieces of a kind."""
+    """Four kinds of reasons, of which three have room; their numbers differ from piece to piece."""
     reasons = [
-        "Between 41 and 133 %.", "Between 60 and 140 %.", "This piece is 5.0 m long.", "This piece is 0.2 m long.",
-        "This piece is 3.5 m long.", "No ground.", "No ground.", "Blurred.",
+        "Between 41 and 133 %; take longer ones.", "Between 60 and 140 %; take longer ones.", "Blurred.",
+        "This piece is 5.0 m long.", "This piece is 0.2 m long.", "This piece is 3.5 m long.", "No ground; look.",
+        "No ground; look.",
     ]
     plain = decided()
     pieces = [
@@ -139,7 +140,7 @@ def test_why_pieces_were_not_measured_is_told_once_for_all_of_a_kind(tmp_path: P
     page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
     row = next(row for row in page.rows if row[0] == "seams that were not measured")
     assert row[2].replace("\u00a0", " ") == (
-        "75.0 m: This piece is 0.2\u20135.0 m long; 50.0 m: Between 41\u201360 and 133\u2013140 %; "
+        "75.0 m: This piece is \u2026 m long; 50.0 m: Between \u2026 and \u2026 %; "
         "50.0 m: No ground; 25.0 m: other reasons"
     )
 

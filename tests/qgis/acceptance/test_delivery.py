@@ -1,16 +1,14 @@
-"""A delivery of twelve sheets, four of them spoilt in known ways, from rasters to a decision on paper: three calls."""
+"""A delivery of twelve sheets, four of them spoilt in known ways, from rasters to a decision: two calls."""
 from __future__ import annotations
 
 import subprocess
 from pathlib import Path
-from xml.etree import ElementTree
 
 import pytest
 from qgis.core import QgsVectorLayer
 
 from demo.delivery import SPOILT, Delivery
 from tests.made_once import the_delivery
-from tests.pages import outline
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
 pytestmark = [pytest.mark.slow, NEEDED]
@@ -26,7 +24,7 @@ def delivery(tmp_path_factory: pytest.TempPathFactory) -> Delivery:
 
 @pytest.fixture(scope="module")
 def decided(delivery: Delivery, repository: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder with the results of a scan, a plan and a decision."""
+    """The folder with the results of a scan and a decision."""
     folder = tmp_path_factory.mktemp("decided")
     variables = environment(repository, tmp_path_factory.mktemp("settings"))
 
@@ -42,10 +40,6 @@ def decided(delivery: Delivery, repository: Path, tmp_path_factory: pytest.TempP
         "run", "seaminspector:scanmosaic", f"--MOSAIC={delivery.mosaic}", f"--SEAMLINES={delivery.seamlines}",
         *(f"--SOURCES={source}" for source in delivery.sources), "--PIECE=10", f"--LOSS={folder / 'loss.tif'}",
         f"--SEAMS={folder / 'seams.gpkg'}", f"--CELLS={folder / 'cells.gpkg'}", f"--WORST={folder / 'worst.gpkg'}",
-    )
-    call(
-        "run", "seaminspector:planinspection", f"--SEAMS={folder / 'seams.gpkg'}", f"--SHEETS={delivery.index}",
-        f"--MOSAIC={delivery.mosaic}", "--UNIT=windows", "--SIDE=20", f"--OUTPUT={folder / 'sample.gpkg'}",
     )
     call(
         "run", "seaminspector:acceptmosaic", f"--SEAMS={folder / 'seams.gpkg'}", f"--SHEETS={delivery.index}",
@@ -81,21 +75,3 @@ def test_what_goes_back_is_what_was_spoilt(decided: Path, delivery: Delivery) ->
     for sheet, length in lengths.items():
         assert items[sheet] == pytest.approx(length, abs=11), sheet  # a piece has 10 m
     assert all((decided / row["picture"]).is_file() for row in rows)
-
-
-def test_the_sample_is_of_all_sheets_with_seams(decided: Path) -> None:
-    sample = QgsVectorLayer(str(decided / "sample.gpkg"), "sample", "ogr")
-    assert sample.featureCount() == number(decided, "planinspection", "SAMPLE_SIZE") == 13
-    assert number(decided, "planinspection", "ACCEPTANCE_NUMBER") == 0
-    assert len({row["sheet"] for row in sample.getFeatures()}) == 8
-
-
-def test_the_papers_say_so(decided: Path) -> None:
-    page = outline((decided / "decision.html").read_text(encoding="utf-8"))
-    assert "Rejected" in page.words
-    assert len(page.pictures("jpeg")) >= 4
-    for sheet in ("sheet_1_2", "sheet_2_1", "sheet_2_4", "sheet_3_3"):
-        assert sheet in page.words
-    root = ElementTree.parse(decided / "quality.xml").getroot()
-    verdicts = [item.text or "" for item in root.iter() if item.tag.endswith("}Boolean")]
-    assert "false" in verdicts

@@ -8,7 +8,7 @@ import pytest
 from qgis.core import QgsGeometry, QgsVectorLayer
 
 from tests.qgis.acceptance.seam_scenes import UTM33, decide, decision, file, seams, straight
-from tests.qgis.runs import Run, run
+from tests.qgis.runs import Run
 from tests.qgis.scenes import layer
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -47,14 +47,6 @@ def test_what_a_scan_could_not_compare_is_no_doubt() -> None:
     assert warned(claimed, "kept_1 of 1 pieces of s is no share that a seam can keep")
 
 
-def test_a_sheet_under_two_names_counts_once(tmp_path: Path) -> None:
-    made = seams([P] * 6 + [F] * 2 + [P] * 2)
-    twice = [file(made, tmp_path / name) for name in ("a.gpkg", "b.gpkg")]
-    outcome = decide(*twice)
-    assert warned(outcome, "10 pieces of seam are given twice")
-    assert (outcome.results["TOTAL_METRES"], outcome.results["LONGEST_FAILURE"]) == pytest.approx((250, 50), rel=1e-3)
-
-
 def test_metres_of_web_mercator_are_those_on_the_ground() -> None:
     mercator = seams([P, F, F], epsg=3857, with_length=False)
     assert decide(mercator).results["TOTAL_METRES"] == pytest.approx(75, rel=2e-3)
@@ -70,15 +62,3 @@ def test_pieces_that_lie_nowhere_are_missed(tmp_path: Path) -> None:
     assert outcome.results["DECISION"] == "undecided"
     assert warned(outcome, "features without a line are left out (2)")
     assert "50 m of seam are missing" in decision(outcome)
-
-
-def test_a_sheet_of_which_nothing_was_measured_is_not_passed_over(tmp_path: Path) -> None:
-    """Its layer is empty, as that of a scan that could read nothing was."""
-    good = seams([0.97] * 100, name="good")
-    broken = layer("LineString", [], UTM33, kept_1=("double", []), verdict=("string", []))
-    broken.setName("broken")
-    assert run("acceptmosaic", SEAMS=[good]).results["DECISION"] == "accepted"
-    outcome = run("acceptmosaic", SEAMS=[good, broken])
-    assert outcome.results["DECISION"] == "undecided"
-    notices = outcome.log.infos + outcome.log.warnings
-    assert any("sheets of which nothing was measured: 1 (broken)" in item for item in notices)

@@ -58,31 +58,22 @@ def test_the_sample_is_decided_on() -> None:
     (said,) = (text for text in outcome.log.infos if text.startswith("Rejected"))
     assert f"{failed} of 80 inspected pieces failed" in said
     assert any("lot of 1000" in text for text in outcome.log.infos)
-    other = run("acceptmosaic", SEAMS=[sample], PLAN="iso2859", AQL="1.0", INSPECTION_LEVEL="III", **parameters)
-    assert any("needs a sample of 125 pieces and 80 were" in text for text in other.log.infos) or failed > 3
     judged = run("acceptmosaic", SEAMS=[sample], **parameters)
     assert any("these layers are only a sample" in text for text in judged.log.warnings)
     assert judged.results.get("LONGEST_FAILURE") is None
-    assert not any("without a break: " in text for text in (*judged.log.infos, *outcome.log.infos))
 
 
 def test_bad_input_is_refused(scene: Scene) -> None:
     made = seams([P] * 10)
     for parameters, words in (
-        ({"SEAMS": []}, "No layer of seams is given"),
-        ({"SEAMS": ["/nowhere.gpkg"]}, "can't be read as a layer of lines"),
         ({"SEAMS": ["x" * 5000]}, "can't be read as a layer of lines"),  # longer than any file's name
         ({"UNIT": "windows"}, "give MOSAIC, or take pieces"),
     ):
         assert_refused("planinspection", words, **{"SEAMS": [made], **parameters})
     assert_sentence(plan(made, LOT_SIZE=5).complaint, "The lot size is 5 and the layers hold 10")
     assert_sentence(plan(seams([P])).complaint, "at least 2")
-    bare, empty, short = layer("LineString", []), *(
-        layer("LineString", lines, kept_1=("double", [P] * len(lines)))
-        for lines in ([], [line((200, 0), (300, 256)), line((300, 256), (350, 256))])
-    )
-    assert_refused("planinspection", "has no field 'kept_1'", SEAMS=[bare])
-    assert_sentence(plan(empty).complaint, "layers of seams are empty")
+    lines = [line((200, 0), (300, 256)), line((300, 256), (350, 256))]
+    short = layer("LineString", lines, kept_1=("double", [P] * 2))
     wide = plan(short, UNIT="windows", MOSAIC=str(scene.mosaic))
     assert_sentence(wide.complaint, "smaller than a window of 1024 px, the power of two that spans 100 m")
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from osgeo import gdal, ogr
+from osgeo import gdal
 from qgis.core import QgsVectorLayer
 
 from tests.qgis.acceptance.seam_scenes import decide, decision, file, sealed, seams
@@ -29,28 +29,9 @@ def sql(*statements: str) -> Callable[[Path], None]:
     return change
 
 
-def copied(path: Path) -> None:
-    """Rows that passed, once more and elsewhere."""
-    dataset = ogr.Open(str(path), 1)
-    layer = dataset.GetLayer(0)
-    rows = [row.Clone() for row in layer if row["kept_1"] == P]
-    for row in rows:
-        moved = row.GetGeometryRef().Clone()
-        for vertex in range(moved.GetPointCount()):
-            moved.SetPoint_2D(vertex, moved.GetX(vertex), moved.GetY(vertex) + 500)
-        row.SetGeometry(moved)
-        row["seam_id"], _ = 9, row.SetFID(-1)
-        layer.CreateFeature(row)
-
-
 def stripped(path: Path) -> None:
     dataset = gdal.OpenEx(str(path), gdal.OF_VECTOR | gdal.OF_UPDATE)
     dataset.GetLayer(0).SetMetadata({}, "SEAM_INSPECTOR")
-
-
-def without_failures(path: Path) -> None:
-    sql("DELETE FROM seams WHERE kept_1 < 0.7")(path)
-    stripped(path)
 
 
 def other_settings(path: Path) -> None:
@@ -68,14 +49,10 @@ def other_system(path: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (copied, CHANGED),
-        (sql("UPDATE seams SET length = 2 * length WHERE kept_1 > 0.7"), CHANGED),
         (sql("UPDATE seams SET kept_1 = 0.95, kept_low = 0.9, kept_high = 1.0 WHERE kept_1 < 0.7"), CHANGED),
-        (sql("UPDATE seams SET verdict = 'not_comparable' WHERE kept_1 < 0.7"), CHANGED),
         (sql("DELETE FROM seams WHERE kept_1 < 0.7"), CHANGED),
         (sql("UPDATE seams SET level = 'stretch' WHERE kept_1 < 0.7"), CHANGED),
-        (stripped, UNSEALED), (without_failures, UNSEALED), (other_settings, CHANGED),
-        (other_system, CHANGED),
+        (stripped, UNSEALED), (other_settings, CHANGED), (other_system, CHANGED),
     ],
 )
 def test_a_layer_that_was_changed_is_not_accepted(

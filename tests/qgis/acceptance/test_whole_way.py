@@ -26,11 +26,14 @@ def scene(tmp_path_factory: pytest.TempPathFactory) -> Files:
 
 @pytest.fixture(scope="module")
 def folder(scene: Files, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return in_sheets(scene, tmp_path_factory.mktemp("delivered"))
+
+
+def in_sheets(files: Files, folder: Path) -> Path:
     """The mosaic in two sheets, west and east."""
-    made = tmp_path_factory.mktemp("delivered")
-    for name, column, width in (("sheet_a", 0, 350), ("sheet_b", 350, 350)):
-        gdal.Translate(str(made / f"{name}.tif"), scene.mosaic, srcWin=[column, 0, width, 520])
-    return made
+    for name, column in (("sheet_a", 0), ("sheet_b", 350)):
+        gdal.Translate(str(folder / f"{name}.tif"), files.mosaic, srcWin=[column, 0, 350, 520])
+    return folder
 
 
 def ordered(folder: Path, *more: str) -> QgsVectorLayer:
@@ -102,10 +105,7 @@ def decided(folder: Path, sheets: object, files: Files, out: Path) -> str:
 def sound(tmp_path_factory: pytest.TempPathFactory) -> tuple[Files, Path]:
     """A hard cut, and it in two sheets."""
     made = write_scene(tmp_path_factory.mktemp("sound"))
-    folder = tmp_path_factory.mktemp("delivered_sound")
-    for name, column, width in (("sheet_a", 0, 350), ("sheet_b", 350, 350)):
-        gdal.Translate(str(folder / f"{name}.tif"), made.mosaic, srcWin=[column, 0, width, 520])
-    return made, folder
+    return made, in_sheets(made, tmp_path_factory.mktemp("delivered_sound"))
 
 
 def test_what_nobody_ordered_hides_nothing(sound: tuple[Files, Path], scene: Files, tmp_path: Path) -> None:
@@ -113,9 +113,7 @@ def test_what_nobody_ordered_hides_nothing(sound: tuple[Files, Path], scene: Fil
     cut, _ = sound
     feathered = tmp_path / "feathered"
     feathered.mkdir()
-    for name, column in (("sheet_a", 0), ("sheet_b", 350)):
-        gdal.Translate(str(feathered / f"{name}.tif"), scene.mosaic, srcWin=[column, 0, 350, 520])
-    index = ordered(feathered)
+    index = ordered(in_sheets(scene, feathered))
     alone = decided(feathered, index, scene, tmp_path / "alone")
     assert alone.startswith("Rejected")
     shutil.copy(cut.mosaic, feathered / "zz_overview.tif")

@@ -4,14 +4,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 from qgis.core import QgsProcessingProvider
-from seam_inspector.plugin.acceptance.measure.acceptance_rules import load_acceptance_rules, ready_files
+from seam_inspector.plugin.acceptance.measure.acceptance_rules import load_acceptance_rules
+from seam_inspector.plugin.imagery.documents import ready_rules
 from seam_inspector.plugin.provider import SeamInspectorProvider
 from seam_inspector.plugin.radiometry.measure.rules import load_rules, ready_rule_files
 from seam_inspector.plugin.toolkit.algorithms.parameters import in_users_language
 
 
 def test_ready_rules_and_their_sources_are_polish(polish: None) -> None:
-    known = [load_acceptance_rules(path) for path in ready_files().values()]
+    known = [load_acceptance_rules(path) for path in ready_rules("acceptance").values()]
     for rules in known:
         worded = in_users_language(rules)
         assert worded.name != rules.name

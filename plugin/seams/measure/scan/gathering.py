@@ -26,6 +26,7 @@ from ..judgement.visibility import white_grey
 from ..seamlines.seam_pieces import PieceIndex, SeamPiece, Side, cut_in_pieces, sided
 from ..seamlines.seam_tracing import SourceBorder, SourcePolygon, multipolygon, polygons_of, seams_of, trace_borders
 from ..workers import Workers
+from .common_shift import LEAST_BESIDE, common_shift
 from .followed_ground import LEAST_UNEXPLAINED, FollowedGround
 from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
 from .piece_sums import REACH_PX, Pieces, around_pieces, block_outputs, by_blocks, measure_pieces
@@ -91,12 +92,15 @@ class Gathering:
             if doubtful := [name for name, source in zip(request.source_names, request.sources) if source.may_be_copy]:
                 notes["may_be_copies"] = ", ".join(doubtful)
             notes.update(ground.told)
+            shift = common_shift(request, ground.unexplained_places) if ground.unexplained >= LEAST_BESIDE else None
+            if shift is not None:
+                notes["mosaic_shift"] = "{:.2f} {:.2f}".format(*shift)
             if raster is not None:
                 sources = _listed(source.ref for source in request.sources)
                 how = {**settings.told, **notes, "mosaic": _listed([request.mosaic.ref]), "sources": sources}
                 raster.close([request.source_names[number] for number in self._shown], how)
             worst = worst_windows(judged, request.mosaic, settings.worst_count, settings.levels)
-            notices = [*lost, *too_many, *_notices(ground), *notices, *without_verdict(judged)]
+            notices = [*lost, *too_many, *_notices(ground, shift), *notices, *without_verdict(judged)]
             if polygons and not (pieces or request.given or too_many):
                 followed = ", ".join(request.source_names[polygon.source] for polygon in polygons)
                 notices.append(messages.SCAN_WITHOUT_SEAMS(name=followed))
@@ -185,9 +189,11 @@ def _more_than_outlines(request: ScanRequest, pieces: Sequence[SeamPiece]) -> It
         yield messages.MORE_SEAMS_THAN_OUTLINES(metres=length, around=around)
 
 
-def _notices(ground: FollowedGround) -> Iterator[Message]:
-    """What of the ground is in no figure."""
-    if ground.unexplained >= LEAST_UNEXPLAINED:
+def _notices(ground: FollowedGround, shift: tuple[float, float] | None) -> Iterator[Message]:
+    """What of the ground is in no figure; ``shift``: by which the mosaic lies beside all its orthoimages."""
+    if shift is not None:
+        yield messages.MOSAIC_BESIDE(share=100 * ground.unexplained, east=shift[0], north=shift[1])
+    elif ground.unexplained >= LEAST_UNEXPLAINED:
         place = ground.unexplained_places[0]
         yield messages.MOSAIC_UNEXPLAINED(share=100 * ground.unexplained, x=place.x, y=place.y)
     if ground.unseen:

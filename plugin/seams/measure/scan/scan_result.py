@@ -246,7 +246,8 @@ class ScanResult:
     """What was left out, assumed or could not be judged."""
     told: Mapping[str, str] = field(default_factory=dict, hash=False)
     """What its layers and its picture say of it: the settings; whether ``seams`` were ``given`` or ``found``;
-    which share of textured ground is ``unexplained``, and the metres of ``unexplained_border`` beside no seam; which
+    which share of textured ground is ``unexplained``, and the metres of ``unexplained_border`` beside no seam; by how
+    many metres to the east and north the mosaic lies beside all orthoimages (``mosaic_shift``) where that is why; which
     share of the mosaic within its outline has no pixels (``nodata_inside``); ``unseen_metres`` of border between two
     orthoimages that no seam tells of, ``hidden_metres`` of these along which nothing explains the mosaic, the longest
     of either in one place (``unseen_longest``, ``hidden_longest``); ``unchanged_metres`` of given seams that name two
